@@ -52,9 +52,14 @@ struct View {
 void fill(const TrackedRobots& robots, RobotRows& rows) {
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const TrackedRobot& r = robots[i];
-    rows[i] = {static_cast<double>(r.number), r.position_m.x(),   r.position_m.y(),
-               r.heading.x(),                 r.heading.y(),      r.velocity_mps.x(),
-               r.velocity_mps.y(),            r.angular_velocity_radps};
+    rows[i] = {static_cast<double>(r.number),
+               r.position_m.x(),
+               r.position_m.y(),
+               r.heading.x(),
+               r.heading.y(),
+               r.velocity_mps.x(),
+               r.velocity_mps.y(),
+               r.angular_velocity_radps};
   }
 }
 
@@ -193,7 +198,8 @@ class PythonGame {
     state.position_m = Vec2(at[0], at[1]);
     check(state.position_m, "robot");
     const double length = std::hypot(at[2], at[3]);
-    if (!(length > 0) || !std::isfinite(length)) throw py::value_error("a heading must not be zero");
+    if (!(length > 0) || !std::isfinite(length))
+      throw py::value_error("a heading must not be zero");
     state.heading = Vec2(at[2], at[3]) / length;
     playing().put_robot(id, state);
   }

@@ -20,13 +20,11 @@ class CMakeBuild(build_ext):
     def build_extension(self, ext: Extension) -> None:
         build = CHECKOUT / "build" / "release"
         subprocess.run(["cmake", "--preset", "release"], cwd=CHECKOUT, check=True)
-        subprocess.run(["cmake", "--build", str(build), "--target", "autoref_python", "autoref"],
-                       check=True)
+        subprocess.run(["cmake", "--build", str(build), "--target", "autoref_python", "autoref"], check=True)
         target = Path(self.get_ext_fullpath(ext.name))
         target.parent.mkdir(parents=True, exist_ok=True)
-        module, = (build / "python" / "autoref").glob("_core.*.so")
+        (module,) = (build / "python" / "autoref").glob("_core.*.so")
         shutil.copy(module, target)
 
 
-setup(packages=["autoref"], ext_modules=[Extension("autoref._core", sources=[])],
-      cmdclass={"build_ext": CMakeBuild})
+setup(packages=["autoref"], ext_modules=[Extension("autoref._core", sources=[])], cmdclass={"build_ext": CMakeBuild})

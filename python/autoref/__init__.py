@@ -8,13 +8,41 @@ from .random_stream import RandomStream
 from .results import LogMessage, events, log, results, rows
 from .team import Team
 
-__all__ = ["Abilities", "AutorefError", "Ball", "Command", "End", "Field", "Game", "GameResult",
-           "LogMessage", "Next", "Output", "Play", "RandomStream", "Robot", "Run", "Start", "Team",
-           "View", "events", "log", "play", "program", "results", "rows", "run"]
+__all__ = [
+    "Abilities",
+    "AutorefError",
+    "Ball",
+    "Command",
+    "End",
+    "Field",
+    "Game",
+    "GameResult",
+    "LogMessage",
+    "Next",
+    "Output",
+    "Play",
+    "RandomStream",
+    "Robot",
+    "Run",
+    "Start",
+    "Team",
+    "View",
+    "events",
+    "log",
+    "play",
+    "program",
+    "results",
+    "rows",
+    "run",
+]
 
-_WITH_NUMPY = {"GymnasiumEnv": "environments", "ParallelEnv": "environments",
-               "gymnasium_env": "environments", "parallel_env": "environments",
-               "VectorEnv": "vector"}
+_WITH_NUMPY = {
+    "GymnasiumEnv": "environments",
+    "ParallelEnv": "environments",
+    "gymnasium_env": "environments",
+    "parallel_env": "environments",
+    "VectorEnv": "vector",
+}
 
 
 def __getattr__(name: str) -> object:

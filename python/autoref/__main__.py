@@ -16,8 +16,11 @@ def _teams_in(file: str) -> list[type[autoref.Team]]:
     module = importlib.util.module_from_spec(spec)
     sys.modules[spec.name] = module
     spec.loader.exec_module(module)
-    return [value for value in vars(module).values() if isinstance(value, type)
-            and issubclass(value, autoref.Team) and value.__module__ == spec.name]
+    return [
+        value
+        for value in vars(module).values()
+        if isinstance(value, type) and issubclass(value, autoref.Team) and value.__module__ == spec.name
+    ]
 
 
 def _team(arguments: argparse.Namespace) -> None:
@@ -29,8 +32,7 @@ def _team(arguments: argparse.Namespace) -> None:
 
 def _play(arguments: argparse.Namespace) -> None:
     settings = {key: value for key, _, value in (word.partition("=") for word in arguments.set)}
-    game = autoref.play(arguments.a, arguments.b, seed=arguments.seed, settings=settings,
-                        view=arguments.view)
+    game = autoref.play(arguments.a, arguments.b, seed=arguments.seed, settings=settings, view=arguments.view)
     print(f"{game.goals_a} : {game.goals_b}  ({game.end_reason})  state {game.state_hash}")
     if game.void_reason:
         sys.exit(game.void_reason)
@@ -41,8 +43,11 @@ def _check(_: argparse.Namespace) -> None:
     version = subprocess.run([program, "--version"], stdout=subprocess.PIPE, text=True, check=True)
     print(f"program   {program}\nversion   {version.stdout.strip()}")
     print(f"python    {sys.version.split()[0]}, {sys.executable}")
-    for module, use in (("numpy", "results()"), ("pandas", "results(pandas=True)"),
-                        ("google.protobuf", "teams in protobuf")):
+    for module, use in (
+        ("numpy", "results()"),
+        ("pandas", "results(pandas=True)"),
+        ("google.protobuf", "teams in protobuf"),
+    ):
         print(f"{module:<16} {_is_there(module)}, for {use}")
 
 

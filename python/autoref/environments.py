@@ -21,8 +21,17 @@ import numpy as np
 from .game import Game
 from .spaces import box
 
-PLAYS = ("HALT", "STOP", "PREPARE_KICKOFF", "PREPARE_PENALTY", "KICKOFF", "PENALTY", "DIRECT_FREE",
-         "INDIRECT_FREE", "RUNNING")
+PLAYS = (
+    "HALT",
+    "STOP",
+    "PREPARE_KICKOFF",
+    "PREPARE_PENALTY",
+    "KICKOFF",
+    "PENALTY",
+    "DIRECT_FREE",
+    "INDIRECT_FREE",
+    "RUNNING",
+)
 ACTION_LOW = np.array([-3.0, -3.0, -10.0, 0.0, 0.0, 0.0])
 ACTION_HIGH = np.array([3.0, 3.0, 10.0, 6.5, 1.0, 1.0])
 _ROBOT = 7
@@ -38,7 +47,7 @@ def observe(view: Any, robots: int, out: np.ndarray) -> np.ndarray:
     out[:] = 0
     out[:5] = view.ball
     for first, rows in ((5, view.own), (5 + robots * _ROBOT, view.opponents)):
-        table = out[first:first + robots * _ROBOT].reshape(robots, _ROBOT)
+        table = out[first : first + robots * _ROBOT].reshape(robots, _ROBOT)
         numbers = rows[:, 0].astype(int)
         on = numbers < robots
         table[numbers[on]] = rows[on, 1:]
@@ -51,8 +60,9 @@ def observe(view: Any, robots: int, out: np.ndarray) -> np.ndarray:
 class _Episodes:
     """A game for one episode after the other, and what the teams have scored."""
 
-    def __init__(self, external: str, settings: Mapping[str, Any] | None, robots: int,
-                 frames_per_step: int, most_s: float | None) -> None:
+    def __init__(
+        self, external: str, settings: Mapping[str, Any] | None, robots: int, frames_per_step: int, most_s: float | None
+    ) -> None:
         self.game = Game(external)
         self.robots = robots
         self.frames_per_step = frames_per_step
@@ -96,8 +106,13 @@ class GymnasiumEnv:
     render_mode = None
     spec = None
 
-    def __init__(self, settings: Mapping[str, Any] | None = None, robots: int = 6,
-                 frames_per_step: int = 1, most_s: float | None = None) -> None:
+    def __init__(
+        self,
+        settings: Mapping[str, Any] | None = None,
+        robots: int = 6,
+        frames_per_step: int = 1,
+        most_s: float | None = None,
+    ) -> None:
         self._episodes = _Episodes("a", settings, robots, frames_per_step, most_s)
         size = observation_size(robots)
         self.observation_space = box(-np.inf, np.inf, (size,))
@@ -114,8 +129,9 @@ class GymnasiumEnv:
         """The game, for what the interface does not show."""
         return self._episodes.game
 
-    def reset(self, *, seed: int | None = None,
-              options: Mapping[str, Any] | None = None) -> tuple[np.ndarray, dict[str, Any]]:
+    def reset(
+        self, *, seed: int | None = None, options: Mapping[str, Any] | None = None
+    ) -> tuple[np.ndarray, dict[str, Any]]:
         """Begins an episode."""
         self._episodes.begin(seed)
         return self._observe(), {}
@@ -140,8 +156,14 @@ class ParallelEnv:
 
     metadata: dict[str, Any] = {"render_modes": [], "name": "autoref"}
 
-    def __init__(self, settings: Mapping[str, Any] | None = None, teams: str = "ab",
-                 robots: int = 6, frames_per_step: int = 1, most_s: float | None = None) -> None:
+    def __init__(
+        self,
+        settings: Mapping[str, Any] | None = None,
+        teams: str = "ab",
+        robots: int = 6,
+        frames_per_step: int = 1,
+        most_s: float | None = None,
+    ) -> None:
         self._episodes = _Episodes(teams, settings, robots, frames_per_step, most_s)
         self.possible_agents = list(teams)
         self.agents: list[str] = []
@@ -160,22 +182,27 @@ class ParallelEnv:
         """The space of an agent's actions."""
         return self._spaces.action_space
 
-    def reset(self, seed: int | None = None, options: Mapping[str, Any] | None = None
-              ) -> tuple[dict[str, np.ndarray], dict[str, dict[str, Any]]]:
+    def reset(
+        self, seed: int | None = None, options: Mapping[str, Any] | None = None
+    ) -> tuple[dict[str, np.ndarray], dict[str, dict[str, Any]]]:
         """Begins an episode."""
         self._episodes.begin(seed)
         self.agents = list(self.possible_agents)
         return self._observe(), {agent: {} for agent in self.agents}
 
-    def step(self, actions: Mapping[str, Any]) -> tuple[
-            dict[str, np.ndarray], dict[str, float], dict[str, bool], dict[str, bool],
-            dict[str, dict[str, Any]]]:
+    def step(
+        self, actions: Mapping[str, Any]
+    ) -> tuple[dict[str, np.ndarray], dict[str, float], dict[str, bool], dict[str, bool], dict[str, dict[str, Any]]]:
         """Returns observations, rewards, terminations, truncations and infos by agent."""
         reward, over, late = self._episodes.step(**actions)
         agents = self.agents
-        result = (self._observe(), {agent: reward if agent == "a" else -reward for agent in agents},
-                  dict.fromkeys(agents, over), dict.fromkeys(agents, late),
-                  {agent: self.game.record if over or late else {} for agent in agents})
+        result = (
+            self._observe(),
+            {agent: reward if agent == "a" else -reward for agent in agents},
+            dict.fromkeys(agents, over),
+            dict.fromkeys(agents, late),
+            {agent: self.game.record if over or late else {} for agent in agents},
+        )
         if over or late:
             self.agents = []
         return result
@@ -186,8 +213,7 @@ class ParallelEnv:
     def _observe(self) -> dict[str, np.ndarray]:
         robots = self._episodes.robots
         size = observation_size(robots)
-        return {team: observe(self._episodes.view(team), robots, np.empty(size))
-                for team in self.agents}
+        return {team: observe(self._episodes.view(team), robots, np.empty(size)) for team in self.agents}
 
 
 def gymnasium_env(**options: Any) -> GymnasiumEnv:

@@ -5,8 +5,7 @@ import functools
 import struct
 from typing import BinaryIO
 
-from .messages import (Abilities, End, Field, Next, Output, Play, Robots, Start, View, ball_from,
-                       robot_from)
+from .messages import Abilities, End, Field, Next, Output, Play, Robots, Start, View, ball_from, robot_from
 
 _FRAME = 2
 _START = struct.Struct("<6xHQ15d?3x3I56s")
@@ -22,40 +21,99 @@ _PLACING = (None, False, True)
 
 
 def _text(raw: bytes) -> str:
-    return raw[:raw.index(b"\0")].decode(errors="replace")
+    return raw[: raw.index(b"\0")].decode(errors="replace")
 
 
 def _robots(data: bytes, own: int) -> Robots:
-    robots = list(map(robot_from, _ROBOT.iter_unpack(data[_VIEW.size:])))
+    robots = list(map(robot_from, _ROBOT.iter_unpack(data[_VIEW.size :])))
     return robots[:own], robots[own:]
 
 
 def _view(data: bytes) -> View:
-    (is_detections, frame, time_s, latency_s, stage_time_left_s, placement_x_m, placement_y_m,
-     ball_x_m, ball_y_m, ball_vx_mps, ball_vy_mps, height_m, deviation_m, camera_x_m, camera_y_m,
-     camera_height_m, goals_own, goals_opponent, play, ours, has_placement, placing, following,
-     next_is_ours, has_ball, is_height_known, own, _, in_zone) = _VIEW.unpack_from(data)
+    (
+        is_detections,
+        frame,
+        time_s,
+        latency_s,
+        stage_time_left_s,
+        placement_x_m,
+        placement_y_m,
+        ball_x_m,
+        ball_y_m,
+        ball_vx_mps,
+        ball_vy_mps,
+        height_m,
+        deviation_m,
+        camera_x_m,
+        camera_y_m,
+        camera_height_m,
+        goals_own,
+        goals_opponent,
+        play,
+        ours,
+        has_placement,
+        placing,
+        following,
+        next_is_ours,
+        has_ball,
+        is_height_known,
+        own,
+        _,
+        in_zone,
+    ) = _VIEW.unpack_from(data)
     ball = None
     if has_ball:
-        ball = ball_from((ball_x_m, ball_y_m, ball_vx_mps, ball_vy_mps,
-                         None if is_detections and not is_height_known else height_m, deviation_m,
-                         camera_x_m, camera_y_m, camera_height_m, is_height_known))
-    return View(frame, time_s, latency_s, stage_time_left_s,
-                placement_x_m if has_placement else None, placement_y_m if has_placement else None,
-                goals_own, goals_opponent, _PLAYS[play], ours, _PLACING[placing],
-                _NEXT.get(following), next_is_ours, ball,
-                [robot for robot in range(16) if in_zone >> robot & 1] if in_zone else [],
-                functools.partial(_robots, data, own))
+        ball = ball_from(
+            (
+                ball_x_m,
+                ball_y_m,
+                ball_vx_mps,
+                ball_vy_mps,
+                None if is_detections and not is_height_known else height_m,
+                deviation_m,
+                camera_x_m,
+                camera_y_m,
+                camera_height_m,
+                is_height_known,
+            )
+        )
+    return View(
+        frame,
+        time_s,
+        latency_s,
+        stage_time_left_s,
+        placement_x_m if has_placement else None,
+        placement_y_m if has_placement else None,
+        goals_own,
+        goals_opponent,
+        _PLAYS[play],
+        ours,
+        _PLACING[placing],
+        _NEXT.get(following),
+        next_is_ours,
+        ball,
+        [robot for robot in range(16) if in_zone >> robot & 1] if in_zone else [],
+        functools.partial(_robots, data, own),
+    )
 
 
 def _start(data: bytes) -> Start:
     side, seed, frame_rate_hz, latency_s, *lengths = _START.unpack_from(data)
     *field, robots, rule_numbers, _, rules = lengths
     end = _START.size + robots * _ABILITIES.size
-    abilities = [Abilities(*values) for values in _ABILITIES.iter_unpack(data[_START.size:end])]
+    abilities = [Abilities(*values) for values in _ABILITIES.iter_unpack(data[_START.size : end])]
     numbers = [(_text(name), value) for name, value in _NUMBER.iter_unpack(data[end:])]
-    return Start(("west", "east")[side], seed, frame_rate_hz, latency_s, Field(*field), abilities,
-                 _text(rules), dict(numbers[:rule_numbers]), dict(numbers[rule_numbers:]))
+    return Start(
+        ("west", "east")[side],
+        seed,
+        frame_rate_hz,
+        latency_s,
+        Field(*field),
+        abilities,
+        _text(rules),
+        dict(numbers[:rule_numbers]),
+        dict(numbers[rule_numbers:]),
+    )
 
 
 def _end(data: bytes) -> End:
@@ -82,10 +140,30 @@ def encode(output: Output) -> bytes:
     commands = output.commands
     values: list[float] = []
     for robot, command in commands.items():
-        values += (command.vx_mps, command.vy_mps, command.angular_velocity_radps,
-                   command.kick_mps, robot, command.chip, command.dribble, 0)
+        values += (
+            command.vx_mps,
+            command.vy_mps,
+            command.angular_velocity_radps,
+            command.kick_mps,
+            robot,
+            command.chip,
+            command.dribble,
+            0,
+        )
     text = output.text.encode() if output.text else b""
     record = _OUTPUTS[len(commands)]
-    return record.pack(record.size + len(text), 4, output.timeout, output.frame, output.keeper,
-                       -1 if output.leaves is None else output.leaves, len(commands), len(text), 0,
-                       *values) + text
+    return (
+        record.pack(
+            record.size + len(text),
+            4,
+            output.timeout,
+            output.frame,
+            output.keeper,
+            -1 if output.leaves is None else output.leaves,
+            len(commands),
+            len(text),
+            0,
+            *values,
+        )
+        + text
+    )

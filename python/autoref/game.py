@@ -12,8 +12,10 @@ def _core() -> ModuleType:
     try:
         from . import _core as core  # type: ignore[attr-defined]
     except ImportError as error:
-        raise AutorefError("the compiled half of the package is not here; build AutoRef with "
-                           f"pybind11 (scripts/setup --tests installs it): {error}") from error
+        raise AutorefError(
+            "the compiled half of the package is not here; build AutoRef with "
+            f"pybind11 (scripts/setup --tests installs it): {error}"
+        ) from error
     return core
 
 
@@ -50,8 +52,9 @@ class Game:
         played."""
         return int(self._game.run(most_frames))
 
-    def place(self, ball: Sequence[float] | None = None,
-              robots: Mapping[tuple[str, int], Sequence[float]] | None = None) -> None:
+    def place(
+        self, ball: Sequence[float] | None = None, robots: Mapping[tuple[str, int], Sequence[float]] | None = None
+    ) -> None:
         """Puts the ball to (x, y) or (x, y, vx, vy), and robots, by ("a", number), to (x, y) or
         (x, y, heading_x, heading_y), at rest. In field coordinates: the goal of west is at -x. What
         the teams see follows in the next frame."""

@@ -18,8 +18,17 @@ _motion = operator.itemgetter(*Robot._fields)
 def _robot(members: dict[str, Any]) -> Robot:
     if "is_seen" in members:
         return Robot._make(_motion(members))
-    return Robot(members["x_m"], members["y_m"], members["heading_x"], members["heading_y"],
-                 0.0, 0.0, 0.0, members["number"], True)
+    return Robot(
+        members["x_m"],
+        members["y_m"],
+        members["heading_x"],
+        members["heading_y"],
+        0.0,
+        0.0,
+        0.0,
+        members["number"],
+        True,
+    )
 
 
 def _robots(members: dict[str, Any]) -> Robots:
@@ -35,12 +44,24 @@ def _ball(members: dict[str, Any] | None) -> Ball | None:
 
 
 def _view(members: dict[str, Any]) -> View:
-    return View(members["frame"], members["time_s"], members["latency_s"],
-                members["stage_time_left_s"], members["placement_x_m"], members["placement_y_m"],
-                members["goals_own"], members["goals_opponent"], _PLAYS[members["play"]],
-                members["ours"], members["placing_is_ours"], _NEXT.get(members["next"]),
-                members["next_is_ours"], _ball(members["ball"]), members["ball_in_dribbler_zone"],
-                functools.partial(_robots, members))
+    return View(
+        members["frame"],
+        members["time_s"],
+        members["latency_s"],
+        members["stage_time_left_s"],
+        members["placement_x_m"],
+        members["placement_y_m"],
+        members["goals_own"],
+        members["goals_opponent"],
+        _PLAYS[members["play"]],
+        members["ours"],
+        members["placing_is_ours"],
+        _NEXT.get(members["next"]),
+        members["next_is_ours"],
+        _ball(members["ball"]),
+        members["ball_in_dribbler_zone"],
+        functools.partial(_robots, members),
+    )
 
 
 def _start(members: dict[str, Any]) -> Start:
@@ -66,13 +87,25 @@ def decode(data: bytes) -> Start | View | End:
 
 def encode(output: Output) -> bytes:
     """The bytes of an answer."""
-    commands = [{"robot": robot, "vx_mps": command.vx_mps, "vy_mps": command.vy_mps,
-                 "angular_velocity_radps": command.angular_velocity_radps,
-                 "kick_mps": command.kick_mps, "chip": bool(command.chip),
-                 "dribble": bool(command.dribble)}
-                for robot, command in output.commands.items()]
-    members = {"frame": output.frame, "commands": commands, "keeper": output.keeper,
-               "leaves": output.leaves, "timeout": bool(output.timeout)}
+    commands = [
+        {
+            "robot": robot,
+            "vx_mps": command.vx_mps,
+            "vy_mps": command.vy_mps,
+            "angular_velocity_radps": command.angular_velocity_radps,
+            "kick_mps": command.kick_mps,
+            "chip": bool(command.chip),
+            "dribble": bool(command.dribble),
+        }
+        for robot, command in output.commands.items()
+    ]
+    members = {
+        "frame": output.frame,
+        "commands": commands,
+        "keeper": output.keeper,
+        "leaves": output.leaves,
+        "timeout": bool(output.timeout),
+    }
     if output.text:
         members["text"] = output.text
     return _encode(members).encode() + b"\n"

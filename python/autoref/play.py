@@ -74,8 +74,9 @@ def program() -> str:
             return str(candidate)
     found = shutil.which("autoref")
     if found is None:
-        raise AutorefError("the program autoref was not found; build it with scripts/build, or set "
-                           "AUTOREF to its path")
+        raise AutorefError(
+            "the program autoref was not found; build it with scripts/build, or set " "AUTOREF to its path"
+        )
     return found
 
 
@@ -83,8 +84,7 @@ def _file_of(team: type[Team]) -> str:
     try:
         return os.path.abspath(inspect.getfile(team))
     except (TypeError, OSError):
-        raise AutorefError(f"{team.__name__} is not defined in a file; a game runs it in another "
-                           "process") from None
+        raise AutorefError(f"{team.__name__} is not defined in a file; a game runs it in another " "process") from None
 
 
 def team_settings(player: Player) -> dict[str, Any]:
@@ -112,8 +112,15 @@ def _environment() -> dict[str, str]:
 
 
 def _run_program(arguments: list[str], good_codes: tuple[int, ...] = (0,)) -> str:
-    done = subprocess.run([program(), *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          text=True, errors="replace", env=_environment(), check=False)
+    done = subprocess.run(
+        [program(), *arguments],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        errors="replace",
+        env=_environment(),
+        check=False,
+    )
     if done.returncode not in good_codes:
         raise AutorefError(done.stderr.strip() or f"autoref ended with code {done.returncode}")
     return done.stdout
@@ -124,8 +131,7 @@ def _options(settings: Mapping[str, Any], options: Mapping[str, Any]) -> list[st
     words = []
     for name, value in options.items():
         if value is not None:
-            words += ["--" + name.replace("_", "-"), os.fspath(value) if isinstance(
-                value, os.PathLike) else str(value)]
+            words += ["--" + name.replace("_", "-"), os.fspath(value) if isinstance(value, os.PathLike) else str(value)]
     for key, value in settings.items():
         words += ["--set", f"{key}={json.dumps(value) if isinstance(value, bool) else value}"]
     return words
@@ -143,10 +149,17 @@ def _scenario_file(scenario: Mapping[str, Any] | PathLike) -> Iterator[str]:
         yield str(file)
 
 
-def play(a: Player, b: Player, *, seed: int = 1, settings: Mapping[str, Any] | None = None,
-         events: PathLike | None = None, log: PathLike | None = None,
-         view: PathLike | None = None,
-         record: PathLike | None = None) -> GameResult:
+def play(
+    a: Player,
+    b: Player,
+    *,
+    seed: int = 1,
+    settings: Mapping[str, Any] | None = None,
+    events: PathLike | None = None,
+    log: PathLike | None = None,
+    view: PathLike | None = None,
+    record: PathLike | None = None,
+) -> GameResult:
     """Plays one game of a against b.
 
     a, b: a strategy such as "basic", a .py file, a subclass of Team (whose file ends with its
@@ -156,8 +169,7 @@ def play(a: Player, b: Player, *, seed: int = 1, settings: Mapping[str, Any] | N
 
     Raises AutorefError if the input is wrong. A game in which a team fails is void.
     """
-    scenario = {"schema": 1, "kind": "game", "seed": seed,
-                "teams": {"a": team_settings(a), "b": team_settings(b)}}
+    scenario = {"schema": 1, "kind": "game", "seed": seed, "teams": {"a": team_settings(a), "b": team_settings(b)}}
     files = {"events": events, "log": log, "view": view, "record": record}
     with _scenario_file(scenario) as file:
         words = ["play", file, "--json", *_options(settings or {}, files)]
@@ -166,9 +178,15 @@ def play(a: Player, b: Player, *, seed: int = 1, settings: Mapping[str, Any] | N
     return GameResult(**{name: details[name] for name in names}, details=details)
 
 
-def run(experiment: Mapping[str, Any] | PathLike, output: PathLike, *,
-        settings: Mapping[str, Any] | None = None, workers: int | None = None,
-        pairs: int | None = None, seed: int | None = None) -> Run:
+def run(
+    experiment: Mapping[str, Any] | PathLike,
+    output: PathLike,
+    *,
+    settings: Mapping[str, Any] | None = None,
+    workers: int | None = None,
+    pairs: int | None = None,
+    seed: int | None = None,
+) -> Run:
     """Plays an experiment's games and writes its tables into the folder `output`.
 
     experiment: a scenario file or a dictionary with its keys.

@@ -17,8 +17,23 @@ _LOG_HEADER = struct.Struct(">12si")
 _LOG_RECORD = struct.Struct(">qii")
 _LOG_SIGNATURE = b"SSL_LOG_FILE"
 _LOG_INDEX = 6
-_TEXTS = {"game_id", "team_a", "team_b", "side_a", "end_reason", "status", "void_reason",
-          "transitions", "state_hash", "config_hash", "build", "host", "cpu", "row_crc", "shard"}
+_TEXTS = {
+    "game_id",
+    "team_a",
+    "team_b",
+    "side_a",
+    "end_reason",
+    "status",
+    "void_reason",
+    "transitions",
+    "state_hash",
+    "config_hash",
+    "build",
+    "host",
+    "cpu",
+    "row_crc",
+    "shard",
+}
 
 
 class LogMessage(NamedTuple):
@@ -43,8 +58,7 @@ def _columns(file: Path) -> dict[str, list[Cell]]:
     with open(file, newline="", encoding="utf-8") as stream:
         header, *lines = csv.reader(stream)
     columns = zip(*lines) if lines else ([] for _ in header)
-    return {name: list(cells) if name in _TEXTS else _converted(list(cells))
-            for name, cells in zip(header, columns)}
+    return {name: list(cells) if name in _TEXTS else _converted(list(cells)) for name, cells in zip(header, columns)}
 
 
 def rows(folder: PathLike, table: str = "results.csv") -> list[dict[str, Cell]]:
@@ -64,8 +78,7 @@ def _as_array(columns: dict[str, list[Cell]]) -> Any:
     for name, cells in columns.items():
         has_gaps = any(cell is None for cell in cells)
         arrays[name] = numpy.array(cells, dtype=float if has_gaps else None)
-    table = numpy.empty(len(next(iter(arrays.values()))),
-                        dtype=[(name, array.dtype) for name, array in arrays.items()])
+    table = numpy.empty(len(next(iter(arrays.values()))), dtype=[(name, array.dtype) for name, array in arrays.items()])
     for name, array in arrays.items():
         table[name] = array
     return table

@@ -9,8 +9,7 @@ import numpy as np
 class PlainBox:
     """Arrays between `low` and `high`, like gymnasium.spaces.Box."""
 
-    def __init__(self, low: Any, high: Any, shape: tuple[int, ...] | None = None,
-                 dtype: Any = np.float64) -> None:
+    def __init__(self, low: Any, high: Any, shape: tuple[int, ...] | None = None, dtype: Any = np.float64) -> None:
         self.shape = np.shape(low) if shape is None else shape
         self.dtype = np.dtype(dtype)
         self.low = np.broadcast_to(np.asarray(low, dtype), self.shape)
@@ -47,5 +46,8 @@ def box(low: Any, high: Any, shape: tuple[int, ...] | None = None) -> Any:
         return PlainBox(low, high, shape)
     if shape is None:
         shape = np.shape(low)
-    return Box(np.broadcast_to(np.asarray(low, np.float64), shape),
-               np.broadcast_to(np.asarray(high, np.float64), shape), dtype=np.float64)
+    return Box(
+        np.broadcast_to(np.asarray(low, np.float64), shape),
+        np.broadcast_to(np.asarray(high, np.float64), shape),
+        dtype=np.float64,
+    )

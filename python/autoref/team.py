@@ -59,8 +59,7 @@ class Team:
             raise ValueError(f"unknown motion {motion!r}; there are {', '.join(_MOTIONS)}")
         codec = codec_of(encoding)
         if os.isatty(0):
-            sys.exit("This is a team; AutoRef starts it. Try: python3 -m autoref play "
-                     f"{sys.argv[0]} basic")
+            sys.exit("This is a team; AutoRef starts it. Try: python3 -m autoref play " f"{sys.argv[0]} basic")
         source, sink = _take_standard_streams()
         _write(sink, f"autoref-team 1 {encoding} {motion}\n".encode())
         cls()._play(codec, source, sink)
@@ -73,8 +72,7 @@ class Team:
             message = decode(data)
             if type(message) is View:
                 commands = decide(message)
-                output = Output(message.frame, commands or {}, self.keeper, self.leaves,
-                                self.timeout, self.text)
+                output = Output(message.frame, commands or {}, self.keeper, self.leaves, self.timeout, self.text)
                 if output.timeout or output.text:
                     self._end_requests(output)
                 data = encode(output)
@@ -101,7 +99,7 @@ class Team:
 
 def _write(sink: int, data: bytes) -> None:
     while data:
-        data = data[os.write(sink, data):]
+        data = data[os.write(sink, data) :]
 
 
 def _take_standard_streams() -> tuple[BinaryIO, int]:

@@ -17,10 +17,14 @@ _LONGEST_STEP_S = 600.0
 class _Shared:
     """Arrays in memory that forked processes share."""
 
-    def __init__(self, environments: int, observation: tuple[int, ...],
-                 action: tuple[int, ...]) -> None:
-        shapes = [(environments, *observation), (environments, *action), (environments,),
-                  (environments,), (environments,)]
+    def __init__(self, environments: int, observation: tuple[int, ...], action: tuple[int, ...]) -> None:
+        shapes = [
+            (environments, *observation),
+            (environments, *action),
+            (environments,),
+            (environments,),
+            (environments,),
+        ]
         sizes = [int(np.prod(shape)) for shape in shapes]
         numbers = np.frombuffer(RawArray("d", sum(sizes)))
         parts = np.split(numbers, np.cumsum(sizes)[:-1])
@@ -28,8 +32,9 @@ class _Shared:
         self.observations, self.actions, self.rewards, self.terminated, self.truncated = arrays
 
 
-def _work(pipe: Connection, others: list[Connection], shared: _Shared, mine: range,
-          options: dict[str, Any], first_seed: int) -> None:
+def _work(
+    pipe: Connection, others: list[Connection], shared: _Shared, mine: range, options: dict[str, Any], first_seed: int
+) -> None:
     """A worker's environments, until the other end of the pipe is closed. `others` are the ends that
     this process has inherited, which would keep it open."""
     for other in others:
@@ -80,8 +85,10 @@ class VectorEnv:
         for low, high in zip(bounds[:-1], bounds[1:]):
             ours, theirs = context.Pipe()
             process = context.Process(
-                target=_work, daemon=True,
-                args=(theirs, [*self._pipes, ours], self._shared, range(low, high), options, seed))
+                target=_work,
+                daemon=True,
+                args=(theirs, [*self._pipes, ours], self._shared, range(low, high), options, seed),
+            )
             process.start()
             theirs.close()
             self._pipes.append(ours)
@@ -94,8 +101,7 @@ class VectorEnv:
         infos = self._all(self._seed)
         return self._shared.observations, infos
 
-    def step(self, actions: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray,
-                                          dict[int, Any]]:
+    def step(self, actions: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, dict[int, Any]]:
         """Returns observations, rewards, terminated and truncated (1 or 0), and infos by index."""
         shared = self._shared
         shared.actions[:] = actions

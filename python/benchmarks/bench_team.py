@@ -71,15 +71,14 @@ def _echo(size: int) -> None:
 def _frames(encoding: str, folder: str, count: int) -> list[bytes]:
     """START and frames as a game sends them."""
     file = os.path.join(folder, encoding)
-    autoref.play([sys.executable, __file__, "record", encoding, file], "basic",
-                 settings={"match.half_s": 30})
+    autoref.play([sys.executable, __file__, "record", encoding, file], "basic", settings={"match.half_s": 30})
     messages = []
     with open(file, "rb") as stream:
         while length := stream.read(4):
             messages.append(stream.read(int.from_bytes(length, "little")))
     prefix = encoding == "protobuf"
     messages = [_varint(len(data)) + data if prefix else data for data in messages[:-1]]
-    return messages[:count + 1]
+    return messages[: count + 1]
 
 
 def _varint(number: int) -> bytes:
@@ -88,8 +87,9 @@ def _varint(number: int) -> bytes:
 
 def _turn(arguments: list[str], messages: list[bytes]) -> tuple[float, int]:
     """Microseconds per frame, and bytes of one answer."""
-    process = subprocess.Popen([sys.executable, __file__, *arguments], stdin=subprocess.PIPE,
-                               stdout=subprocess.PIPE, bufsize=0)
+    process = subprocess.Popen(
+        [sys.executable, __file__, *arguments], stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0
+    )
     assert process.stdin and process.stdout
     sink, source = process.stdin.fileno(), process.stdout.fileno()
     if arguments[0] == "team":
@@ -113,8 +113,10 @@ def _measure(encoding: str, messages: list[bytes]) -> None:
     roles = [["team", encoding, "constant"], ["team", encoding, "reader"], ["echo", str(size)]]
     turns = [[_turn(role, messages)[0] for role in roles] for _ in range(_TURNS)]
     constant, reader, echo = (min(times) for times in zip(*turns))
-    print(f"{encoding:<9} {len(messages[-1]):6} {size:7} {echo:8.1f} {constant:12.1f} "
-          f"{constant / echo:6.2f} {reader:10.1f} {reader / echo:6.2f}")
+    print(
+        f"{encoding:<9} {len(messages[-1]):6} {size:7} {echo:8.1f} {constant:12.1f} "
+        f"{constant / echo:6.2f} {reader:10.1f} {reader / echo:6.2f}"
+    )
 
 
 def main() -> None:

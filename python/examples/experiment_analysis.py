@@ -70,8 +70,7 @@ try:
 except ImportError:
     print("no drawing: Debian's python3-matplotlib is missing")
 else:
-    errors = [[share - low for share, low, _ in shares.values()],
-              [high - share for share, _, high in shares.values()]]
+    errors = [[share - low for share, low, _ in shares.values()], [high - share for share, _, high in shares.values()]]
     pyplot.errorbar(list(shares), [share for share, _, _ in shares.values()], errors, fmt="o")
     pyplot.xlabel(FACTOR)
     pyplot.ylabel("share of points of team a")

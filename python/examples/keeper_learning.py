@@ -30,8 +30,9 @@ class Exercise:
 
     def reset(self) -> None:
         """Plays until the referee lets play run."""
-        self.game.reset(1, {"a.robots": 1, "b.robots": 1, "b.strategy": "dummy",
-                            "match.half_s": 3000, "sim.camera": "realistic"})
+        self.game.reset(
+            1, {"a.robots": 1, "b.robots": 1, "b.strategy": "dummy", "match.half_s": 3000, "sim.camera": "realistic"}
+        )
         self.wait_for_play()
         self.goal_x_m = -self.game.field_m[0] / 2
 
@@ -70,8 +71,7 @@ class Exercise:
         return is_saved
 
 
-def command(weights: np.ndarray, ball: np.ndarray, keeper: np.ndarray,
-            keeper_x_m: float) -> np.ndarray:
+def command(weights: np.ndarray, ball: np.ndarray, keeper: np.ndarray, keeper_x_m: float) -> np.ndarray:
     """Forward, left and angular velocity: the keeper faces the field and stays on its line."""
     time_s = min((ball[0] - keeper[1]) / max(-ball[2], 0.1), 1.0)
     seen = np.array([ball[1], keeper[2], ball[3], ball[1] + time_s * ball[3], 0.1])
@@ -115,10 +115,13 @@ def learn(pool: ProcessPoolExecutor, generations: int, keepers: int, shots: int)
     for generation in range(generations):
         tried = mean + deviation * random.standard_normal((keepers, FEATURES))
         saved = np.array(list(pool.map(saves, [(one, generation, shots) for one in tried])))
-        best = tried[np.argsort(-saved, kind="stable")[:keepers // 5]]
+        best = tried[np.argsort(-saved, kind="stable")[: keepers // 5]]
         mean, deviation = best.mean(axis=0), best.std(axis=0) + 0.5 * 0.8**generation
-        print(f"generation {generation + 1:2}: the best saved {saved.max()} of {shots}, "
-              f"all together {saved.mean():.1f}", flush=True)
+        print(
+            f"generation {generation + 1:2}: the best saved {saved.max()} of {shots}, "
+            f"all together {saved.mean():.1f}",
+            flush=True,
+        )
     return mean
 
 
@@ -136,8 +139,10 @@ def main() -> int:
         after = tested(pool, weights, options.tests)
     for name, count in (("standing still", before), ("learnt", after)):
         low, high = interval(count, options.tests)
-        print(f"{name:>14}: saves {count} of {options.tests} "
-              f"({100 * count / options.tests:.1f} %, 95 % interval {100 * low:.1f} to {100 * high:.1f})")
+        print(
+            f"{name:>14}: saves {count} of {options.tests} "
+            f"({100 * count / options.tests:.1f} %, 95 % interval {100 * low:.1f} to {100 * high:.1f})"
+        )
     print("weights:", np.round(weights, 2))
     return 0 if interval(after, options.tests)[0] > interval(before, options.tests)[1] else 1
 

@@ -62,8 +62,9 @@ udp.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton("127.
 udp.bind(control)
 print("autoref-team 1 league", flush=True)
 colour = "yellow" if read_message()[4][0] else "blue"
-program = subprocess.Popen([word.replace("COLOUR", colour) for word in sys.argv[4:]],
-                           stdin=subprocess.DEVNULL, stdout=sys.stderr)
+program = subprocess.Popen(
+    [word.replace("COLOUR", colour) for word in sys.argv[4:]], stdin=subprocess.DEVNULL, stdout=sys.stderr
+)
 frame = None
 while 5 in (message := read_message()):
     if message[5] != frame:  # the first frame comes several times, because of the latency

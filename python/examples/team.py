@@ -18,8 +18,7 @@ def limited(value: float, limit: float) -> float:
     return max(-limit, min(limit, value))
 
 
-def drive(robot: Robot, x_m: float, y_m: float, face_x_m: float, face_y_m: float,
-          speed_mps: float) -> Command:
+def drive(robot: Robot, x_m: float, y_m: float, face_x_m: float, face_y_m: float, speed_mps: float) -> Command:
     """Drives to a position and turns towards another. Commands are in the robot's own frame."""
     dx, dy = GAIN_PER_S * (x_m - robot.x_m), GAIN_PER_S * (y_m - robot.y_m)
     factor = min(1.0, speed_mps / max(1e-9, sqrt(dx * dx + dy * dy)))
@@ -28,8 +27,11 @@ def drive(robot: Robot, x_m: float, y_m: float, face_x_m: float, face_y_m: float
     distance_m = max(1e-9, sqrt(fx * fx + fy * fy))
     sine, cosine = (hx * fy - hy * fx) / distance_m, (hx * fx + hy * fy) / distance_m
     turn = sine if cosine > 0 else (1.0 if sine >= 0 else -1.0)
-    return Command(vx_mps=factor * (dx * hx + dy * hy), vy_mps=factor * (dy * hx - dx * hy),
-                   angular_velocity_radps=TURN_GAIN_PER_S * turn)
+    return Command(
+        vx_mps=factor * (dx * hx + dy * hy),
+        vy_mps=factor * (dy * hx - dx * hy),
+        angular_velocity_radps=TURN_GAIN_PER_S * turn,
+    )
 
 
 # %% The team.
@@ -49,12 +51,10 @@ class Shooter(autoref.Team):
         if view.ball is None or view.play in ("HALT", "STOP"):
             return {}
         ball = view.ball
-        commands = {robot.number: self.guard(robot, ball) for robot in view.own
-                    if robot.number == KEEPER}
+        commands = {robot.number: self.guard(robot, ball) for robot in view.own if robot.number == KEEPER}
         attackers = [robot for robot in view.own if robot.number != KEEPER]
         if attackers and (view.ours or view.play == "RUNNING"):
-            nearest = min(attackers, key=lambda robot: (robot.x_m - ball.x_m) ** 2
-                          + (robot.y_m - ball.y_m) ** 2)
+            nearest = min(attackers, key=lambda robot: (robot.x_m - ball.x_m) ** 2 + (robot.y_m - ball.y_m) ** 2)
             commands[nearest.number] = self.attack(nearest, ball)
         return commands
 
@@ -66,14 +66,13 @@ class Shooter(autoref.Team):
     def attack(self, robot: Robot, ball: Ball) -> Command:
         """Gets behind the ball as seen from the opponents' goal, then drives into it and kicks."""
         to_goal_x_m, to_goal_y_m = self.goal_x_m - ball.x_m, -ball.y_m
-        distance_m = max(1e-9, sqrt(to_goal_x_m ** 2 + to_goal_y_m ** 2))
+        distance_m = max(1e-9, sqrt(to_goal_x_m**2 + to_goal_y_m**2))
         ux, uy = to_goal_x_m / distance_m, to_goal_y_m / distance_m
         behind_m = (ball.x_m - robot.x_m) * ux + (ball.y_m - robot.y_m) * uy
         beside_m = abs((ball.x_m - robot.x_m) * uy - (ball.y_m - robot.y_m) * ux)
         is_behind = behind_m > 0 and beside_m < 0.03
         gap_m = 0.05 if is_behind else 0.25
-        command = drive(robot, ball.x_m - gap_m * ux, ball.y_m - gap_m * uy, self.goal_x_m, 0.0,
-                        self.speed_mps)
+        command = drive(robot, ball.x_m - gap_m * ux, ball.y_m - gap_m * uy, self.goal_x_m, 0.0, self.speed_mps)
         command.kick_mps = 6.0 if is_behind else 0.0
         return command
 

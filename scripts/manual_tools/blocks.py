@@ -86,7 +86,7 @@ def blocks_of(root, page):
         end = next((i for i in range(index + 1, len(lines)) if lines[i] == fence[1]), None)
         if end is None:
             raise PageError(f"{page}:{index + 1}: the block is not closed")
-        text = "\n".join(lines[index + 1:end]) + "\n"
+        text = "\n".join(lines[index + 1 : end]) + "\n"
         blocks.append(Block(page, index + 1, fence[2], text, marks_before(lines, index, page)))
         check(blocks[-1])
         index = end + 1

@@ -18,8 +18,12 @@ def transitions_of(diagram):
 
 
 def graph_of(diagram):
-    lines = ["digraph {", "rankdir=TB; node [shape=box, style=rounded, fontname=Helvetica];",
-             "edge [fontname=Helvetica, fontsize=11];", '"[*]" [shape=point, width=0.15, label=""];']
+    lines = [
+        "digraph {",
+        "rankdir=TB; node [shape=box, style=rounded, fontname=Helvetica];",
+        "edge [fontname=Helvetica, fontsize=11];",
+        '"[*]" [shape=point, width=0.15, label=""];',
+    ]
     for (start, end), labels in transitions_of(diagram).items():
         text = "\\l".join(labels) + "\\l" if any(labels) else ""
         lines.append(f'"{start}" -> "{end}" [label="{text}"];')
@@ -29,4 +33,4 @@ def graph_of(diagram):
 def svg_of(diagram):
     """The diagram as an SVG element."""
     drawn = subprocess.run(["dot", "-Tsvg"], input=graph_of(diagram), capture_output=True, text=True, check=True)
-    return drawn.stdout[drawn.stdout.index("<svg"):]
+    return drawn.stdout[drawn.stdout.index("<svg") :]

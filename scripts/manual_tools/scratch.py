@@ -74,5 +74,7 @@ export -f sudo
 
 
 def has_own_network():
-    return subprocess.run(["unshare", "-rn", "ip", "link", "set", "lo", "up"], capture_output=True,
-                          check=False).returncode == 0
+    return (
+        subprocess.run(["unshare", "-rn", "ip", "link", "set", "lo", "up"], capture_output=True, check=False).returncode
+        == 0
+    )

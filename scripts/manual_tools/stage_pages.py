@@ -106,7 +106,7 @@ def staged_page(page):
             index += 1  # marks of check-manual and commands of pictures
         elif lines[index].lstrip().startswith("```"):
             end = next(i for i in range(index + 1, len(lines)) if lines[i].strip() == "```")
-            staged += [*staged_text(text), *staged_block(lines[index], lines[index + 1:end])]
+            staged += [*staged_text(text), *staged_block(lines[index], lines[index + 1 : end])]
             text, index = [], end + 1
         else:
             text.append(with_links(page, lines[index]))

@@ -25,29 +25,29 @@ BALL_PLACEMENT_BLUE""".split()
 # message -> "label type name number"; label r required, o optional, m repeated.
 MESSAGES = {
     "SSL_DetectionBall": "r float confidence 1; o uint32 area 2; r float x 3; r float y 4; o float z 5;"
-                         "r float pixel_x 6; r float pixel_y 7",
+    "r float pixel_x 6; r float pixel_y 7",
     "SSL_DetectionRobot": "r float confidence 1; o uint32 robot_id 2; r float x 3; r float y 4;"
-                          "o float orientation 5; r float pixel_x 6; r float pixel_y 7; o float height 8",
+    "o float orientation 5; r float pixel_x 6; r float pixel_y 7; o float height 8",
     "SSL_DetectionFrame": "r uint32 frame_number 1; r double t_capture 2; r double t_sent 3;"
-                          "r uint32 camera_id 4; m SSL_DetectionBall balls 5;"
-                          "m SSL_DetectionRobot robots_yellow 6; m SSL_DetectionRobot robots_blue 7",
+    "r uint32 camera_id 4; m SSL_DetectionBall balls 5;"
+    "m SSL_DetectionRobot robots_yellow 6; m SSL_DetectionRobot robots_blue 7",
     "SSL_GeometryFieldSize": "r int32 field_length 1; r int32 field_width 2; r int32 goal_width 3;"
-                             "r int32 goal_depth 4; r int32 boundary_width 5",
+    "r int32 goal_depth 4; r int32 boundary_width 5",
     "SSL_GeometryData": "r SSL_GeometryFieldSize field 1",
     "SSL_WrapperPacket": "o SSL_DetectionFrame detection 1; o SSL_GeometryData geometry 2",
     "TeamInfo": "r string name 1; r uint32 score 2; r uint32 red_cards 3; r uint32 yellow_cards 5;"
-                "r uint32 timeouts 6; r uint32 timeout_time 7; r uint32 goalkeeper 8",
+    "r uint32 timeouts 6; r uint32 timeout_time 7; r uint32 goalkeeper 8",
     "Vector2": "r float x 1; r float y 2",
     "BallLeftField": "r int32 by_team 1; o uint32 by_bot 2; o Vector2 location 3",
     "Goal": "r int32 by_team 1; o uint32 kicking_bot 2; o Vector2 location 3; o Vector2 kick_location 4;"
-            "o float max_ball_height 5; o int32 kicking_team 6; o uint32 num_robots_by_team 7;"
-            "o uint64 last_touch_by_team 8; o string message 9",
+    "o float max_ball_height 5; o int32 kicking_team 6; o uint32 num_robots_by_team 7;"
+    "o uint64 last_touch_by_team 8; o string message 9",
     "GameEvent": "o int32 type 40; m string origin 41; o uint64 created_timestamp 49; o string id 50;"
-                 "o BallLeftField ball_left_field_touch_line 6; o BallLeftField ball_left_field_goal_line 7;"
-                 "o Goal possible_goal 39",
+    "o BallLeftField ball_left_field_touch_line 6; o BallLeftField ball_left_field_goal_line 7;"
+    "o Goal possible_goal 39",
     "SSL_Referee": "r uint64 packet_timestamp 1; r int32 stage 2; o sint32 stage_time_left 3;"
-                   "r int32 command 4; r uint32 command_counter 5; r uint64 command_timestamp 6;"
-                   "r TeamInfo yellow 7; r TeamInfo blue 8; m GameEvent game_events 16",
+    "r int32 command 4; r uint32 command_counter 5; r uint64 command_timestamp 6;"
+    "r TeamInfo yellow 7; r TeamInfo blue 8; m GameEvent game_events 16",
 }
 # Numbers in GameEvent.Type and names of fields.
 PARTS = {6: "ball_left_field_touch_line", 7: "ball_left_field_goal_line", 39: "possible_goal"}
@@ -58,6 +58,7 @@ LEAGUE_TYPES = {"ATTACKER_TOO_CLOSE_TO_DEFENSE_AREA": 19, "NO_PROGRESS_IN_GAME":
 
 def message_classes():
     from google.protobuf import message_factory
+
     field_type = descriptor_pb2.FieldDescriptorProto
     labels = {"r": field_type.LABEL_REQUIRED, "o": field_type.LABEL_OPTIONAL, "m": field_type.LABEL_REPEATED}
     file = descriptor_pb2.FileDescriptorProto(name="league.proto", syntax="proto2")
@@ -73,8 +74,7 @@ def message_classes():
     pool = descriptor_pool.DescriptorPool()
     pool.Add(file)
     factory = message_factory.MessageFactory(pool)
-    return [factory.GetPrototype(pool.FindMessageTypeByName(name))
-            for name in ("SSL_WrapperPacket", "SSL_Referee")]
+    return [factory.GetPrototype(pool.FindMessageTypeByName(name)) for name in ("SSL_WrapperPacket", "SSL_Referee")]
 
 
 def records(path):
@@ -137,9 +137,26 @@ def main():
     autoref, scenario = sys.argv[1:]
     with tempfile.TemporaryDirectory() as folder:
         log, events = pathlib.Path(folder) / "game.log.gz", pathlib.Path(folder) / "events.jsonl"
-        text = subprocess.run([autoref, "play", scenario, "--set", "match.half_s=60", "--set", "b.robots=4",
-                               "--json", "--log", log, "--events", events],
-                              check=True, capture_output=True, text=True, timeout=120).stdout
+        text = subprocess.run(
+            [
+                autoref,
+                "play",
+                scenario,
+                "--set",
+                "match.half_s=60",
+                "--set",
+                "b.robots=4",
+                "--json",
+                "--log",
+                log,
+                "--events",
+                events,
+            ],
+            check=True,
+            capture_output=True,
+            text=True,
+            timeout=120,
+        ).stdout
         game = json.loads(text)
         decisions = [json.loads(line) for line in events.read_text().splitlines()]
         story = read(log)

@@ -20,19 +20,26 @@ class Case(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = pathlib.Path(folder.name)
-        shutil.copytree(CHECKOUT / "scripts" / "manual_tools", self.root / "scripts" / "manual_tools",
-                        ignore=shutil.ignore_patterns("__pycache__"))
+        shutil.copytree(
+            CHECKOUT / "scripts" / "manual_tools",
+            self.root / "scripts" / "manual_tools",
+            ignore=shutil.ignore_patterns("__pycache__"),
+        )
         shutil.copy(CHECKOUT / "scripts" / "check-manual", self.root / "scripts")
         self.program = self.root / "program" / "bin" / "autoref"
         self.program.parent.mkdir(parents=True)
-        self.program.write_text("#!/usr/bin/env bash\necho \"$@\"\n")
+        self.program.write_text('#!/usr/bin/env bash\necho "$@"\n')
         self.program.chmod(0o755)
 
     def check(self, *lines):
         """Exit code and output of check-manual for a page of these lines."""
         (self.root / "page.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
-        done = subprocess.run([self.root / "scripts" / "check-manual", "--program", self.program, "page.md"],
-                              capture_output=True, text=True, check=False)
+        done = subprocess.run(
+            [self.root / "scripts" / "check-manual", "--program", self.program, "page.md"],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
         return done.returncode, done.stdout + done.stderr
 
     def assert_fails(self, expected, *lines):
@@ -48,8 +55,16 @@ class Case(unittest.TestCase):
 
 class Commands(Case):
     def test_of_a_page_share_folder_and_variables(self):
-        self.assert_passes("```sh", "mkdir new && cd new", "export X=1", "```", "```sh", 'cd ../new && [[ "$X" == 1 ]]',
-                           "build=1; ../build/release/bin/autoref", "```")
+        self.assert_passes(
+            "```sh",
+            "mkdir new && cd new",
+            "export X=1",
+            "```",
+            "```sh",
+            'cd ../new && [[ "$X" == 1 ]]',
+            "build=1; ../build/release/bin/autoref",
+            "```",
+        )
 
     def test_that_fail_are_named_with_their_output(self):
         self.assert_fails("page.md:5: exit code 3", "```sh", "true", "```", "", "```sh", "echo why", "(exit 3)", "```")
@@ -64,17 +79,35 @@ class Commands(Case):
         self.assertIn("page.md:2: needs a robot", output)
 
     def test_are_shortened_where_games_are_played(self):
-        self.assert_passes("<!-- run shortened: --pairs 1 -->", "```sh", "autoref run x", "autoref report x", "```",
-                           "<!-- output -->", "```", "run x --pairs 1", "report x", "```")
+        self.assert_passes(
+            "<!-- run shortened: --pairs 1 -->",
+            "```sh",
+            "autoref run x",
+            "autoref report x",
+            "```",
+            "<!-- output -->",
+            "```",
+            "run x --pairs 1",
+            "report x",
+            "```",
+        )
 
     def test_that_run_for_ever_are_interrupted(self):
         self.assert_passes("<!-- run for: 1 s -->", "```sh", "sleep 100", "```")
         self.assert_fails("exit code 2", "<!-- run for: 1 s -->", "```sh", "exit 2", "```")
 
     def test_find_the_files_of_the_page_and_what_is_prepared(self):
-        self.assert_passes("<!-- file: a/b.txt -->", "```yaml", "x: 1", "```",
-                           "<!-- first: cp a/b.txt c.txt -->", "<!-- first: cp c.txt d.txt -->",
-                           "```sh", "grep x d.txt", "```")
+        self.assert_passes(
+            "<!-- file: a/b.txt -->",
+            "```yaml",
+            "x: 1",
+            "```",
+            "<!-- first: cp a/b.txt c.txt -->",
+            "<!-- first: cp c.txt d.txt -->",
+            "```sh",
+            "grep x d.txt",
+            "```",
+        )
 
     def test_do_not_change_the_checkout(self):
         self.assert_passes("```sh", "touch page.md new", "```")

@@ -47,22 +47,35 @@ def _decoded(encoding):
 
 
 def _random_output(draw, frame):
-    commands = {robot: Command(draw.uniform(-3, 3), -0.0, draw.gauss(0, 10), draw.uniform(0, 8),
-                               draw.random() < 0.5, draw.random() < 0.5)
-                for robot in draw.sample(range(16), draw.randrange(17))}
-    return Output(frame * 1000003, commands, draw.randrange(-1, 16),
-                  draw.choice([None, *range(16)]), draw.random() < 0.5,
-                  draw.choice(["", f"number-{frame}", "x" * 1000]))
+    commands = {
+        robot: Command(
+            draw.uniform(-3, 3), -0.0, draw.gauss(0, 10), draw.uniform(0, 8), draw.random() < 0.5, draw.random() < 0.5
+        )
+        for robot in draw.sample(range(16), draw.randrange(17))
+    }
+    return Output(
+        frame * 1000003,
+        commands,
+        draw.randrange(-1, 16),
+        draw.choice([None, *range(16)]),
+        draw.random() < 0.5,
+        draw.choice(["", f"number-{frame}", "x" * 1000]),
+    )
 
 
 def _described(output):
-    cells = [str(output.frame), str(output.keeper),
-             str(-1 if output.leaves is None else output.leaves), str(int(output.timeout)),
-             output.text]
+    cells = [
+        str(output.frame),
+        str(output.keeper),
+        str(-1 if output.leaves is None else output.leaves),
+        str(int(output.timeout)),
+        output.text,
+    ]
     for robot in range(16):
         command = output.commands.get(robot, Command())
-        cells += [value.hex() for value in (command.vx_mps, command.vy_mps,
-                                            command.angular_velocity_radps, command.kick_mps)]
+        cells += [
+            value.hex() for value in (command.vx_mps, command.vy_mps, command.angular_velocity_radps, command.kick_mps)
+        ]
         cells += [str(int(command.chip)), str(int(command.dribble))]
     return cells
 
@@ -90,10 +103,13 @@ class SamplesOfTheProgram(unittest.TestCase):
         outputs = [_random_output(draw, frame) for frame in range(100)]
         for encoding in _ENCODINGS:
             data = b"".join(map(codec_of(encoding).encode, outputs))
-            read = subprocess.run([_SAMPLES, "read", encoding], check=True, input=data,
-                                  stdout=subprocess.PIPE).stdout.decode()
-            lines = [[float.fromhex(cell).hex() if "0x" in cell else cell
-                      for cell in line.split(" ")] for line in read.splitlines()]
+            read = subprocess.run(
+                [_SAMPLES, "read", encoding], check=True, input=data, stdout=subprocess.PIPE
+            ).stdout.decode()
+            lines = [
+                [float.fromhex(cell).hex() if "0x" in cell else cell for cell in line.split(" ")]
+                for line in read.splitlines()
+            ]
             self.assertEqual(lines, [*map(_described, outputs)], encoding)
 
 
@@ -110,20 +126,22 @@ class Encodings(unittest.TestCase):
 
     def test_protobuf_answer_is_read_by_the_library(self):
         from autoref.team_proto import TeamOutput
+
         output = _random_output(random.Random(3), 7)
         codec = codec_of("protobuf")
         message = TeamOutput.FromString(codec.read(io.BytesIO(codec.encode(output))))
         self.assertEqual((message.frame, len(message.commands)), (7000021, len(output.commands)))
-        self.assertEqual([command.vx_mps for command in message.commands],
-                         [command.vx_mps for command in output.commands.values()])
+        self.assertEqual(
+            [command.vx_mps for command in message.commands], [command.vx_mps for command in output.commands.values()]
+        )
 
     def test_table_of_protobuf_messages_equals_team_proto(self):
         from google.protobuf import descriptor_pb2
         from autoref.team_proto import file_description
+
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder, "set")
-            subprocess.run(["protoc", f"--descriptor_set_out={file}", f"-I{_PROTO.parent}",
-                            str(_PROTO)], check=True)
+            subprocess.run(["protoc", f"--descriptor_set_out={file}", f"-I{_PROTO.parent}", str(_PROTO)], check=True)
             theirs = descriptor_pb2.FileDescriptorSet.FromString(file.read_bytes()).file[0]
         self.assertEqual(_fields(file_description()), _fields(theirs))
 

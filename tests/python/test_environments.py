@@ -58,8 +58,8 @@ class GymnasiumTest(unittest.TestCase):
     def test_shows_the_state_of_play_and_missing_robots(self) -> None:
         env = autoref.gymnasium_env(settings={**SETTINGS, "b.robots": 4})
         observation, _ = env.reset(seed=3)
-        self.assertEqual(PLAYS[int(np.argmax(observation[-2 - len(PLAYS):-2]))], "STOP")
-        opponents = observation[5 + 42:5 + 84].reshape(6, 7)
+        self.assertEqual(PLAYS[int(np.argmax(observation[-2 - len(PLAYS) : -2]))], "STOP")
+        opponents = observation[5 + 42 : 5 + 84].reshape(6, 7)
         self.assertTrue(np.all(opponents[4:] == 0))
         self.assertTrue(np.all(np.any(opponents[:4] != 0, axis=1)))
 

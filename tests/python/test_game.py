@@ -94,13 +94,21 @@ class GameTest(unittest.TestCase):
         game = autoref.Game("a")
         with self.assertRaisesRegex(ValueError, "reset"):
             game.step()
-        for settings, text in [({"match.hlaf_s": 1}, "match.half_s"), ({"b.strategy": "no"}, "cobalt"),
-                               ({"match.half_s": -1}, "half_s")]:
+        for settings, text in [
+            ({"match.hlaf_s": 1}, "match.half_s"),
+            ({"b.strategy": "no"}, "cobalt"),
+            ({"match.half_s": -1}, "half_s"),
+        ]:
             with self.assertRaisesRegex(ValueError, text):
                 game.reset(1, settings)
         game.reset(1)
-        for commands in [np.zeros((6, 5)), np.zeros(6), np.zeros((17, 6)), np.full((6, 6), np.nan),
-                         np.full((6, 6), np.inf)]:
+        for commands in [
+            np.zeros((6, 5)),
+            np.zeros(6),
+            np.zeros((17, 6)),
+            np.full((6, 6), np.nan),
+            np.full((6, 6), np.inf),
+        ]:
             with self.assertRaises(ValueError):
                 game.step(commands)
         with self.assertRaises(ValueError):

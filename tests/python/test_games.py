@@ -39,6 +39,7 @@ class Games(unittest.TestCase):
     def test_a_class_an_object_and_its_file_are_the_same_team(self):
         sys.path.insert(0, str(Path(_TEAM).parent))
         from turning_team import TurningTeam
+
         self.assertEqual(_play(TurningTeam), _play(_TEAM))
         self.assertEqual(_play(TurningTeam()), _play(_TEAM))
 
@@ -48,8 +49,9 @@ class Games(unittest.TestCase):
     def test_of_a_team_that_fails_are_void_and_say_why(self):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder, "failing.py")
-            file.write_text("import autoref\n\n\nclass Failing(autoref.Team):\n    pass\n\n\n"
-                            "Failing.run()\n", encoding="utf-8")
+            file.write_text(
+                "import autoref\n\n\nclass Failing(autoref.Team):\n    pass\n\n\n" "Failing.run()\n", encoding="utf-8"
+            )
             game = autoref.play(file, "basic", settings=_SHORT)
         self.assertEqual(game.status, "void")
         self.assertIn("a team needs the method decide(self, view)", game.void_reason)
@@ -78,9 +80,14 @@ class Experiments(unittest.TestCase):
     """One experiment of four games."""
 
     def test_give_rows_with_numbers(self):
-        scenario = {"schema": 1, "kind": "sweep", "seed": 1, "pairs": 2,
-                    "base": {"teams": {"a": {"strategy": "chaser"}, "b": {"strategy": "dummy"}},
-                             "match": {"half_s": 10}}, "factors": {"b.robots": [6]}}
+        scenario = {
+            "schema": 1,
+            "kind": "sweep",
+            "seed": 1,
+            "pairs": 2,
+            "base": {"teams": {"a": {"strategy": "chaser"}, "b": {"strategy": "dummy"}}, "match": {"half_s": 10}},
+            "factors": {"b.robots": [6]},
+        }
         with tempfile.TemporaryDirectory() as folder:
             done = autoref.run(scenario, Path(folder, "run"), workers=1)
             rows = autoref.rows(done.folder)
@@ -93,28 +100,32 @@ class CommandLine(unittest.TestCase):
     """python3 -m autoref."""
 
     def test_explains_itself_without_a_verb(self):
-        done = subprocess.run([sys.executable, "-m", "autoref"], stdout=subprocess.PIPE, text=True,
-                              check=True)
+        done = subprocess.run([sys.executable, "-m", "autoref"], stdout=subprocess.PIPE, text=True, check=True)
         for verb in ("check", "team", "play"):
             self.assertRegex(done.stdout, rf"\n +{verb} +[a-z]+")
 
     def test_shows_where_a_team_failed(self):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder, "failing.py")
-            file.write_text("import autoref\n\n\nclass Failing(autoref.Team):\n"
-                            "    def prepare(self):\n        raise ValueError('no playbook')\n",
-                            encoding="utf-8")
-            done = subprocess.run([sys.executable, "-m", "autoref", "team", file], input=_START,
-                                  capture_output=True, check=False)
+            file.write_text(
+                "import autoref\n\n\nclass Failing(autoref.Team):\n"
+                "    def prepare(self):\n        raise ValueError('no playbook')\n",
+                encoding="utf-8",
+            )
+            done = subprocess.run(
+                [sys.executable, "-m", "autoref", "team", file], input=_START, capture_output=True, check=False
+            )
         self.assertEqual(done.stdout, b"autoref-team 1 flat tracked\n")
         self.assertIn(b"in prepare\n", done.stderr)
 
     def test_says_that_the_program_is_missing(self):
         environment = dict(os.environ, AUTOREF="/nowhere/autoref")
-        done = subprocess.run([sys.executable, "-m", "autoref", "check"], env=environment,
-                              stderr=subprocess.PIPE, text=True, check=False)
-        self.assertEqual((done.returncode, done.stderr),
-                         (1, "autoref: AUTOREF is /nowhere/autoref, which is not a program\n"))
+        done = subprocess.run(
+            [sys.executable, "-m", "autoref", "check"], env=environment, stderr=subprocess.PIPE, text=True, check=False
+        )
+        self.assertEqual(
+            (done.returncode, done.stderr), (1, "autoref: AUTOREF is /nowhere/autoref, which is not a program\n")
+        )
 
 
 if __name__ == "__main__":

@@ -23,10 +23,17 @@ class TurningTeam(autoref.Team):
         if view.ball is None or view.play == "HALT":
             return {}
         crowd_m = sum(robot.x_m + robot.vx_mps for robot in view.opponents)
-        return {robot.number: autoref.Command(
-            robot.heading_x * (view.ball.x_m - robot.x_m), view.ball.y_m - robot.y_m,
-            self.random.random() - 0.5 + 0.01 * crowd_m, 4.0, robot.number == 3, True)
-            for robot in view.own}
+        return {
+            robot.number: autoref.Command(
+                robot.heading_x * (view.ball.x_m - robot.x_m),
+                view.ball.y_m - robot.y_m,
+                self.random.random() - 0.5 + 0.01 * crowd_m,
+                4.0,
+                robot.number == 3,
+                True,
+            )
+            for robot in view.own
+        }
 
     def finish(self, end: autoref.End) -> None:
         """Prints the end."""

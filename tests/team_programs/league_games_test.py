@@ -26,8 +26,13 @@ def free_addresses():
 
 
 def played(autoref, scenario, side, command):
-    settings = [f"a.command={shlex.join(command)}", f"match.a_plays={side}", "b.strategy=dummy",
-                "match.half_s=10", "sim.vision.cameras=1"]
+    settings = [
+        f"a.command={shlex.join(command)}",
+        f"match.a_plays={side}",
+        "b.strategy=dummy",
+        "match.half_s=10",
+        "sim.vision.cameras=1",
+    ]
     arguments = [autoref, "play", scenario, "--json"]
     for setting in settings:
         arguments += ["--set", setting]
@@ -39,10 +44,13 @@ def played(autoref, scenario, side, command):
 def check(side, autoref, scenario, team, adapter):
     by_pipe = played(autoref, scenario, side, ["python3", team, "pipe"])
     addresses = free_addresses()
-    by_udp = played(autoref, scenario, side, ["python3", adapter, *addresses, "python3", team, "udp",
-                                              "COLOUR", *addresses])
-    print(f"{side}: {by_pipe['goals_a']} to {by_pipe['goals_b']} by pipe, "
-          f"{by_udp['goals_a']} to {by_udp['goals_b']} by UDP")
+    by_udp = played(
+        autoref, scenario, side, ["python3", adapter, *addresses, "python3", team, "udp", "COLOUR", *addresses]
+    )
+    print(
+        f"{side}: {by_pipe['goals_a']} to {by_pipe['goals_b']} by pipe, "
+        f"{by_udp['goals_a']} to {by_udp['goals_b']} by UDP"
+    )
     assert by_pipe["goals_a"] > by_pipe["goals_b"]
     assert by_pipe["state_hash"] == by_udp["state_hash"]
 

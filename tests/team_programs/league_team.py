@@ -37,8 +37,9 @@ def parsed(content):
     while stream.tell() < len(content):
         key = read_varint(stream)
         wire = key & 7
-        value = read_varint(stream) if wire == 0 else stream.read(
-            {1: 8, 5: 4}[wire] if wire != 2 else read_varint(stream))
+        value = (
+            read_varint(stream) if wire == 0 else stream.read({1: 8, 5: 4}[wire] if wire != 2 else read_varint(stream))
+        )
         fields.setdefault(key >> 3, []).append(value)
     return fields
 
@@ -102,8 +103,7 @@ class Team:
 
     def control(self):
         """A RobotControl."""
-        present = [robot for robot in sorted(self.robots)
-                   if self.seen[robot] > self.frame - FORGET_AFTER_FRAMES]
+        present = [robot for robot in sorted(self.robots) if self.seen[robot] > self.frame - FORGET_AFTER_FRAMES]
         if not present or not self.ball or not self.may_play():
             return b""
         distances = {robot: math.dist(self.robots[robot][:2], self.ball) for robot in present}
@@ -163,8 +163,9 @@ def listener(host, port):
     udp.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     udp.bind((host, port))
     if host.startswith("224."):
-        udp.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP,
-                       socket.inet_aton(host) + socket.inet_aton("127.0.0.1"))
+        udp.setsockopt(
+            socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, socket.inet_aton(host) + socket.inet_aton("127.0.0.1")
+        )
     return udp
 
 

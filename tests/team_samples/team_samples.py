@@ -13,10 +13,30 @@ import struct
 import subprocess
 import sys
 
-PLAYS = ["HALT", "STOP", "PREPARE_KICKOFF", "PREPARE_PENALTY", "KICKOFF", "PENALTY", "DIRECT_FREE",
-         "INDIRECT_FREE", "RUNNING"]
-COMMANDS = ["HALT", "STOP", "NORMAL_START", "FORCE_START", "PREPARE_KICKOFF", "PREPARE_PENALTY",
-            "DIRECT_FREE", "INDIRECT_FREE", "TIMEOUT", "GOAL", "BALL_PLACEMENT"]
+PLAYS = [
+    "HALT",
+    "STOP",
+    "PREPARE_KICKOFF",
+    "PREPARE_PENALTY",
+    "KICKOFF",
+    "PENALTY",
+    "DIRECT_FREE",
+    "INDIRECT_FREE",
+    "RUNNING",
+]
+COMMANDS = [
+    "HALT",
+    "STOP",
+    "NORMAL_START",
+    "FORCE_START",
+    "PREPARE_KICKOFF",
+    "PREPARE_PENALTY",
+    "DIRECT_FREE",
+    "INDIRECT_FREE",
+    "TIMEOUT",
+    "GOAL",
+    "BALL_PLACEMENT",
+]
 FIELD = """length_m width_m run_off_m line_width_m centre_circle_radius_m penalty_mark_m
 defence_area_depth_m defence_area_straight_m goal_width_m goal_depth_m goal_opening_height_m
 goal_bar_radius_m goal_wall_thickness_m""".split()
@@ -26,18 +46,21 @@ MOTION = "vx_mps vy_mps angular_velocity_radps".split()
 
 
 def text(raw):
-    return raw[:raw.index(b"\0")].decode()
+    return raw[: raw.index(b"\0")].decode()
 
 
 def flat_start(record):
     head = struct.unpack_from("<IHHQ15d4I56s", record)
-    start = {"side": ["west", "east"][head[2]], "random_seed": str(head[3]),
-             "frame_rate_hz": head[4], "latency_s": head[5]}
+    start = {
+        "side": ["west", "east"][head[2]],
+        "random_seed": str(head[3]),
+        "frame_rate_hz": head[4],
+        "latency_s": head[5],
+    }
     start["field"] = dict(zip(FIELD, head[6:19]), defence_area_is_box=bool(head[19]))
     robots, rules, params = head[20:23]
     at = 208
-    start["robots"] = [dict(zip(ABILITIES, struct.unpack_from("<5d", record, at + 40 * i)))
-                       for i in range(robots)]
+    start["robots"] = [dict(zip(ABILITIES, struct.unpack_from("<5d", record, at + 40 * i))) for i in range(robots)]
     at += 40 * robots
     numbers = [struct.unpack_from("<56sd", record, at + 64 * i) for i in range(rules + params)]
     assert at + 64 * (rules + params) == len(record)
@@ -76,14 +99,23 @@ def flat_frame(record):
     is_detection = bool(head[2])
     play, ours, has_placement, placing, following, next_is_ours = head[20:26]
     own, opponents, in_zone = head[-4:-1]
-    frame = {"frame": head[3], "time_s": head[4], "latency_s": head[5], "stage_time_left_s": head[6],
-             "placement_x_m": head[7] if has_placement else None,
-             "placement_y_m": head[8] if has_placement else None,
-             "goals_own": head[18], "goals_opponent": head[19], "play": PLAYS[play],
-             "ours": bool(ours), "placing_is_ours": [None, False, True][placing],
-             "next": None if following == 255 else COMMANDS[following],
-             "next_is_ours": bool(next_is_ours), "ball": flat_ball(head, is_detection),
-             "ball_in_dribbler_zone": [i for i in range(16) if in_zone >> i & 1]}
+    frame = {
+        "frame": head[3],
+        "time_s": head[4],
+        "latency_s": head[5],
+        "stage_time_left_s": head[6],
+        "placement_x_m": head[7] if has_placement else None,
+        "placement_y_m": head[8] if has_placement else None,
+        "goals_own": head[18],
+        "goals_opponent": head[19],
+        "play": PLAYS[play],
+        "ours": bool(ours),
+        "placing_is_ours": [None, False, True][placing],
+        "next": None if following == 255 else COMMANDS[following],
+        "next_is_ours": bool(next_is_ours),
+        "ball": flat_ball(head, is_detection),
+        "ball_in_dribbler_zone": [i for i in range(16) if in_zone >> i & 1],
+    }
     robots = [flat_robot(record, 152 + 64 * i, is_detection) for i in range(own + opponents)]
     assert len(record) == 152 + 64 * len(robots)
     frame["own"], frame["opponents"] = robots[:own], robots[own:]
@@ -101,7 +133,7 @@ def flat_messages(data):
     while at < len(data):
         length, kind = struct.unpack_from("<IH", data, at)
         name, read = readers[kind]
-        yield {name: read(data[at:at + length])}
+        yield {name: read(data[at : at + length])}
         at += length
 
 
@@ -115,8 +147,10 @@ def exact(value):
 
 
 def compare_inputs(program):
-    written = {encoding: subprocess.run([program, "write", encoding], check=True, stdout=subprocess.PIPE).stdout
-               for encoding in ("json", "flat")}
+    written = {
+        encoding: subprocess.run([program, "write", encoding], check=True, stdout=subprocess.PIPE).stdout
+        for encoding in ("json", "flat")
+    }
     from_json = [json.loads(line) for line in written["json"].decode().splitlines()]
     from_flat = list(flat_messages(written["flat"]))
     assert len(from_json) == len(from_flat) == 202, (len(from_json), len(from_flat))
@@ -125,12 +159,26 @@ def compare_inputs(program):
 
 
 def random_output(draw, frame):
-    commands = [{"robot": robot, "vx_mps": draw.uniform(-3, 3), "vy_mps": -0.0,
-                 "angular_velocity_radps": draw.gauss(0, 10), "kick_mps": draw.uniform(0, 8),
-                 "chip": draw.random() < 0.5, "dribble": draw.random() < 0.5}
-                for robot in draw.sample(range(16), draw.randrange(17))]
-    return {"frame": frame, "commands": commands, "keeper": draw.randrange(-1, 16),
-            "leaves": draw.randrange(-1, 16), "timeout": draw.random() < 0.5, "text": f"number-{frame}"}
+    commands = [
+        {
+            "robot": robot,
+            "vx_mps": draw.uniform(-3, 3),
+            "vy_mps": -0.0,
+            "angular_velocity_radps": draw.gauss(0, 10),
+            "kick_mps": draw.uniform(0, 8),
+            "chip": draw.random() < 0.5,
+            "dribble": draw.random() < 0.5,
+        }
+        for robot in draw.sample(range(16), draw.randrange(17))
+    ]
+    return {
+        "frame": frame,
+        "commands": commands,
+        "keeper": draw.randrange(-1, 16),
+        "leaves": draw.randrange(-1, 16),
+        "timeout": draw.random() < 0.5,
+        "text": f"number-{frame}",
+    }
 
 
 def as_json(output):
@@ -143,21 +191,51 @@ def as_json(output):
 def as_flat(output):
     words = output["text"].encode()
     commands = output["commands"]
-    return struct.pack("<IHHqiiHHI", 32 + 40 * len(commands) + len(words), 4, output["timeout"],
-                       output["frame"], output["keeper"], output["leaves"], len(commands), len(words),
-                       0) + b"".join(
-        struct.pack("<4diBBH", c["vx_mps"], c["vy_mps"], c["angular_velocity_radps"], c["kick_mps"],
-                    c["robot"], c["chip"], c["dribble"], 0) for c in commands) + words
+    return (
+        struct.pack(
+            "<IHHqiiHHI",
+            32 + 40 * len(commands) + len(words),
+            4,
+            output["timeout"],
+            output["frame"],
+            output["keeper"],
+            output["leaves"],
+            len(commands),
+            len(words),
+            0,
+        )
+        + b"".join(
+            struct.pack(
+                "<4diBBH",
+                c["vx_mps"],
+                c["vy_mps"],
+                c["angular_velocity_radps"],
+                c["kick_mps"],
+                c["robot"],
+                c["chip"],
+                c["dribble"],
+                0,
+            )
+            for c in commands
+        )
+        + words
+    )
 
 
 def described(output):
-    cells = [str(output["frame"]), str(output["keeper"]), str(output["leaves"]),
-             str(int(output["timeout"])), output["text"]]
+    cells = [
+        str(output["frame"]),
+        str(output["keeper"]),
+        str(output["leaves"]),
+        str(int(output["timeout"])),
+        output["text"],
+    ]
     commands = {command["robot"]: command for command in output["commands"]}
     for robot in range(16):
         command = commands.get(robot, {})
-        cells += [float(command.get(name, 0)).hex() for name in
-                  ("vx_mps", "vy_mps", "angular_velocity_radps", "kick_mps")]
+        cells += [
+            float(command.get(name, 0)).hex() for name in ("vx_mps", "vy_mps", "angular_velocity_radps", "kick_mps")
+        ]
         cells += [str(int(command.get(name, False))) for name in ("chip", "dribble")]
     return cells
 
@@ -171,8 +249,9 @@ def compare_outputs(program):
     draw = random.Random(5)
     outputs = [random_output(draw, frame) for frame in range(100)]
     for encoding, encode in (("json", as_json), ("flat", as_flat)):
-        read = subprocess.run([program, "read", encoding], check=True, stdout=subprocess.PIPE,
-                              input=b"".join(map(encode, outputs))).stdout.decode()
+        read = subprocess.run(
+            [program, "read", encoding], check=True, stdout=subprocess.PIPE, input=b"".join(map(encode, outputs))
+        ).stdout.decode()
         lines = read.splitlines()
         assert len(lines) == len(outputs), (encoding, len(lines))
         for line, output in zip(lines, outputs):

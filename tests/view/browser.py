@@ -49,8 +49,10 @@ class BrowserTest(unittest.TestCase):
 
     def show(self, size, media="screen"):
         width, height = size
-        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
-            "width": width, "height": height, "deviceScaleFactor": 1, "mobile": size == PHONE})
+        self.browser.execute_cdp_cmd(
+            "Emulation.setDeviceMetricsOverride",
+            {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": size == PHONE},
+        )
         self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": media})
 
     def show_on_paper(self):
@@ -61,7 +63,8 @@ class BrowserTest(unittest.TestCase):
     def settle(self):
         """Waits until the page has been redrawn."""
         self.browser.execute_async_script(
-            "const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => done()));")
+            "const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => done()));"
+        )
 
     def text(self, name):
         return self.browser.find_element(By.ID, name).get_attribute("textContent")
@@ -81,8 +84,11 @@ class BrowserTest(unittest.TestCase):
     def addresses(self):
         """The URLs of all requests of the page."""
         messages = [json.loads(entry["message"])["message"] for entry in self.browser.get_log("performance")]
-        return [message["params"]["request"]["url"] for message in messages
-                if message["method"] == "Network.requestWillBeSent"]
+        return [
+            message["params"]["request"]["url"]
+            for message in messages
+            if message["method"] == "Network.requestWillBeSent"
+        ]
 
     def leave_picture(self, name):
         folder = os.environ.get("AUTOREF_SCREENSHOTS")

@@ -24,13 +24,19 @@ return count;
 def played_game(autoref, scenario, page, log=None, **settings):
     """Plays a game, writes its page and, if asked for, its log, and returns its record."""
     chosen = [word for key, value in settings.items() for word in ("--set", f"{key.replace('__', '.')}={value}")]
-    done = subprocess.run([autoref, "play", scenario, "--json", "--view", page, *chosen, *(["--log", log] if log else [])],
-                          check=True, capture_output=True, text=True, timeout=120)
+    done = subprocess.run(
+        [autoref, "play", scenario, "--json", "--view", page, *chosen, *(["--log", log] if log else [])],
+        check=True,
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
     return json.loads(done.stdout)
 
 
 class GamePage(BrowserTest):
     """The page of a game played with the settings of the class."""
+
     autoref, scenario = "", ""  # the program and a game file
     settings = {}
 

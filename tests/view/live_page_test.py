@@ -32,8 +32,12 @@ class ShownGame:
 
     def __init__(self, settings, speed, port=0):
         chosen = [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
-        self.process = subprocess.Popen([AUTOREF, "play", SCENARIO, "--web", str(port), "--speed", str(speed), *chosen],
-                                        stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        self.process = subprocess.Popen(
+            [AUTOREF, "play", SCENARIO, "--web", str(port), "--speed", str(speed), *chosen],
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
         self.address = re.search(r"http://\S+", self.process.stderr.readline()).group()
         self.port = int(re.search(r":(\d+)/", self.address).group(1))
 
@@ -59,7 +63,8 @@ class LivePage(BrowserTest):
     def value(self, expression):
         """Of the page's script; None until the game is shown."""
         return self.browser.execute_script(
-            f"return typeof page === 'undefined' || page === null ? null : {expression};")
+            f"return typeof page === 'undefined' || page === null ? null : {expression};"
+        )
 
     def frames(self):
         return self.value("page.recording.count") or 0
@@ -76,7 +81,9 @@ class LivePage(BrowserTest):
     def test_lists_events_with_their_reasons(self):
         self.open(FOULS, speed=10)
         self.wait_until(lambda: len(self.texts(".highlight .reason")) > 2)
-        events, marks = self.value("[...document.querySelectorAll('#eventList, #marks')].map((one) => one.childElementCount)")
+        events, marks = self.value(
+            "[...document.querySelectorAll('#eventList, #marks')].map((one) => one.childElementCount)"
+        )
         self.assertEqual(events, marks)
         self.assertNotEqual(self.text("callTitle"), "")
         self.assertNotEqual(self.text("command"), "")
@@ -129,8 +136,12 @@ class LivePage(BrowserTest):
         with tempfile.TemporaryDirectory() as folder:
             scenario = pathlib.Path(folder) / "scenario.yaml"
             scenario.write_text(ROUND_ROBIN)
-            run = subprocess.Popen([AUTOREF, "run", scenario, "-o", f"{folder}/results", "-j", "1", "--web", "0"],
-                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+            run = subprocess.Popen(
+                [AUTOREF, "run", scenario, "-o", f"{folder}/results", "-j", "1", "--web", "0"],
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.PIPE,
+                text=True,
+            )
             self.addCleanup(run.stderr.close)
             self.addCleanup(run.wait, 20)
             self.addCleanup(run.kill)

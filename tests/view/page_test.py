@@ -60,6 +60,7 @@ return sum / (3 * data.length / 4);
 
 class PageTest(GamePage):
     """A game in which cobalt scores several goals."""
+
     settings = {"a__strategy": "cobalt1", "b__strategy": "chaser", "match__half_s": 120}
 
     def test_loads_without_complaints(self):
@@ -124,14 +125,17 @@ class PageTest(GamePage):
         self.browser.get(self.page.as_uri() + "#t=12.5&with=speeds,nonsense")
         self.settle()
         self.assertAlmostEqual(self.time_s(), 12.5, delta=0.02)
-        pressed = {name: self.browser.find_element(By.ID, f"layer-{name}").get_attribute("aria-pressed")
-                   for name in ("trails", "speeds", "heat")}
+        pressed = {
+            name: self.browser.find_element(By.ID, f"layer-{name}").get_attribute("aria-pressed")
+            for name in ("trails", "speeds", "heat")
+        }
         self.assertEqual(pressed, {"trails": "true", "speeds": "true", "heat": "false"})
 
     def test_jumps_to_the_clicked_time(self):
         line = self.browser.find_element(By.ID, "timeline")
         webdriver.ActionChains(self.browser).move_to_element_with_offset(
-            line, 0, line.size["height"] // 2 - 4).click().perform()
+            line, 0, line.size["height"] // 2 - 4
+        ).click().perform()
         self.settle()
         minutes, seconds = self.text("length").split(":")
         self.assertAlmostEqual(self.time_s(), (60 * int(minutes) + int(seconds)) / 2, delta=2)
@@ -153,7 +157,9 @@ class PageTest(GamePage):
                 self.assertNotEqual(before, after, f"layer {key}")
 
     def test_opens_and_closes_help(self):
-        is_open = lambda: self.browser.execute_script("return document.getElementById('help').open")
+        def is_open():
+            return self.browser.execute_script("return document.getElementById('help').open")
+
         self.press("?")
         self.assertTrue(is_open())
         self.press(Keys.ESCAPE)
@@ -166,8 +172,7 @@ class PageTest(GamePage):
             self.assertLessEqual(self.scroll_width(), size[0])
             self.assertEqual(self.cut_off(), [])
             self.leave_picture(name)
-        self.assertLessEqual(
-            self.browser.execute_script("return document.documentElement.scrollHeight"), PROJECTOR[1])
+        self.assertLessEqual(self.browser.execute_script("return document.documentElement.scrollHeight"), PROJECTOR[1])
 
     def test_has_no_links_and_needs_no_other_file(self):
         self.assertEqual(self.browser.find_elements(By.CSS_SELECTOR, "a, iframe, object"), [])
@@ -188,10 +193,12 @@ class PageTest(GamePage):
         self.assertGreater(self.browser.execute_script(AVERAGE_BRIGHTNESS), 220)
         self.assertEqual(self.cut_off(), [])
         hidden = self.browser.execute_script(
-            "const list = document.getElementById('eventList'); return list.scrollHeight - list.clientHeight;")
+            "const list = document.getElementById('eventList'); return list.scrollHeight - list.clientHeight;"
+        )
         self.assertLessEqual(hidden, 1)
         breaks = self.browser.execute_script(
-            "return getComputedStyle(document.querySelector('#eventList li')).breakInside")
+            "return getComputedStyle(document.querySelector('#eventList li')).breakInside"
+        )
         self.assertEqual(breaks, "avoid")
         self.browser.execute_script("window.dispatchEvent(new Event('afterprint'))")
         self.assertLess(self.browser.execute_script(AVERAGE_BRIGHTNESS), 100)
@@ -199,8 +206,8 @@ class PageTest(GamePage):
 
 class ShootoutPageTest(GamePage):
     """A knockout game between two teams of the same strategy that ends in a shoot-out."""
-    settings = {"match__rules": "2026-b", "match__knockout": "true", "match__half_s": 20,
-                "match__extra_half_s": 10}
+
+    settings = {"match__rules": "2026-b", "match__knockout": "true", "match__half_s": 20, "match__extra_half_s": 10}
 
     def setUp(self):
         super().setUp()
@@ -226,8 +233,10 @@ class ShootoutPageTest(GamePage):
     def test_shows_kicks_on_the_time_line(self):
         score = self.record["goals_a"] + self.record["goals_b"] + sum(self.record["shootout"])
         self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, ".mark.goal")), score)
-        self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, ".mark.miss")),
-                         len([kick for kick in self.kicks() if not kick[2]]))
+        self.assertEqual(
+            len(self.browser.find_elements(By.CSS_SELECTOR, ".mark.miss")),
+            len([kick for kick in self.kicks() if not kick[2]]),
+        )
 
     def test_says_why_a_kick_did_not_score(self):
         reasons = self.texts(".highlight.miss .reason")
@@ -239,9 +248,10 @@ class ShootoutPageTest(GamePage):
         self.browser.find_elements(By.CSS_SELECTOR, "#shootout .kickRow:last-child .kick")[0].click()
         self.settle()
         _, _, has_scored, standing = next(kick for kick in self.kicks() if kick[:2] == ("blue", 1))
-        self.assertEqual(self.text("callTitle").split("  ")[1],
-                         f"Kick 1 of blue: {'goal' if has_scored else 'no goal'}, "
-                         f"{standing[0]}\u00a0:\u00a0{standing[1]}")
+        self.assertEqual(
+            self.text("callTitle").split("  ")[1],
+            f"Kick 1 of blue: {'goal' if has_scored else 'no goal'}, " f"{standing[0]}\u00a0:\u00a0{standing[1]}",
+        )
         shown = [self.text("goals0"), self.text("goals1")]
         self.assertEqual([one.split()[1] for one in shown], [f"({one})" for one in standing])
         self.leave_picture("shootout")
@@ -258,12 +268,15 @@ class ShootoutPageTest(GamePage):
 
 class EndsPageTest(GamePage):
     """A game of two halves in which the teams change ends."""
+
     settings = {"match__rules": "2026-b", "match__half_s": 10}
 
     def goals(self):
         """Whether yellow and blue goals are at the left and at the right."""
-        return [[count > 10 for count in self.browser.execute_script(COUNT_AT_ENDS, list(color))]
-                for color in (YELLOW, BLUE)]
+        return [
+            [count > 10 for count in self.browser.execute_script(COUNT_AT_ENDS, list(color))]
+            for color in (YELLOW, BLUE)
+        ]
 
     def seek_second_half(self):
         while "End of the half" not in self.text("callTitle"):
@@ -296,19 +309,24 @@ class EndsPageTest(GamePage):
         self.assertLess(blue, 0)
 
     def test_shows_no_speed_of_robots_that_change_ends(self):
-        fastest = self.browser.execute_script("""
+        fastest = self.browser.execute_script(
+            """
             const {recording} = page;
             const turn = recording.yellowEnds.indexOf(1);
             let fastest = 0;
             for (let i = turn - 5; i < turn + 5; ++i) {
-              for (const robot of recording.robots) fastest = Math.max(fastest, velocityAt(recording, robot, i)?.speed ?? 0);
+              for (const robot of recording.robots) {
+                fastest = Math.max(fastest, velocityAt(recording, robot, i)?.speed ?? 0);
+              }
             }
-            return fastest;""")
+            return fastest;"""
+        )
         self.assertLess(fastest, 4000)
 
 
 class FoulPageTest(GamePage):
     """A game full of fouls and cards."""
+
     settings = {"match__rules": "2026-b", "match__half_s": 120, "a__strategy": "rowdy", "seed": 2}
 
     def test_names_sides_by_their_colours_only(self):
@@ -349,15 +367,41 @@ class ComparedPageTest(BrowserTest):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         log, cls.page = str(pathlib.Path(folder.name) / "game.log"), pathlib.Path(folder.name) / "both.html"
-        played_game(GamePage.autoref, GamePage.scenario, str(cls.page), match__half_s=60, a__strategy="cobalt1",
-                    b__strategy="cobalt1", log=log)
+        played_game(
+            GamePage.autoref,
+            GamePage.scenario,
+            str(cls.page),
+            match__half_s=60,
+            a__strategy="cobalt1",
+            b__strategy="cobalt1",
+            log=log,
+        )
         mine, cls.annotated_page = pathlib.Path(folder.name) / "mine.csv", pathlib.Path(folder.name) / "mine.html"
         mine.write_text("time,call,side\n20,goal,yellow\n")
-        done = subprocess.run([GamePage.autoref, "referee", log, "--report", str(cls.page), "--json"], check=True,
-                              capture_output=True, text=True, timeout=120)
+        done = subprocess.run(
+            [GamePage.autoref, "referee", log, "--report", str(cls.page), "--json"],
+            check=True,
+            capture_output=True,
+            text=True,
+            timeout=120,
+        )
         cls.compared = json.loads(done.stdout)
-        done = subprocess.run([GamePage.autoref, "referee", log, "--annotations", str(mine), "--json", "--report",
-                               str(cls.annotated_page)], check=True, capture_output=True, text=True, timeout=120)
+        done = subprocess.run(
+            [
+                GamePage.autoref,
+                "referee",
+                log,
+                "--annotations",
+                str(mine),
+                "--json",
+                "--report",
+                str(cls.annotated_page),
+            ],
+            check=True,
+            capture_output=True,
+            text=True,
+            timeout=120,
+        )
         cls.annotated = json.loads(done.stdout)
 
     def setUp(self):

@@ -38,8 +38,10 @@ class ReportTest(BrowserTest):
         cls.addClassCleanup(cls.folder.cleanup)
         folder = pathlib.Path(cls.folder.name)
         (folder / "scenario.yaml").write_text(ROUND_ROBIN)
-        for words in (["run", str(folder / "scenario.yaml"), "-o", str(folder / "results")],
-                      ["report", str(folder / "results")]):
+        for words in (
+            ["run", str(folder / "scenario.yaml"), "-o", str(folder / "results")],
+            ["report", str(folder / "results")],
+        ):
             subprocess.run([AUTOREF, *words], check=True, capture_output=True, timeout=120)
         cls.build = (folder / "results/report.md").read_text().split("| build | ")[1].split(" |")[0]
         # The page is alone in a folder, as if it had been received by mail.
@@ -54,8 +56,9 @@ class ReportTest(BrowserTest):
     def test_sent_alone_has_no_dead_links(self):
         links = [one.get_attribute("href") for one in self.browser.find_elements(By.CSS_SELECTOR, "[href], [src]")]
         self.assertEqual([link for link in links if not link.startswith("#")], [])
-        self.assertEqual([one for one in self.addresses() if one != self.page.as_uri()
-                          and not one.endswith("/favicon.ico")], [])
+        self.assertEqual(
+            [one for one in self.addresses() if one != self.page.as_uri() and not one.endswith("/favicon.ico")], []
+        )
         self.assertIn("effective.yaml", self.texts("code"))
 
     def test_on_a_phone_scrolls_tables_and_never_the_page(self):
@@ -69,12 +72,15 @@ class ReportTest(BrowserTest):
     def test_on_a_phone_leaves_room_beside_a_long_name(self):
         self.show(PHONE)
         for width in self.browser.execute_script(
-                "return [...document.querySelectorAll('.wide:not(.words) td:first-child')].map((one) => one.offsetWidth)"):
+            "return [...document.querySelectorAll('.wide:not(.words) td:first-child')].map((one) => one.offsetWidth)"
+        ):
             self.assertLess(width, 0.6 * PHONE[0])
 
     def test_shows_the_whole_build_on_a_phone(self):
         self.show(PHONE)
-        cells = [one for one in self.browser.find_elements(By.CSS_SELECTOR, "td") if one.text.replace("\n", "") == self.build]
+        cells = [
+            one for one in self.browser.find_elements(By.CSS_SELECTOR, "td") if one.text.replace("\n", "") == self.build
+        ]
         self.assertEqual(len(cells), 1)
         self.assertLessEqual(cells[0].rect["x"] + cells[0].rect["width"], PHONE[0])
 

@@ -22,6 +22,7 @@ def assign(path, value):
             target[int(name)] = value
         else:
             setattr(target, name, value)
+
     return change
 
 
@@ -29,6 +30,7 @@ def clear(path):
     def change(message):
         target, name = part(message, path)
         target.ClearField(name)
+
     return change
 
 
@@ -36,14 +38,17 @@ def extend(path, *values):
     def change(message):
         target, name = part(message, path)
         getattr(target, name).extend(values)
+
     return change
 
 
 def repeat(path):
     """The first of a list twice."""
+
     def change(message):
         target, name = part(message, path)
         getattr(target, name).add().CopyFrom(getattr(target, name)[0])
+
     return change
 
 
@@ -51,6 +56,7 @@ def both(first, second):
     def change(message):
         first(message)
         second(message)
+
     return change
 
 
@@ -72,6 +78,7 @@ def nowhere(message):
 def later(seconds):
     def change(message):
         message.tracked_frame.timestamp += seconds
+
     return change
 
 
@@ -137,15 +144,18 @@ REFEREE = [
     ("packets arrive", ALL, lost),
     ("times are in microseconds", FIRST, assign("packet_timestamp", START_US // 1000)),
     ("no command is of the future", FIRST, assign("command_timestamp", START_US + 1_000_000)),
-    ("time left of the stage", FIRST, assign("stage_time_left", 10 ** 12)),
-    ("time left of the action", FIRST, assign("current_action_time_remaining", 10 ** 9)),
+    ("time left of the stage", FIRST, assign("stage_time_left", 10**12)),
+    ("time left of the action", FIRST, assign("current_action_time_remaining", 10**9)),
     ("no indirect free kicks", [10, 11], assign("command", 11)),
     ("a preparation announces NORMAL_START", [2], clear("next_command")),
     ("play announces nothing", [4], assign("next_command", 1)),
     ("a placement has a position", [8], clear("designated_position")),
     ("the ball is placed on the field", FIRST, assign("designated_position.x", 5000)),
-    ("the position is in millimetres", ALL, both(assign("designated_position.x", 0.3),
-                                                 assign("designated_position.y", 0.4))),
+    (
+        "the position is in millimetres",
+        ALL,
+        both(assign("designated_position.x", 0.3), assign("designated_position.y", 0.4)),
+    ),
     ("teams have names", FIRST, assign("yellow.name", "")),
     ("keeper's number", FIRST, assign("blue.goalkeeper", 16)),
     ("active cards are among all cards", FIRST, assign("blue.yellow_cards", 0)),
@@ -201,6 +211,8 @@ TRACKER = [
     ("a kicked ball stops after the kick", FIRST, assign(KICK + ".stop_timestamp", 1)),
     ("a robot of a team kicks", FIRST, clear(KICK + ".robot_id.team")),
 ]
-BROKEN = [(f"{kind}: {check}", kind, numbers, change)
-          for kind, faults in (("vision", VISION), ("referee", REFEREE), ("tracker", TRACKER))
-          for check, numbers, change in faults]
+BROKEN = [
+    (f"{kind}: {check}", kind, numbers, change)
+    for kind, faults in (("vision", VISION), ("referee", REFEREE), ("tracker", TRACKER))
+    for check, numbers, change in faults
+]

@@ -17,10 +17,25 @@ def fill_geometry(geometry):
         line.p2.x, line.p2.y = expected(geometry.field, end)
     arc = geometry.field.field_arcs.add(name="CenterCircle", radius=500, a1=0, a2=2 * math.pi, thickness=10, type=1)
     arc.center.x = arc.center.y = 0
-    geometry.calib.add(camera_id=0, focal_length=1000, principal_point_x=800, principal_point_y=600, distortion=0,
-                       q0=1, q1=0, q2=0, q3=0, tx=0, ty=0, tz=6000, derived_camera_world_tx=0,
-                       derived_camera_world_ty=0, derived_camera_world_tz=6000, pixel_image_width=1600,
-                       pixel_image_height=1200)
+    geometry.calib.add(
+        camera_id=0,
+        focal_length=1000,
+        principal_point_x=800,
+        principal_point_y=600,
+        distortion=0,
+        q0=1,
+        q1=0,
+        q2=0,
+        q3=0,
+        tx=0,
+        ty=0,
+        tz=6000,
+        derived_camera_world_tx=0,
+        derived_camera_world_ty=0,
+        derived_camera_world_tz=6000,
+        pixel_image_width=1600,
+        pixel_image_height=1200,
+    )
     straight, chip = geometry.models.straight_two_phase, geometry.models.chip_fixed_loss
     straight.acc_slide, straight.acc_roll, straight.k_switch = -3.3, -0.3, 0.66
     chip.damping_xy_first_hop, chip.damping_xy_other_hops, chip.damping_z = 0.7, 0.87, 0.46
@@ -68,10 +83,16 @@ PACKETS = 2 * len(COURSE)  # two of each command
 def referee(messages, number):
     stage, command, announced = COURSE[number // 2]
     time_us = int(START_S * 1e6) + number * 25_000
-    packet = messages.Referee(packet_timestamp=time_us, stage=stage, stage_time_left=1_000_000 - number,
-                              command=command, command_counter=number // 2,
-                              command_timestamp=time_us - number % 2 * 25_000,
-                              blue_team_on_positive_half=stage < 4, current_action_time_remaining=5_000_000)
+    packet = messages.Referee(
+        packet_timestamp=time_us,
+        stage=stage,
+        stage_time_left=1_000_000 - number,
+        command=command,
+        command_counter=number // 2,
+        command_timestamp=time_us - number % 2 * 25_000,
+        blue_team_on_positive_half=stage < 4,
+        current_action_time_remaining=5_000_000,
+    )
     if announced is not None:
         packet.next_command = announced
     packet.designated_position.x, packet.designated_position.y = 300, 400

@@ -35,8 +35,9 @@ class Link:
         """Even numbers are commanded in their own coordinates, odd ones in the field's."""
         control = self.messages.RobotControl()
         for number, command in commands.items():
-            one = control.robot_commands.add(id=number, kick_speed=command.kick_mps, kick_angle=0,
-                                             dribbler_speed=1000 if command.dribbles else 0)
+            one = control.robot_commands.add(
+                id=number, kick_speed=command.kick_mps, kick_angle=0, dribbler_speed=1000 if command.dribbles else 0
+            )
             if number % 2:
                 one.move_command.global_velocity.x = command.velocity.real
                 one.move_command.global_velocity.y = command.velocity.imag
@@ -95,8 +96,15 @@ class GrSimLink(Link):
         for number, command in commands.items():
             local = command.velocity * robots[number][1].conjugate()
             packet.commands.robot_commands.add(
-                id=number, kickspeedx=command.kick_mps, kickspeedz=0, veltangent=local.real, velnormal=local.imag,
-                velangular=command.turn_radps, spinner=command.dribbles, wheelsspeed=False)
+                id=number,
+                kickspeedx=command.kick_mps,
+                kickspeedz=0,
+                veltangent=local.real,
+                velnormal=local.imag,
+                velangular=command.turn_radps,
+                spinner=command.dribbles,
+                wheelsspeed=False,
+            )
         self.send(self.udp, packet, (network.HOST, GRSIM_PORT))
 
     def read_answers(self):

@@ -66,7 +66,7 @@ class LiveGame:
 
 
 def are_answered(counts, teams=2):
-    """Whether the simulator answered every packet. When the game ended, the last one of each team may have been on its way."""
+    """Whether the simulator answered every packet, except perhaps the last one of each team, when the game ended."""
     return 0 <= counts["sent"] - counts["answers"] <= teams
 
 

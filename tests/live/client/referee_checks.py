@@ -40,19 +40,29 @@ class RefereeChecks:
 
     def check_times(self, packet):
         self.expect_within("referee: times are in microseconds", packet.packet_timestamp, YEAR_2020_US, YEAR_2100_US)
-        self.expect("referee: no command is of the future", packet.command_timestamp <= packet.packet_timestamp,
-                    f"{packet.command_timestamp} > {packet.packet_timestamp}")
+        self.expect(
+            "referee: no command is of the future",
+            packet.command_timestamp <= packet.packet_timestamp,
+            f"{packet.command_timestamp} > {packet.packet_timestamp}",
+        )
         if packet.HasField("stage_time_left"):
             self.expect_within("referee: time left of the stage", packet.stage_time_left, -3_600_000_000, 3_600_000_000)
         if packet.HasField("current_action_time_remaining"):
-            self.expect_within("referee: time left of the action", packet.current_action_time_remaining,
-                               -LONGEST_ACTION_US, LONGEST_ACTION_US)
+            self.expect_within(
+                "referee: time left of the action",
+                packet.current_action_time_remaining,
+                -LONGEST_ACTION_US,
+                LONGEST_ACTION_US,
+            )
 
     def check_next_command(self, packet):
         self.expect("referee: no indirect free kicks", packet.command not in INDIRECT, packet.command)
         if packet.command in PREPARATIONS:
-            self.expect("referee: a preparation announces NORMAL_START",
-                        packet.HasField("next_command") and packet.next_command == NORMAL_START, packet.next_command)
+            self.expect(
+                "referee: a preparation announces NORMAL_START",
+                packet.HasField("next_command") and packet.next_command == NORMAL_START,
+                packet.next_command,
+            )
         if packet.command in PLAY:
             self.expect("referee: play announces nothing", not packet.HasField("next_command"), packet.next_command)
 
@@ -69,14 +79,20 @@ class RefereeChecks:
     def check_team(self, team):
         self.expect("referee: teams have names", team.name != "")
         self.expect_within("referee: keeper's number", team.goalkeeper, 0, HIGHEST_ID)
-        self.expect("referee: active cards are among all cards", len(team.yellow_card_times) <= team.yellow_cards,
-                    f"{len(team.yellow_card_times)} of {team.yellow_cards}")
+        self.expect(
+            "referee: active cards are among all cards",
+            len(team.yellow_card_times) <= team.yellow_cards,
+            f"{len(team.yellow_card_times)} of {team.yellow_cards}",
+        )
         for time_us in team.yellow_card_times:
             self.expect_within("referee: a card lasts two minutes", time_us, 0, 120_000_000)
         if team.HasField("max_allowed_bots"):
             allowed = max(0, 6 - len(team.yellow_card_times) - team.red_cards)
-            self.expect("referee: a robot fewer for each card", team.max_allowed_bots == allowed,
-                        f"{team.max_allowed_bots}, not {allowed}")
+            self.expect(
+                "referee: a robot fewer for each card",
+                team.max_allowed_bots == allowed,
+                f"{team.max_allowed_bots}, not {allowed}",
+            )
 
     def check_event(self, event):
         self.expect("referee: an event has a type", event.HasField("type"))
@@ -88,39 +104,53 @@ class RefereeChecks:
         gap_us = packet.packet_timestamp - previous.packet_timestamp
         self.expect("referee: time does not go back", gap_us >= 0, gap_us)
         self.expect("referee: every 25 ms", gap_us <= LONGEST_GAP_US, gap_us)
-        self.expect("referee: stages follow one another", packet.stage >= previous.stage,
-                    f"{packet.stage} after {previous.stage}")
+        self.expect(
+            "referee: stages follow one another",
+            packet.stage >= previous.stage,
+            f"{packet.stage} after {previous.stage}",
+        )
         self.check_counter(previous, packet)
         is_same_stage = packet.stage == previous.stage
         if packet.blue_team_on_positive_half != previous.blue_team_on_positive_half:
             self.expect("referee: ends change between halves", not is_same_stage)
         if is_same_stage and packet.HasField("stage_time_left"):
-            self.expect("referee: a stage's time runs down", packet.stage_time_left <= previous.stage_time_left,
-                        f"{packet.stage_time_left} after {previous.stage_time_left}")
+            self.expect(
+                "referee: a stage's time runs down",
+                packet.stage_time_left <= previous.stage_time_left,
+                f"{packet.stage_time_left} after {previous.stage_time_left}",
+            )
         for now, before in ((packet.yellow, previous.yellow), (packet.blue, previous.blue)):
             self.expect_within("referee: one goal at a time", now.score - before.score, 0, 1)
-            self.expect("referee: cards stay", now.yellow_cards >= before.yellow_cards
-                        and now.red_cards >= before.red_cards)
+            self.expect(
+                "referee: cards stay", now.yellow_cards >= before.yellow_cards and now.red_cards >= before.red_cards
+            )
             self.expect("referee: names stay", now.name == before.name, f"{now.name} after {before.name}")
 
     def check_counter(self, previous, packet):
         steps = packet.command_counter - previous.command_counter
         self.expect_within("referee: the counter grows by one", steps, 0, 1)
         if steps:
-            self.expect("referee: a command is of the time of its packet",
-                        packet.command_timestamp > previous.command_timestamp)
+            self.expect(
+                "referee: a command is of the time of its packet", packet.command_timestamp > previous.command_timestamp
+            )
             self.check_announced(previous, packet)
         else:
-            self.expect("referee: a command counts", packet.command == previous.command,
-                        f"{packet.command} after {previous.command}")
+            self.expect(
+                "referee: a command counts",
+                packet.command == previous.command,
+                f"{packet.command} after {previous.command}",
+            )
             self.expect("referee: a command keeps its time", packet.command_timestamp == previous.command_timestamp)
 
     def check_announced(self, previous, packet):
         """After a stop comes what was announced, unless the ball must be placed first or the game halts."""
         others = (HALT, STOP, *PLACEMENTS, *GOALS)
         if previous.HasField("next_command") and packet.command not in others:
-            self.expect("referee: the announced command comes", packet.command == previous.next_command,
-                        f"{packet.command}, not {previous.next_command}")
+            self.expect(
+                "referee: the announced command comes",
+                packet.command == previous.next_command,
+                f"{packet.command}, not {previous.next_command}",
+            )
 
     def check_end(self, stages=(0, 1, 4, 13)):
         missing = sorted(set(stages) - self.stages)

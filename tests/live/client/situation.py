@@ -3,11 +3,25 @@ from world import BLUE, YELLOW
 
 IN_PLAY_M = 0.05
 # Command -> situation, team.
-COMMANDS = {0: ("halt", 0), 1: ("stop", 0), 3: ("run", 0), 4: ("before kick-off", YELLOW),
-            5: ("before kick-off", BLUE), 6: ("before penalty", YELLOW), 7: ("before penalty", BLUE),
-            8: ("free kick", YELLOW), 9: ("free kick", BLUE), 10: ("free kick", YELLOW), 11: ("free kick", BLUE),
-            12: ("halt", 0), 13: ("halt", 0), 14: ("stop", 0), 15: ("stop", 0),
-            16: ("placement", YELLOW), 17: ("placement", BLUE)}
+COMMANDS = {
+    0: ("halt", 0),
+    1: ("stop", 0),
+    3: ("run", 0),
+    4: ("before kick-off", YELLOW),
+    5: ("before kick-off", BLUE),
+    6: ("before penalty", YELLOW),
+    7: ("before penalty", BLUE),
+    8: ("free kick", YELLOW),
+    9: ("free kick", BLUE),
+    10: ("free kick", YELLOW),
+    11: ("free kick", BLUE),
+    12: ("halt", 0),
+    13: ("halt", 0),
+    14: ("stop", 0),
+    15: ("stop", 0),
+    16: ("placement", YELLOW),
+    17: ("placement", BLUE),
+}
 NORMAL_START = 2
 AFTER_NORMAL_START = {"before kick-off": "kick-off", "before penalty": "penalty"}
 POST_GAME = 13

@@ -38,8 +38,11 @@ def drive(view, robot, target, towards, speed_mps=SPEED_MPS):
 
 def evasion(view, position, velocity):
     """A velocity that leads past the nearest robot ahead."""
-    ahead = [other - position for other in view.others(position)
-             if abs(other - position) < 0.4 and ((other - position) * velocity.conjugate()).real > 0]
+    ahead = [
+        other - position
+        for other in view.others(position)
+        if abs(other - position) < 0.4 and ((other - position) * velocity.conjugate()).real > 0
+    ]
     if not ahead or abs(velocity) < 0.2:
         return 0j
     nearest = min(ahead, key=abs)

@@ -68,8 +68,10 @@ class Team:
 
     def nearest(self, view):
         """The number of the robot that should go for the ball."""
+
         def distance_m(number):
             return abs(view.own[number][0] - view.ball) - (0.2 if number == self.chaser else 0)
+
         players = [number for number in view.own if number not in (view.keeper, self.barred)]
         return min(players, key=distance_m, default=None)
 
@@ -85,10 +87,12 @@ class Team:
 
     def aim(self, view):
         """The point in the opponents' goal with the most space."""
+
         def space_m(point):
             direction = unit(point - view.ball)
             ahead = [(other - view.ball) * direction.conjugate() for other in view.opponents]
             return min((abs(other.imag) for other in ahead if other.real > 0), default=9.0)
+
         points = [complex(view.field.end_x, y * view.field.goal_y) for y in (0, -0.75, 0.75)]
         return max(points, key=space_m)
 

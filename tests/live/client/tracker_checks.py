@@ -34,8 +34,11 @@ class TrackerChecks:
 
     def check_frame(self, frame):
         if self.previous is not None:
-            self.expect("tracker: frame numbers have no gap", frame.frame_number == self.previous.frame_number + 1,
-                        f"{frame.frame_number} after {self.previous.frame_number}")
+            self.expect(
+                "tracker: frame numbers have no gap",
+                frame.frame_number == self.previous.frame_number + 1,
+                f"{frame.frame_number} after {self.previous.frame_number}",
+            )
             self.expect("tracker: time advances", frame.timestamp > self.previous.timestamp, frame.timestamp)
         self.check_capabilities(frame)
         for ball in frame.balls:
@@ -69,23 +72,30 @@ class TrackerChecks:
     def check_capabilities(self, frame):
         capabilities = list(frame.capabilities)
         self.expect("tracker: says what it can do", len(capabilities) > 0)
-        self.expect("tracker: capabilities are known, each once",
-                    len(capabilities) == len(set(capabilities)) and 0 not in capabilities, capabilities)
-        self.expect("tracker: one ball, unless it says otherwise",
-                    len(frame.balls) <= 1 or MULTIPLE in capabilities, len(frame.balls))
-        self.expect("tracker: no kick, unless it says so",
-                    not frame.HasField("kicked_ball") or KICKED in capabilities)
+        self.expect(
+            "tracker: capabilities are known, each once",
+            len(capabilities) == len(set(capabilities)) and 0 not in capabilities,
+            capabilities,
+        )
+        self.expect(
+            "tracker: one ball, unless it says otherwise",
+            len(frame.balls) <= 1 or MULTIPLE in capabilities,
+            len(frame.balls),
+        )
+        self.expect("tracker: no kick, unless it says so", not frame.HasField("kicked_ball") or KICKED in capabilities)
 
     def check_position(self, position):
-        self.expect_within("tracker: positions are within the walls, in metres", math.hypot(position.x, position.y),
-                           0, FARTHEST_M)
+        self.expect_within(
+            "tracker: positions are within the walls, in metres", math.hypot(position.x, position.y), 0, FARTHEST_M
+        )
 
     def check_ball(self, ball):
         self.check_position(ball.pos)
         self.expect_within("tracker: the ball's height", ball.pos.z, 0, 5)
         if ball.HasField("vel"):
-            self.expect_within("tracker: the ball's speed", math.hypot(ball.vel.x, ball.vel.y, ball.vel.z),
-                               0, FASTEST_BALL_MPS)
+            self.expect_within(
+                "tracker: the ball's speed", math.hypot(ball.vel.x, ball.vel.y, ball.vel.z), 0, FASTEST_BALL_MPS
+            )
         self.check_visibility(ball)
 
     def check_visibility(self, thing):
@@ -106,8 +116,9 @@ class TrackerChecks:
     def check_kick(self, frame, kick):
         self.check_position(kick.pos)
         self.expect("tracker: a kick is of the past", kick.start_timestamp <= frame.timestamp, kick.start_timestamp)
-        self.expect_within("tracker: the speed of a kick", math.hypot(kick.vel.x, kick.vel.y, kick.vel.z),
-                           0, FASTEST_BALL_MPS)
+        self.expect_within(
+            "tracker: the speed of a kick", math.hypot(kick.vel.x, kick.vel.y, kick.vel.z), 0, FASTEST_BALL_MPS
+        )
         if kick.HasField("stop_timestamp"):
             self.expect("tracker: a kicked ball stops after the kick", kick.stop_timestamp >= kick.start_timestamp)
         if kick.HasField("robot_id"):

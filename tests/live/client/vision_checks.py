@@ -9,19 +9,36 @@ HIGHEST_ID = 15
 REMEMBERED_FRAMES = 1000
 # Name -> number of the type, and two ends in units of half the length and half the width of the
 # field (G) or of the edge of a defence area (A).
-LINES = {"TopTouchLine": (2, "-G +G", "+G +G"), "BottomTouchLine": (3, "-G -G", "+G -G"),
-         "LeftGoalLine": (4, "-G -G", "-G +G"), "RightGoalLine": (5, "+G -G", "+G +G"),
-         "HalfwayLine": (6, "0 -G", "0 +G"), "CenterLine": (7, "-G 0", "+G 0"),
-         "LeftPenaltyStretch": (8, "-A -A", "-A +A"), "RightPenaltyStretch": (9, "+A -A", "+A +A"),
-         "LeftFieldLeftPenaltyStretch": (10, "-G +A", "-A +A"),
-         "LeftFieldRightPenaltyStretch": (11, "-G -A", "-A -A"),
-         "RightFieldLeftPenaltyStretch": (12, "+G +A", "+A +A"),
-         "RightFieldRightPenaltyStretch": (13, "+G -A", "+A -A")}
+LINES = {
+    "TopTouchLine": (2, "-G +G", "+G +G"),
+    "BottomTouchLine": (3, "-G -G", "+G -G"),
+    "LeftGoalLine": (4, "-G -G", "-G +G"),
+    "RightGoalLine": (5, "+G -G", "+G +G"),
+    "HalfwayLine": (6, "0 -G", "0 +G"),
+    "CenterLine": (7, "-G 0", "+G 0"),
+    "LeftPenaltyStretch": (8, "-A -A", "-A +A"),
+    "RightPenaltyStretch": (9, "+A -A", "+A +A"),
+    "LeftFieldLeftPenaltyStretch": (10, "-G +A", "-A +A"),
+    "LeftFieldRightPenaltyStretch": (11, "-G -A", "-A -A"),
+    "RightFieldLeftPenaltyStretch": (12, "+G +A", "+A +A"),
+    "RightFieldRightPenaltyStretch": (13, "+G -A", "+A -A"),
+}
 # The field of Division B in 2026.
-SIZES = {"field_length": 9000, "field_width": 6000, "goal_width": 1000, "goal_depth": 180, "boundary_width": 700,
-         "penalty_area_depth": 1000, "penalty_area_width": 2000, "center_circle_radius": 500,
-         "line_thickness": 10, "goal_center_to_penalty_mark": 6000, "goal_height": 155, "ball_radius": 21.5,
-         "max_robot_radius": 90}
+SIZES = {
+    "field_length": 9000,
+    "field_width": 6000,
+    "goal_width": 1000,
+    "goal_depth": 180,
+    "boundary_width": 700,
+    "penalty_area_depth": 1000,
+    "penalty_area_width": 2000,
+    "center_circle_radius": 500,
+    "line_thickness": 10,
+    "goal_center_to_penalty_mark": 6000,
+    "goal_height": 155,
+    "ball_radius": 21.5,
+    "max_robot_radius": 90,
+}
 
 
 class VisionChecks:
@@ -72,8 +89,11 @@ class VisionChecks:
             self.expect("vision: camera is in the geometry", frame.camera_id in self.cameras, frame.camera_id)
         if frame.camera_id in self.last:
             number, time = self.last[frame.camera_id]
-            self.expect("vision: frame numbers have no gap", frame.frame_number == number + 1,
-                        f"{frame.frame_number} after {number}")
+            self.expect(
+                "vision: frame numbers have no gap",
+                frame.frame_number == number + 1,
+                f"{frame.frame_number} after {number}",
+            )
             self.expect("vision: time advances", frame.t_capture > time, f"{frame.t_capture} after {time}")
         self.last[frame.camera_id] = frame.frame_number, frame.t_capture
 
@@ -132,8 +152,11 @@ class VisionChecks:
         self.expect_within("vision: a line's thickness", line.thickness, 10, 10)
         for point, where in ((line.p1, start), (line.p2, end)):
             x, y = expected(field, where)
-            self.expect("vision: lines lie where their names say", math.hypot(point.x - x, point.y - y) < 15,
-                        f"{line.name}: {point.x}, {point.y}, not {x}, {y}")
+            self.expect(
+                "vision: lines lie where their names say",
+                math.hypot(point.x - x, point.y - y) < 15,
+                f"{line.name}: {point.x}, {point.y}, not {x}, {y}",
+            )
 
     def check_camera(self, camera):
         self.expect_within("vision: focal length in pixels", camera.focal_length, 100, 10000)
@@ -141,18 +164,25 @@ class VisionChecks:
         self.expect_within("vision: the camera's rotation is a unit quaternion", norm, 0.999, 1.001)
         self.expect_within("vision: the camera hangs above the field", camera.derived_camera_world_tz, 2000, 12000)
         derived = camera.derived_camera_world_tx, camera.derived_camera_world_ty, camera.derived_camera_world_tz
-        self.expect("vision: the derived position is that of the translation",
-                    math.dist(derived, camera_position(camera)) < 1, f"{derived}, not {camera_position(camera)}")
+        self.expect(
+            "vision: the derived position is that of the translation",
+            math.dist(derived, camera_position(camera)) < 1,
+            f"{derived}, not {camera_position(camera)}",
+        )
         if camera.HasField("pixel_image_width"):
-            self.expect_within("vision: principal point is in the image", camera.principal_point_x, 1,
-                               camera.pixel_image_width)
-            self.expect_within("vision: principal point is in the image", camera.principal_point_y, 1,
-                               camera.pixel_image_height)
+            self.expect_within(
+                "vision: principal point is in the image", camera.principal_point_x, 1, camera.pixel_image_width
+            )
+            self.expect_within(
+                "vision: principal point is in the image", camera.principal_point_y, 1, camera.pixel_image_height
+            )
 
     def check_models(self, models):
         straight, chip = models.straight_two_phase, models.chip_fixed_loss
-        self.expect("vision: geometry has both models of the ball",
-                    models.HasField("straight_two_phase") and models.HasField("chip_fixed_loss"))
+        self.expect(
+            "vision: geometry has both models of the ball",
+            models.HasField("straight_two_phase") and models.HasField("chip_fixed_loss"),
+        )
         if models.HasField("straight_two_phase"):
             self.expect_within("vision: deceleration of a sliding ball", straight.acc_slide, -10, -1)
             self.expect_within("vision: deceleration of a rolling ball", straight.acc_roll, -1, -0.05)
@@ -169,16 +199,21 @@ class VisionChecks:
 
 def expected(field, where):
     """Where a point of LINES lies, in mm."""
-    reach = {"G": (field.field_length / 2, field.field_width / 2),
-             "A": (field.field_length / 2 - field.penalty_area_depth, field.penalty_area_width / 2)}
-    return [0.0 if part == "0" else float(part[0] + "1") * reach[part[1]][axis]
-            for axis, part in enumerate(where.split())]
+    reach = {
+        "G": (field.field_length / 2, field.field_width / 2),
+        "A": (field.field_length / 2 - field.penalty_area_depth, field.penalty_area_width / 2),
+    }
+    return [
+        0.0 if part == "0" else float(part[0] + "1") * reach[part[1]][axis] for axis, part in enumerate(where.split())
+    ]
 
 
 def camera_position(camera):
     """Where the camera hangs: its translation, turned back by its rotation (x, y, z, w)."""
     x, y, z, w = camera.q0, camera.q1, camera.q2, camera.q3
     a, b, c = camera.tx, camera.ty, camera.tz
-    return (-(a * (1 - 2 * (y * y + z * z)) + b * 2 * (x * y + z * w) + c * 2 * (x * z - y * w)),
-            -(a * 2 * (x * y - z * w) + b * (1 - 2 * (x * x + z * z)) + c * 2 * (y * z + x * w)),
-            -(a * 2 * (x * z + y * w) + b * 2 * (y * z - x * w) + c * (1 - 2 * (x * x + y * y))))
+    return (
+        -(a * (1 - 2 * (y * y + z * z)) + b * 2 * (x * y + z * w) + c * 2 * (x * z - y * w)),
+        -(a * 2 * (x * y - z * w) + b * (1 - 2 * (x * x + z * z)) + c * 2 * (y * z + x * w)),
+        -(a * 2 * (x * z + y * w) + b * 2 * (y * z - x * w) + c * (1 - 2 * (x * x + y * y))),
+    )

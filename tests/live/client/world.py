@@ -66,5 +66,6 @@ class World:
         self.ball, self.ball_time = position, self.time
 
     def seen_robots(self, team):
-        return {number: robot[1:] for number, robot in sorted(self.robots[team].items())
-                if self.time - robot[0] < UNSEEN_S}
+        return {
+            number: robot[1:] for number, robot in sorted(self.robots[team].items()) if self.time - robot[0] < UNSEEN_S
+        }

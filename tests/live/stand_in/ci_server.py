@@ -16,7 +16,7 @@ class CiServer:
         self.server = await asyncio.start_server(self._serve, host, port)
 
     async def _serve(self, reader, writer):
-        self.journal.note('ci_connected')
+        self.journal.note("ci_connected")
         self.writer = writer
         try:
             while True:
@@ -25,16 +25,16 @@ class CiServer:
         except (asyncio.IncompleteReadError, ConnectionError):
             pass
         self.writer = None
-        self.journal.note('ci_disconnected', time_s=self.match.now)
+        self.journal.note("ci_disconnected", time_s=self.match.now)
         writer.close()
 
     def _take(self, request):
-        if request.HasField('geometry'):
+        if request.HasField("geometry"):
             self.match.field.take(request.geometry.field)
         for entry in request.api_inputs:
             self._do(entry)
         packet = request.tracker_packet
-        frame = packet.tracked_frame if packet.HasField('tracked_frame') else None
+        frame = packet.tracked_frame if packet.HasField("tracked_frame") else None
         self.match.tick(request.timestamp / 1e9, frame)
         self.send()
 
@@ -42,9 +42,9 @@ class CiServer:
         if entry.reset_match:
             self.match.reset()
             self.send()
-        if entry.HasField('change'):
+        if entry.HasField("change"):
             self.match.configure(entry.change)
-        if entry.HasField('continue_action'):
+        if entry.HasField("continue_action"):
             action = entry.continue_action
             self.match.act(controller.ContinueAction.Type.Name(action.type), action.for_team)
 

@@ -3,10 +3,28 @@ import math
 import time
 
 import events
-from laws import (COMMANDS, DIRECT_FREE, FORCE_START, FREE_KICK_S, GOAL, HALT, HALVES, IN_PLAY_M,
-                  NORMAL_START, NO_PROGRESS_M, NO_PROGRESS_S, PLACED_M, PLACEMENT, PLACEMENT_S,
-                  POST_GAME, PREPARE_KICKOFF, PREPARE_PENALTY, PROPOSAL_S, STAGES, STOP, STOP_S,
-                  for_team)
+from laws import (
+    COMMANDS,
+    DIRECT_FREE,
+    FORCE_START,
+    FREE_KICK_S,
+    HALT,
+    HALVES,
+    IN_PLAY_M,
+    NORMAL_START,
+    NO_PROGRESS_M,
+    NO_PROGRESS_S,
+    PLACED_M,
+    PLACEMENT,
+    PLACEMENT_S,
+    PREPARE_KICKOFF,
+    PREPARE_PENALTY,
+    PROPOSAL_S,
+    STAGES,
+    STOP,
+    STOP_S,
+    for_team,
+)
 from person import PersonsActions
 from protocol import BLUE, YELLOW, name_of_team, opponent_of, referee
 
@@ -36,7 +54,7 @@ class Match(PersonsActions):
         self.reset()
 
     def reset(self):
-        self.teams = {YELLOW: Team('Yellow'), BLUE: Team('Blue')}
+        self.teams = {YELLOW: Team("Yellow"), BLUE: Team("Blue")}
         self.first_kickoff, self.max_robots = YELLOW, 6
         self.stage, self.stage_left = 0, 0.0
         self.command, self.counter, self.command_us = HALT, 0, 0
@@ -57,16 +75,16 @@ class Match(PersonsActions):
         name = events.NAMES.get(event.type, str(event.type))
         why = self._why_ignored(name)
         if why:
-            self.journal.note('ignored', event=name, why=why)
+            self.journal.note("ignored", event=name, why=why)
             return why
         for proposal in self.proposals:
             if not proposal.is_accepted and self._is_same(proposal.event, event):
                 proposal.origins.add(origin)
-                return ''
+                return ""
         self.proposals.append(Proposal(event, origin, self.now))
-        self.journal.note('proposal', event=name, origin=origin, time_s=self.now)
+        self.journal.note("proposal", event=name, origin=origin, time_s=self.now)
         self.on_change()
-        return ''
+        return ""
 
     @staticmethod
     def _is_same(one, other):
@@ -74,18 +92,18 @@ class Match(PersonsActions):
 
     def _why_ignored(self, name):
         if self.stage not in HALVES and self.stage != 12:
-            return 'the stage is ' + STAGES[self.stage]
+            return "the stage is " + STAGES[self.stage]
         if self.command == HALT:
-            return 'the game is halted'
+            return "the game is halted"
         if not self.is_play and name not in events.OUTSIDE_PLAY:
-            return 'play has not begun'
-        return ''
+            return "play has not begun"
+        return ""
 
     def _settle_proposals(self):
         for proposal in [one for one in self.proposals if not one.is_accepted]:
             if self.now - proposal.since < PROPOSAL_S:
                 continue
-            name = events.NAMES.get(proposal.event.type, '')
+            name = events.NAMES.get(proposal.event.type, "")
             if name in events.ACCEPTED or 2 * len(proposal.origins) > self.autorefs:
                 proposal.is_accepted = True
                 self._count(name, proposal.event, sorted(proposal.origins))
@@ -94,21 +112,26 @@ class Match(PersonsActions):
     def _count(self, name, event, origins):
         """An event that counts changes the game."""
         why = self._why_ignored(name)
-        self.journal.note('event', event=name, team=name_of_team(events.team_of(event)),
-                          origins=origins, why_ignored=why, time_s=self.now)
+        self.journal.note(
+            "event",
+            event=name,
+            team=name_of_team(events.team_of(event)),
+            origins=origins,
+            why_ignored=why,
+            time_s=self.now,
+        )
         if why:
             return
         self.events = (self.events + [event])[-5:]
         team = events.team_of(event)
-        if name == 'POSSIBLE_GOAL':
+        if name == "POSSIBLE_GOAL":
             self._possible_goal(event)
-        elif name == 'PLACEMENT_SUCCEEDED':
+        elif name == "PLACEMENT_SUCCEEDED":
             self._after_placement()
-        elif name == 'DEFENDER_IN_DEFENSE_AREA':
+        elif name == "DEFENDER_IN_DEFENSE_AREA":
             sign = 1 if (team == BLUE) == self.blue_on_positive_half else -1
-            self._stop(for_team(PREPARE_PENALTY, opponent_of(team)),
-                       (sign * (self.field.half_length - 6), 0.0))
-        elif name == 'PENALTY_KICK_FAILED':
+            self._stop(for_team(PREPARE_PENALTY, opponent_of(team)), (sign * (self.field.half_length - 6), 0.0))
+        elif name == "PENALTY_KICK_FAILED":
             where = events.placement_of(event, self.field, self.blue_on_positive_half)
             self._stop(for_team(DIRECT_FREE, opponent_of(team)), where)
         elif name in events.STOPPING:
@@ -126,8 +149,14 @@ class Match(PersonsActions):
     def _foul(self, team):
         self.teams[team].fouls += 1
         if self.teams[team].fouls % 3 == 0:
-            self.journal.note('event', event='MULTIPLE_FOULS', team=name_of_team(team),
-                              origins=['game controller'], why_ignored='', time_s=self.now)
+            self.journal.note(
+                "event",
+                event="MULTIPLE_FOULS",
+                team=name_of_team(team),
+                origins=["game controller"],
+                why_ignored="",
+                time_s=self.now,
+            )
             self.teams[team].yellow_cards += 1
 
     # What happens by itself.
@@ -166,8 +195,14 @@ class Match(PersonsActions):
         elif self.is_play and moved > NO_PROGRESS_M:
             self.start, self.ball_s = self.ball, self.now
         elif self.is_play and self.now - self.ball_s > NO_PROGRESS_S:
-            self.journal.note('event', event='NO_PROGRESS_IN_GAME', team='UNKNOWN',
-                              origins=['game controller'], why_ignored='', time_s=self.now)
+            self.journal.note(
+                "event",
+                event="NO_PROGRESS_IN_GAME",
+                team="UNKNOWN",
+                origins=["game controller"],
+                why_ignored="",
+                time_s=self.now,
+            )
             self._stop(FORCE_START, self.field.free_kick_position(*self.ball))
 
     def _play(self):
@@ -177,8 +212,7 @@ class Match(PersonsActions):
         self.on_change()
 
     def is_placed(self):
-        return (self.ball is not None and self.position is not None
-                and math.dist(self.ball, self.position) < PLACED_M)
+        return self.ball is not None and self.position is not None and math.dist(self.ball, self.position) < PLACED_M
 
     def _go_on_from_stop(self):
         if self.next_command is None or self._since() < STOP_S:
@@ -209,8 +243,14 @@ class Match(PersonsActions):
         team = 1 + (self.command & 1)
         self.failed_placement.add(team)
         self.teams[team].placement_failures += 1
-        self.journal.note('event', event='PLACEMENT_FAILED', team=name_of_team(team),
-                          origins=['game controller'], why_ignored='', time_s=self.now)
+        self.journal.note(
+            "event",
+            event="PLACEMENT_FAILED",
+            team=name_of_team(team),
+            origins=["game controller"],
+            why_ignored="",
+            time_s=self.now,
+        )
         self._set(STOP)
 
     def _stop(self, next_command, position):
@@ -225,7 +265,7 @@ class Match(PersonsActions):
     def _enter(self, stage, left):
         self.stage, self.stage_left = stage, left
         self.proposals = []
-        self.journal.note('stage', stage=STAGES[stage], time_s=self.now)
+        self.journal.note("stage", stage=STAGES[stage], time_s=self.now)
 
     def _set(self, command):
         self.command, self.command_s = command, self.now
@@ -237,7 +277,7 @@ class Match(PersonsActions):
             self.next_command = NORMAL_START
         elif command in (NORMAL_START, FORCE_START):
             self.next_command = None
-        self.journal.note('command', command=COMMANDS[command], time_s=self.now)
+        self.journal.note("command", command=COMMANDS[command], time_s=self.now)
         self.on_change()
         return True
 
@@ -245,10 +285,16 @@ class Match(PersonsActions):
 
     def message(self):
         packet = referee.RefereePacket(
-            packet_timestamp=time.time_ns() // 1000, stage=self.stage, command=self.command,
-            stage_time_left=round(1e6 * self.stage_left), command_counter=self.counter,
-            command_timestamp=self.command_us, blue_team_on_positive_half=self.blue_on_positive_half,
-            source_identifier=b'stand-in', match_type=3)
+            packet_timestamp=time.time_ns() // 1000,
+            stage=self.stage,
+            command=self.command,
+            stage_time_left=round(1e6 * self.stage_left),
+            command_counter=self.counter,
+            command_timestamp=self.command_us,
+            blue_team_on_positive_half=self.blue_on_positive_half,
+            source_identifier=b"stand-in",
+            match_type=3,
+        )
         for team, info in ((YELLOW, packet.yellow), (BLUE, packet.blue)):
             self._fill_team(self.teams[team], info)
         if self.position is not None:

@@ -8,7 +8,7 @@ import time
 from laws import BEFORE_HALVES, HALT, HALVES, POST_GAME, PREPARE_KICKOFF, PREPARE_PENALTY
 from protocol import tracker, vision
 
-REFEREE, VISION_GROUP = ('224.5.23.1', 10003), '224.5.23.2'
+REFEREE, VISION_GROUP = ("224.5.23.1", 10003), "224.5.23.2"
 EVERY_S = 0.025
 
 
@@ -29,15 +29,15 @@ class Person:
         if match.now - match.command_s < 1 or match.stage == POST_GAME:
             return
         if match.stage in HALVES and match.stage_left < 0 and not match.is_play:
-            match.act('NEXT_STAGE' if match.stage == 1 else 'END_GAME', 0)
+            match.act("NEXT_STAGE" if match.stage == 1 else "END_GAME", 0)
         elif match.goal is not None:
-            match.act('ACCEPT_GOAL', 0)
+            match.act("ACCEPT_GOAL", 0)
         elif match.stage not in HALVES | BEFORE_HALVES:
-            match.act('NEXT_STAGE', 0)
+            match.act("NEXT_STAGE", 0)
         elif match.command == HALT:
-            match.act('RESUME_FROM_HALT', 0)
+            match.act("RESUME_FROM_HALT", 0)
         elif match.command & ~1 in (PREPARE_KICKOFF, PREPARE_PENALTY) and match.is_placed():
-            match.act('NORMAL_START', 0)
+            match.act("NORMAL_START", 0)
 
 
 class NetworkGame:
@@ -47,9 +47,8 @@ class NetworkGame:
         self.is_away = False
         self.person = Person()
         self.sender = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        self.sender.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF,
-                               socket.inet_aton(interface))
-        self.sender.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, struct.pack('b', 0))
+        self.sender.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton(interface))
+        self.sender.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, struct.pack("b", 0))
         loop = asyncio.get_running_loop()
         for port, take in ((10010, self._take_tracks), (10006, self._take_vision)):
             receiver = listening(port, interface)
@@ -60,19 +59,19 @@ class NetworkGame:
         try:
             take(receiver.recv(65536))
         except Exception as error:  # what cannot be parsed
-            self.journal.note('wrong_packet', error=str(error))
+            self.journal.note("wrong_packet", error=str(error))
 
     def _take_tracks(self, data):
         packet = tracker.TrackerPacket.FromString(data)
         self.source = self.source or packet.uuid
-        if packet.uuid == self.source and packet.HasField('tracked_frame'):
+        if packet.uuid == self.source and packet.HasField("tracked_frame"):
             if self.frame is None:
-                self.journal.note('tracker', source=packet.source_name.decode())
+                self.journal.note("tracker", source=packet.source_name.decode())
             self.frame = packet.tracked_frame
 
     def _take_vision(self, data):
         packet = vision.VisionPacket.FromString(data)
-        if packet.HasField('geometry'):
+        if packet.HasField("geometry"):
             self.match.field.take(packet.geometry.field)
 
     def publish(self):

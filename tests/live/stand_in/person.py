@@ -1,7 +1,20 @@
 """What a person does at the game controller."""
 import events
-from laws import (BEFORE_HALVES, DIRECT_FREE, FORCE_START, GOAL, HALT, HALVES, NORMAL_START,
-                  PLACEMENT, POST_GAME, PREPARE_KICKOFF, PREPARE_PENALTY, STOP, for_team)
+from laws import (
+    BEFORE_HALVES,
+    DIRECT_FREE,
+    FORCE_START,
+    GOAL,
+    HALT,
+    HALVES,
+    NORMAL_START,
+    PLACEMENT,
+    POST_GAME,
+    PREPARE_KICKOFF,
+    PREPARE_PENALTY,
+    STOP,
+    for_team,
+)
 from protocol import BLUE, name_of_team, opponent_of
 
 
@@ -10,9 +23,9 @@ class PersonsActions:
 
     def act(self, name, team):
         """Does a continue action. Returns whether it was possible in this state."""
-        action = getattr(self, '_' + name.lower(), None)
+        action = getattr(self, "_" + name.lower(), None)
         is_possible = action is not None and action(team)
-        self.journal.note('action', name=name, team=name_of_team(team), possible=bool(is_possible))
+        self.journal.note("action", name=name, team=name_of_team(team), possible=bool(is_possible))
         return bool(is_possible)
 
     def _halt(self, _team):
@@ -77,16 +90,16 @@ class PersonsActions:
 
     def configure(self, change):
         """Does a change of names, sides or division."""
-        kind = change.WhichOneof('change')
+        kind = change.WhichOneof("change")
         body = getattr(change, kind) if kind else None
-        self.journal.note('change', name=kind)
-        if kind == 'update_config_change':
+        self.journal.note("change", name=kind)
+        if kind == "update_config_change":
             self._configure_game(body)
-        elif kind == 'update_team_state_change' and body.for_team in self.teams:
+        elif kind == "update_team_state_change" and body.for_team in self.teams:
             self._configure_team(self.teams[body.for_team], body)
-        elif kind == 'set_ball_placement_pos_change':
+        elif kind == "set_ball_placement_pos_change":
             self.position = (body.pos.x, body.pos.y)
-        elif kind == 'change_stage_change':
+        elif kind == "change_stage_change":
             self._enter(body.new_stage, self.half_s if body.new_stage in HALVES else 0.0)
         self.on_change()
 
@@ -95,18 +108,18 @@ class PersonsActions:
             self.first_kickoff = body.first_kickoff_team
             if self.stage == 0:
                 self.next_command = for_team(PREPARE_KICKOFF, self.first_kickoff)
-        if body.HasField('max_robots_per_team'):
+        if body.HasField("max_robots_per_team"):
             self.max_robots = body.max_robots_per_team.value
 
     def _configure_team(self, team, body):
-        if body.HasField('team_name'):
-            team.name = body.team_name.value.decode(errors='replace')
-        if body.HasField('goals'):
+        if body.HasField("team_name"):
+            team.name = body.team_name.value.decode(errors="replace")
+        if body.HasField("goals"):
             team.goals = body.goals.value
-        if body.HasField('goalkeeper'):
+        if body.HasField("goalkeeper"):
             team.keeper = body.goalkeeper.value
-        if body.HasField('can_place_ball'):
+        if body.HasField("can_place_ball"):
             team.can_place = body.can_place_ball.value
-        if body.HasField('on_positive_half'):
+        if body.HasField("on_positive_half"):
             is_blue = body.for_team == BLUE
             self.blue_on_positive_half = body.on_positive_half.value == is_blue

@@ -6,17 +6,18 @@ import subprocess
 import sys
 import tempfile
 
-_FOLDER = os.path.join(os.path.dirname(__file__), '../../../league')
+_FOLDER = os.path.join(os.path.dirname(__file__), "../../../league")
 
 
 def _compile():
     target = tempfile.TemporaryDirectory()
-    files = sorted(glob.glob('messages/*.proto', root_dir=_FOLDER))
-    subprocess.run(['protoc', '--python_out', target.name, '-I', '.'] + files, check=True,
-                   cwd=_FOLDER)
+    files = sorted(glob.glob("messages/*.proto", root_dir=_FOLDER))
+    subprocess.run(["protoc", "--python_out", target.name, "-I", "."] + files, check=True, cwd=_FOLDER)
     sys.path.insert(0, target.name)
-    modules = [importlib.import_module(f'messages.{name}_pb2') for name in
-               ('game_controller', 'game_event', 'referee', 'tracker', 'vision')]
+    modules = [
+        importlib.import_module(f"messages.{name}_pb2")
+        for name in ("game_controller", "game_event", "referee", "tracker", "vision")
+    ]
     target.cleanup()
     return modules
 
@@ -49,9 +50,9 @@ async def read_framed(reader, message):
         if byte < 128:
             break
         if shift > 28:
-            raise ValueError('a length of more than 4 bytes')
+            raise ValueError("a length of more than 4 bytes")
     if size > LONGEST_MESSAGE:
-        raise ValueError(f'a message of {size} bytes')
+        raise ValueError(f"a message of {size} bytes")
     message.ParseFromString(await reader.readexactly(size))
     return message
 
@@ -61,4 +62,4 @@ def opponent_of(team):
 
 
 def name_of_team(team):
-    return {YELLOW: 'YELLOW', BLUE: 'BLUE'}.get(team, 'UNKNOWN')
+    return {YELLOW: "YELLOW", BLUE: "BLUE"}.get(team, "UNKNOWN")
