@@ -11,15 +11,13 @@
 namespace autoref::strategies {
 namespace {
 
+void drive_for_three_seconds(TrackedRobot& robot, const Waypoint& waypoint) {
+  for (int i = 0; i < 180; ++i) obey(robot, drive_to(robot, waypoint, {}, {}));
+}
+
 TEST(DriveTo, StopsAtItsGoalWithTheRequestedHeading) {
-  StagedWorld world(Play::kRunning);
-  world.own(0, {0, 0});
-  TrackedRobot& robot = world.view.own[0];
-  for (int i = 0; i < 180; ++i) {
-    const RobotCommand command = drive_to(robot, {{1, -0.5}, {0, 1}}, {}, {});
-    robot.position_m += to_world(command.velocity_mps, robot.heading) / 60;
-    robot.heading = heading_of(angle_of(robot.heading) + command.angular_velocity_radps / 60);
-  }
+  TrackedRobot robot{0, {0, 0}, {1, 0}, {0, 0}, 0};
+  drive_for_three_seconds(robot, {{1, -0.5}, {0, 1}});
   EXPECT_NEAR((robot.position_m - Vec2(1, -0.5)).norm(), 0, 10_mm);
   EXPECT_GT(robot.heading.y(), 0.999);
 }
@@ -67,11 +65,10 @@ TEST(Lane, FindsNoPointBeyondADistanceThatIsNearer) {
 }
 
 TEST(LaneClearance, IsTheDistanceOfTheNearestRobotFromTheSegment) {
-  TrackedRobots robots;
-  for (const Vec2& position_m : {Vec2(1, 0.6), Vec2(2, -0.4), Vec2(3.5, 0), Vec2(-2, 0.1)})
-    robots.push_back({0, position_m, {-1, 0}, {0, 0}, 0});
-  EXPECT_NEAR(lane_clearance_m({0, 0}, {3, 0}, robots), 0.4, 1e-12);
-  EXPECT_NEAR(lane_clearance_m({0, 0}, {3.2, 0}, robots), 0.3, 1e-12);
+  StagedWorld world(Play::kRunning);
+  world.own(0, {1, 0.6}).own(1, {2, -0.4}).own(2, {3.5, 0}).own(3, {-2, 0.1});
+  EXPECT_NEAR(lane_clearance_m({0, 0}, {3, 0}, world.view.own), 0.4, 1e-12);
+  EXPECT_NEAR(lane_clearance_m({0, 0}, {3.2, 0}, world.view.own), 0.3, 1e-12);
 }
 
 TEST(BestShot, AimsAtTheSideThatTheKeeperLeavesOpen) {
