@@ -139,7 +139,7 @@ def main():
         log, events = pathlib.Path(folder) / "game.log.gz", pathlib.Path(folder) / "events.jsonl"
         text = subprocess.run([autoref, "play", scenario, "--set", "match.half_s=60", "--set", "b.robots=4",
                                "--json", "--log", log, "--events", events],
-                              check=True, capture_output=True, text=True, timeout=120).stdout
+                              check=True, capture_output=True, text=True, timeout=300).stdout
         game = json.loads(text)
         decisions = [json.loads(line) for line in events.read_text().splitlines()]
         story = read(log)

@@ -25,7 +25,7 @@ def played_game(autoref, scenario, page, log=None, **settings):
     """Plays a game, writes its page and, if asked for, its log, and returns its record."""
     chosen = [word for key, value in settings.items() for word in ("--set", f"{key.replace('__', '.')}={value}")]
     done = subprocess.run([autoref, "play", scenario, "--json", "--view", page, *chosen, *(["--log", log] if log else [])],
-                          check=True, capture_output=True, text=True, timeout=120)
+                          check=True, capture_output=True, text=True, timeout=300)
     return json.loads(done.stdout)
 
 

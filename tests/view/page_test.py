@@ -354,10 +354,10 @@ class ComparedPageTest(BrowserTest):
         mine, cls.annotated_page = pathlib.Path(folder.name) / "mine.csv", pathlib.Path(folder.name) / "mine.html"
         mine.write_text("time,call,side\n20,goal,yellow\n")
         done = subprocess.run([GamePage.autoref, "referee", log, "--report", str(cls.page), "--json"], check=True,
-                              capture_output=True, text=True, timeout=120)
+                              capture_output=True, text=True, timeout=300)
         cls.compared = json.loads(done.stdout)
         done = subprocess.run([GamePage.autoref, "referee", log, "--annotations", str(mine), "--json", "--report",
-                               str(cls.annotated_page)], check=True, capture_output=True, text=True, timeout=120)
+                               str(cls.annotated_page)], check=True, capture_output=True, text=True, timeout=300)
         cls.annotated = json.loads(done.stdout)
 
     def setUp(self):
