@@ -53,9 +53,8 @@ TEST(SteerFor, NeverLeadsThroughALoneRobot) {
 }
 
 TEST(FindObstacles, FindsEveryOtherRobotNearThePath) {
-  const TrackedRobots own = {robot_at({0, 0}), {1, {1, 0.1}, {1, 0}, {0, 0}, 0}};
-  const TrackedRobots opponents = {{0, {0.5, 0}, {1, 0}, {0, 0}, 0},
-                                   {1, {0.5, 1.7}, {1, 0}, {0, 0}, 0}};
+  const TrackedRobots own = {robot_at({0, 0}), numbered(1, robot_at({1, 0.1}))};
+  const TrackedRobots opponents = {robot_at({0.5, 0}), numbered(1, robot_at({0.5, 1.7}))};
   Obstacles obstacles;
   find_obstacles({own, opponents}, own[0], {2, 0}, obstacles);
   EXPECT_EQ(obstacles.size(), 2U);
@@ -72,7 +71,7 @@ TEST(FindObstacles, KeepsTheRequestedDistanceFromHullToBall) {
 
 TEST(FindObstacles, ExtrapolatesAMovingRobot) {
   const TrackedRobots own = {robot_at({0, 0})};
-  const TrackedRobots opponents = {{0, {1, -0.5}, {1, 0}, {0, 2}, 0}};
+  const TrackedRobots opponents = {robot_at({1, -0.5}, {0, 2})};
   Obstacles obstacles;
   find_obstacles({own, opponents}, own[0], {2, 0}, obstacles);
   ASSERT_EQ(obstacles.size(), 1U);
@@ -103,7 +102,7 @@ Drive drive(const Vec2& from_m, const Vec2& target_m, const TrackedRobots& other
 }
 
 TEST(Schedule, LeadsPastTwoRobotsBesideEachOther) {
-  const TrackedRobots pair = {{0, {1, 0.1}, {1, 0}, {0, 0}, 0}, {1, {1, -0.1}, {1, 0}, {0, 0}, 0}};
+  const TrackedRobots pair = {robot_at({1, 0.1}), numbered(1, robot_at({1, -0.1}))};
   const Drive result = drive({0, 0}, {2, 0}, pair, 4);
   EXPECT_GT(result.nearest_m, kTouching_m);
   EXPECT_LT(result.left_m, 10_mm);
@@ -119,7 +118,7 @@ TrackedRobots five_robots(RandomStream& random) {
       return (other.position_m - Vec2(x, y)).norm() > 0.6;
     });
     const int number = static_cast<int>(robots.size());
-    if (has_room) robots.push_back({number, {x, y}, {1, 0}, {0, 0}, 0});
+    if (has_room) robots.push_back(numbered(number, robot_at({x, y})));
   }
   return robots;
 }

@@ -6,7 +6,7 @@
 #include "strategies/skills/motion.hpp"
 #include "strategies/skills/prediction.hpp"
 #include "strategies/skills/shot.hpp"
-#include "tests/strategies/staged_world.hpp"
+#include "tests/strategies/skills/staged_bodies.hpp"
 
 namespace autoref::strategies {
 namespace {
@@ -16,7 +16,7 @@ void drive_for_three_seconds(TrackedRobot& robot, const Waypoint& waypoint) {
 }
 
 TEST(DriveTo, StopsAtItsGoalWithTheRequestedHeading) {
-  TrackedRobot robot{0, {0, 0}, {1, 0}, {0, 0}, 0};
+  TrackedRobot robot = robot_at({0, 0});
   drive_for_three_seconds(robot, {{1, -0.5}, {0, 1}});
   EXPECT_NEAR((robot.position_m - Vec2(1, -0.5)).norm(), 0, 10_mm);
   EXPECT_GT(robot.heading.y(), 0.999);
@@ -41,8 +41,7 @@ TEST(BallAfter, SlowsDownAndStops) {
 }
 
 TEST(Intercept, MeetsARollingBallAheadOfItsPosition) {
-  const TrackedRobot robot{0, {2, 1}, {1, 0}, {0, 0}, 0};
-  const Interception interception = intercept(robot, {{0, 0}, {2, 0}, 0});
+  const Interception interception = intercept(robot_at({2, 1}), {{0, 0}, {2, 0}, 0});
   EXPECT_GT(interception.point_m.x(), 0.5);
   EXPECT_LT(interception.point_m.x(), 2.5);
 }
@@ -72,9 +71,9 @@ TEST(LaneClearance, IsTheDistanceOfTheNearestRobotFromTheSegment) {
 }
 
 TEST(BestShot, AimsAtTheSideThatTheKeeperLeavesOpen) {
-  TrackedRobots opponents;
-  opponents.push_back({0, {2.9, 0.2}, {-1, 0}, {0, 0}, 0});
-  const Aim aim = best_shot(Field{}, {1, 0}, opponents);
+  StagedWorld world(Play::kRunning);
+  world.opponent(0, {2.9, 0.2});
+  const Aim aim = best_shot(Field{}, {1, 0}, world.view.opponents);
   EXPECT_LT(aim.target_m.y(), 0);
   EXPECT_GT(aim.clearance_m, kRobotRadius_m + kBallRadius_m);
 }
