@@ -1,8 +1,9 @@
-# A bare Debian 12 in a folder, and commands in it: a file for other scripts to source. $script is the caller's name in messages.
+# shellcheck shell=bash
+# A bare Debian 12 in a folder, and commands in it: a file for other scripts to source.
 # Needs root, debootstrap and Debian's mirror ($DEBIAN_MIRROR).
 
 fail() {
-  echo "$script: $1" >&2
+  echo "${0##*/}: $1" >&2
   exit 1
 }
 step() { echo "$SECONDS s: $1"; }

@@ -37,16 +37,10 @@ GameSettings part_of(const GameSettings& game, double share) {
   return part;
 }
 
-// Wall time of a part of a game.
-struct Sample {
-  double share = 0;
-  double wall_s = 0;
-};
-
 struct Entry {
   Rehearsal rehearsal;
   std::vector<const ScheduledGame*> games;  // the first kMostWholeGames
-  std::vector<Sample> samples;              // of parts that were not void, the shortest first
+  std::vector<RehearsedPart> samples;       // of parts that were not void, the shortest first
 
   const MatchSettings& match() const { return games.front()->configuration.match; }
   // Scenes are short enough to be played whole.
@@ -57,21 +51,6 @@ struct Entry {
   bool plays() const { return !samples.empty() && rehearsal.void_reason.empty(); }
   double first_estimate_s() const { return samples.front().wall_s / samples.front().share; }
 };
-
-// Extrapolates linearly, through the first sample and the mean of the others, to a whole game.
-double estimate_s(const Entry& entry) {
-  if (entry.samples.size() == 1) return entry.first_estimate_s();
-  Sample longer;
-  const auto count = static_cast<double>(entry.samples.size() - 1);
-  for (std::size_t i = 1; i < entry.samples.size(); ++i) {
-    longer.share += entry.samples[i].share / count;
-    longer.wall_s += entry.samples[i].wall_s / count;
-  }
-  const Sample& first = entry.samples.front();
-  if (longer.share >= 1 || longer.share <= first.share) return longer.wall_s / longer.share;
-  const double slope = std::max(0.0, (longer.wall_s - first.wall_s) / (longer.share - first.share));
-  return longer.wall_s + slope * (1 - longer.share);
-}
 
 std::vector<Entry> entries_of(const std::vector<ScheduledGame>& games) {
   std::vector<Entry> entries;
@@ -181,7 +160,7 @@ class Rehearsals {
     int tried = 0;
     for (const Entry& entry : entries_) {
       if (!entry.plays()) continue;
-      sum_s += estimate_s(entry);
+      sum_s += whole_game_s(entry.samples);
       ++tried;
     }
     std::vector<Rehearsal> rehearsals;
@@ -189,7 +168,7 @@ class Rehearsals {
       rehearsals.push_back(entry.rehearsal);
       Rehearsal& rehearsal = rehearsals.back();
       rehearsal.was_tried = !entry.samples.empty() || !rehearsal.void_reason.empty();
-      if (entry.plays()) rehearsal.wall_s_a_game = estimate_s(entry);
+      if (entry.plays()) rehearsal.wall_s_a_game = whole_game_s(entry.samples);
       if (!rehearsal.was_tried && tried > 0) rehearsal.wall_s_a_game = sum_s / tried;
     }
     return rehearsals;
@@ -201,6 +180,21 @@ class Rehearsals {
 };
 
 }  // namespace
+
+// Extrapolates linearly, through the first part and the mean of the others.
+double whole_game_s(const std::vector<RehearsedPart>& parts) {
+  const RehearsedPart& first = parts.front();
+  if (parts.size() == 1) return first.wall_s / first.share;
+  RehearsedPart longer;
+  const auto count = static_cast<double>(parts.size() - 1);
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    longer.share += parts[i].share / count;
+    longer.wall_s += parts[i].wall_s / count;
+  }
+  if (longer.share >= 1 || longer.share <= first.share) return longer.wall_s / longer.share;
+  const double slope = std::max(0.0, (longer.wall_s - first.wall_s) / (longer.share - first.share));
+  return longer.wall_s + slope * (1 - longer.share);
+}
 
 std::vector<Rehearsal> rehearse(const std::vector<ScheduledGame>& games,
                                 const RehearsalOptions& options) {

@@ -28,6 +28,16 @@ struct RehearsalOptions {
 // Simulated length of each half in the first rehearsal, unless the game's halves are shorter.
 inline constexpr double kRehearsedHalf_s = 5;
 
+// Wall time of a part of a game.
+struct RehearsedPart {
+  double share = 0;  // of the game's length
+  double wall_s = 0;
+};
+
+// Estimates the wall time of a whole game. The first part is the shortest; the others have equal
+// shares.
+double whole_game_s(const std::vector<RehearsedPart>& parts);
+
 // Returns one rehearsal per combination of values or matchup, in the schedule's order. Each first
 // plays a few seconds, which shows whether its teams play at all; then one or more whole games if
 // there is time, otherwise the longest part of a game that fits. The start of a game costs less

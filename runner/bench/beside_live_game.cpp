@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <memory>
+#include <random>
 #include <string>
 #include <utility>
 
@@ -18,6 +20,9 @@
 
 namespace autoref::runner {
 namespace {
+
+constexpr int kLowestFreePort = 21'000;
+constexpr int kHighestFreePort = 29'999;
 
 template <typename Message>
 std::optional<Message> message_in(std::string_view bytes) {
@@ -118,17 +123,24 @@ std::optional<std::int64_t> tracker_frame_in(std::string_view bytes) {
   return packet->tracked_frame().frame_number();
 }
 
-int free_port(NetworkThread& thread) {
+std::vector<int> free_ports(NetworkThread& thread, std::size_t count) {
   const auto ignore = [](std::string_view, const Address&) { return std::nullopt; };
-  for (int attempts = 100;; --attempts) {
-    const DatagramReceiver datagrams(thread, {}, ignore);
+  std::random_device random;
+  std::uniform_int_distribution<int> any(kLowestFreePort, kHighestFreePort);
+  std::vector<std::unique_ptr<DatagramReceiver>> datagrams;
+  std::vector<int> ports;
+  for (int attempts = 100; ports.size() < count;) {
+    const DatagramReceiver::Place place{kLoopback, "", any(random), ""};
     try {
-      const StreamServer connections(thread, {kLoopback, "", datagrams.port(), ""}, ignore);
-      return connections.port();
+      auto receiver = std::make_unique<DatagramReceiver>(thread, place, ignore);
+      const StreamServer connections(thread, place, ignore);
+      datagrams.push_back(std::move(receiver));
+      ports.push_back(place.port);
     } catch (const InputError&) {
-      if (attempts == 0) throw;
+      if (--attempts == 0) throw;
     }
   }
+  return ports;
 }
 
 }  // namespace autoref::runner

@@ -77,8 +77,9 @@ class FrameCounter {
 std::optional<std::int64_t> vision_frame_in(std::string_view bytes);
 std::optional<std::int64_t> tracker_frame_in(std::string_view bytes);
 
-// A port of this computer that nobody uses at the moment, neither for datagrams nor for
-// connections. Throws InputError if none is found.
-int free_port(NetworkThread& thread);
+// Different ports of this computer that nobody uses at the moment, neither for datagrams nor for
+// connections. They are below those that Linux gives to sockets without a port of their own, so
+// that no such socket takes one of them before it is used. Throws InputError if none is found.
+std::vector<int> free_ports(NetworkThread& thread, std::size_t count);
 
 }  // namespace autoref::runner

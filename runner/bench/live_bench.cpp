@@ -60,9 +60,10 @@ LiveBenchGame measured(const LiveBenchOptions& options, bool on_network) {
   live.ports = {};
   live.ports.vision = vision.port();
   live.ports.tracker = tracker.port();
-  live.ports.referee = free_port(thread);
-  live.ports.blue = free_port(thread);
-  live.ports.yellow = free_port(thread);
+  const std::vector<int> free = free_ports(thread, 3);
+  live.ports.referee = free[0];
+  live.ports.blue = free[1];
+  live.ports.yellow = free[2];
   live.ports.control = live.ports.grsim = 0;
   std::optional<CommandingThread> teams;
   if (on_network) {

@@ -23,7 +23,7 @@ using ProgramClock = ProgramProcess::Clock;
 
 constexpr std::size_t kOutput_bytes = 64 * 1024;
 constexpr double kLongestEnd_s = 5.0;  // until the kernel has ended everything
-constexpr double kStatus_s = 0.2;      // between a closed output and the program's status
+constexpr double kStatus_s = 5.0;      // between a closed output and the status, on a busy machine
 
 ProgramClock::time_point after(double seconds) {
   return ProgramClock::now() +

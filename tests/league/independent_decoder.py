@@ -155,7 +155,7 @@ def main():
             check=True,
             capture_output=True,
             text=True,
-            timeout=120,
+            timeout=300,
         ).stdout
         game = json.loads(text)
         decisions = [json.loads(line) for line in events.read_text().splitlines()]

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -17,7 +18,8 @@ class ScratchFile {
       : path_(std::filesystem::path(testing::TempDir()) /
               (std::string("autoref_") +
                testing::UnitTest::GetInstance()->current_test_info()->test_suite_name() + "_" +
-               testing::UnitTest::GetInstance()->current_test_info()->name() + ending)) {
+               testing::UnitTest::GetInstance()->current_test_info()->name() + "_" +
+               std::to_string(getpid()) + ending)) {
     std::filesystem::remove(path_);
   }
   ~ScratchFile() { std::filesystem::remove(path_); }

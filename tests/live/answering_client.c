@@ -1,6 +1,6 @@
 /* The smallest team on the network: for each packet of vision it sends one RobotControl, with the
    same command for six robots, and reads the response. It ends when vision has been silent for
-   two seconds.
+   a minute.
      answering_client VISION_PORT COMMAND_PORT */
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -26,7 +26,7 @@ static int vision_socket(int port) {
   group.imr_multiaddr = address.sin_addr;
   inet_pton(AF_INET, "127.0.0.1", &group.imr_interface);
   if (setsockopt(fd, IPPROTO_IP, IP_ADD_MEMBERSHIP, &group, sizeof group) != 0) return -1;
-  const struct timeval silence = {2, 0};
+  const struct timeval silence = {60, 0};
   setsockopt(fd, SOL_SOCKET, SO_RCVTIMEO, &silence, sizeof silence);
   return fd;
 }

@@ -94,7 +94,7 @@ class Commands(Case):
 
     def test_that_run_for_ever_are_interrupted(self):
         self.assert_passes("<!-- run for: 1 s -->", "```sh", "sleep 100", "```")
-        self.assert_fails("exit code 2", "<!-- run for: 1 s -->", "```sh", "exit 2", "```")
+        self.assert_fails("exit code 2", "<!-- run for: 60 s -->", "```sh", "exit 2", "```")
 
     def test_find_the_files_of_the_page_and_what_is_prepared(self):
         self.assert_passes(

@@ -1,8 +1,10 @@
 // How the referee handles frames with missing or invalid content.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include "tests/referee/support/scripted_game.hpp"
 
@@ -125,9 +127,9 @@ TEST(Robustness, EveryCommandIsCountedAndTimed) {
   game.line_up().kick_off();
   game.kick_from(Side::kWest, 1, {2.5, 0}, {6, 0});
   game.run_until("start");
-  std::uint32_t sent = 0;
-  for (const Decision& decision : game.decisions) sent += decision.command ? 1 : 0;
-  EXPECT_EQ(game.signal.command_counter, sent);
+  const auto has_command = [](const Decision& one) { return one.command.has_value(); };
+  EXPECT_EQ(game.signal.command_counter,
+            std::count_if(game.decisions.begin(), game.decisions.end(), has_command));
   EXPECT_EQ(game.signal.command_time_s, game.now_s());
 }
 
@@ -150,20 +152,42 @@ TEST(Robustness, ABallStillOutsideWhenPlayResumesIsOutAgain) {
   EXPECT_EQ(game.referee.state(), State::kWaitStop);
 }
 
-TEST(Configured, RefusesAnImpossibleConfiguration) {
-  for (const double half_s : {0.0, -1.0, kNan}) {
-    Configuration configuration;
-    configuration.half_s = half_s;
-    EXPECT_THROW(Referee{configuration}, std::invalid_argument);
-  }
-  for (const int halves : {0, -1, 5}) {
-    Configuration configuration;
-    configuration.halves = halves;
-    EXPECT_THROW(Referee{configuration}, std::invalid_argument);
-  }
+Configuration with_half_s(double half_s) {
+  Configuration configuration;
+  configuration.half_s = half_s;
+  return configuration;
+}
+
+Configuration with_halves(int halves) {
+  Configuration configuration;
+  configuration.halves = halves;
+  return configuration;
+}
+
+TEST(Configured, RefusesAnImpossibleLengthOfHalvesAndBreaks) {
+  EXPECT_THROW(Referee{with_half_s(0)}, std::invalid_argument);
+  EXPECT_THROW(Referee{with_half_s(-1)}, std::invalid_argument);
+  EXPECT_THROW(Referee{with_half_s(kNan)}, std::invalid_argument);
   Configuration configuration;
   configuration.break_s = -1;
   EXPECT_THROW(Referee{configuration}, std::invalid_argument);
+}
+
+TEST(Configured, RefusesAnImpossibleNumberOfHalves) {
+  EXPECT_THROW(Referee{with_halves(0)}, std::invalid_argument);
+  EXPECT_THROW(Referee{with_halves(-1)}, std::invalid_argument);
+  EXPECT_THROW(Referee{with_halves(5)}, std::invalid_argument);
+}
+
+// The sides of the prepared kick-offs, in order.
+std::vector<Side> kickers_of(const std::vector<Decision>& decisions) {
+  std::vector<Side> kickers;
+  for (const Decision& decision : decisions) {
+    if (decision.command && decision.command->kind == CommandKind::kPrepareKickoff) {
+      kickers.push_back(decision.command->side);
+    }
+  }
+  return kickers;
 }
 
 TEST(Configured, HalvesAlternateTheKickOff) {
@@ -173,13 +197,8 @@ TEST(Configured, HalvesAlternateTheKickOff) {
   configuration.first_kickoff = Side::kEast;
   ScriptedGame game(configuration);
   game.line_up().run_until("game_over", 100);
-  std::vector<Side> kickers;
-  for (const Decision& decision : game.decisions) {
-    if (decision.command && decision.command->kind == CommandKind::kPrepareKickoff) {
-      kickers.push_back(decision.command->side);
-    }
-  }
-  EXPECT_EQ(kickers, (std::vector<Side>{Side::kEast, Side::kWest, Side::kEast, Side::kWest}));
+  EXPECT_EQ(kickers_of(game.decisions),
+            (std::vector<Side>{Side::kEast, Side::kWest, Side::kEast, Side::kWest}));
 }
 
 TEST(Configured, RuleBookNumbersAreThoseOfThePaperAndTheLaws) {

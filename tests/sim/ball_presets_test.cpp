@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -14,15 +15,15 @@ namespace {
 
 // The parameters measured or published for each simulator.
 struct Model {
-  const char* name;
-  double slide_mps2;
-  double roll_mps2;
-  double roll_per_s;
-  double switch_ratio;
-  double first_xy;
-  double later_xy;
-  double first_z;
-  double later_z;
+  const char* name = "";
+  double slide_mps2 = 0;
+  double roll_mps2 = 0;
+  double roll_per_s = 0;
+  double switch_ratio = 0;
+  double first_xy = 0;
+  double later_xy = 0;
+  double first_z = 0;
+  double later_z = 0;
 };
 
 constexpr double kStart_m = -14.0;
@@ -57,6 +58,17 @@ class BallPreset : public testing::TestWithParam<Model> {
   }
 };
 
+// Lets the ball roll for 20 s. Returns its x when it began to roll.
+double rolls_from_m(World& world) {
+  double from_m = 0.0;
+  for (int f = 0; f < 60 * 20; ++f) {
+    world.step({}, {});
+    const BallState& ball = world.state().ball;
+    if (from_m == 0.0 && ball.is_rolling) from_m = ball.position_m.x();
+  }
+  return from_m;
+}
+
 TEST_P(BallPreset, SlidesAndRollsAsFarAsItsParametersImply) {
   const Model& model = GetParam();
   const double v = 4.0;
@@ -64,32 +76,35 @@ TEST_P(BallPreset, SlidesAndRollsAsFarAsItsParametersImply) {
   const double slide_m = (v * v - rolls_at_mps * rolls_at_mps) / (2 * model.slide_mps2);
   const double roll_m = rolled_m(rolls_at_mps, model);
   World world = world_with_ball(v, 0.0);
-  double slid_m = 0.0;
-  for (int f = 0; f < 60 * 20; ++f) {
-    world.step({}, {});
-    const BallState& ball = world.state().ball;
-    if (slid_m == 0.0 && ball.is_rolling) slid_m = ball.position_m.x() - kStart_m;
-  }
+  const double slid_m = rolls_from_m(world) - kStart_m;
   EXPECT_NEAR(slid_m, slide_m, 0.01 * slide_m + v / 60);  // observed once per frame
   EXPECT_NEAR(world.state().ball.position_m.x() - kStart_m, slide_m + roll_m, 0.01 * roll_m);
+}
+
+// The greatest height and the last speed along the ground of a ball's first three flights.
+struct Hops {
+  std::array<double, 3> peak_m{};
+  std::array<double, 3> speed_mps{};
+};
+
+Hops first_hops(World& world) {
+  Hops hops;
+  double former_mps = world.state().ball.vertical_mps;
+  for (std::size_t hop = 0; hop < 3;) {
+    const BallState& ball = world.state().ball;
+    hops.peak_m[hop] = std::max(hops.peak_m[hop], ball.height_m);
+    hops.speed_mps[hop] = ball.velocity_mps.x();
+    world.step({}, {});
+    if (ball.vertical_mps > former_mps) ++hop;
+    former_mps = ball.vertical_mps;
+  }
+  return hops;
 }
 
 TEST_P(BallPreset, BouncesByItsOwnFactors) {
   const Model& model = GetParam();
   World world = world_with_ball(2.0, 3.0);
-  double peak_m[3] = {0, 0, 0};
-  double speed_mps[3] = {2.0, 0, 0};
-  int hop = 0;
-  double former_mps = 3.0;
-  while (hop < 3) {
-    world.step({}, {});
-    const BallState& ball = world.state().ball;
-    if (ball.vertical_mps > former_mps) ++hop;
-    former_mps = ball.vertical_mps;
-    if (hop == 3) break;
-    peak_m[hop] = std::max(peak_m[hop], ball.height_m);
-    speed_mps[hop] = ball.velocity_mps.x();
-  }
+  const auto [peak_m, speed_mps] = first_hops(world);
   EXPECT_NEAR(speed_mps[1], 2.0 * model.first_xy, 1e-3);
   EXPECT_NEAR(speed_mps[2], speed_mps[1] * model.later_xy, 1e-3);
   // In the frame nearest to its peak, the ball is at most g / 2 (1/120 s)^2 = 0.3 mm below the
@@ -98,14 +113,49 @@ TEST_P(BallPreset, BouncesByItsOwnFactors) {
   EXPECT_NEAR(std::sqrt(peak_m[2] / peak_m[1]), model.later_z, 0.02);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Models, BallPreset,
-    testing::Values(Model{"default", 3.4, 0.30, 0, 0.67, 0.75, 0.95, 0.5, 0.5},
-                    Model{"erforce", 3.92, 0.35, 0, 0.69, 0.715, 1.0, 0.566, 0.566},
-                    Model{"tigers", 3.0, 0.26, 0, 0.667, 0.8, 0.85, 0.47, 0.47},
-                    Model{"grsim", 10.3, 0.70, 0, 0.70, 0.59, 0.95, 0.49, 0.49},
-                    Model{"rc2026", 3.3, 0.22, 0.045, 0.66, 0.70, 0.87, 0.46, 0.40}),
-    [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(Models, BallPreset,
+                         testing::Values(Model{.name = "default",
+                                               .slide_mps2 = 3.4,
+                                               .roll_mps2 = 0.30,
+                                               .switch_ratio = 0.67,
+                                               .first_xy = 0.75,
+                                               .later_xy = 0.95,
+                                               .first_z = 0.5,
+                                               .later_z = 0.5},
+                                         Model{.name = "erforce",
+                                               .slide_mps2 = 3.92,
+                                               .roll_mps2 = 0.35,
+                                               .switch_ratio = 0.69,
+                                               .first_xy = 0.715,
+                                               .later_xy = 1.0,
+                                               .first_z = 0.566,
+                                               .later_z = 0.566},
+                                         Model{.name = "tigers",
+                                               .slide_mps2 = 3.0,
+                                               .roll_mps2 = 0.26,
+                                               .switch_ratio = 0.667,
+                                               .first_xy = 0.8,
+                                               .later_xy = 0.85,
+                                               .first_z = 0.47,
+                                               .later_z = 0.47},
+                                         Model{.name = "grsim",
+                                               .slide_mps2 = 10.3,
+                                               .roll_mps2 = 0.70,
+                                               .switch_ratio = 0.70,
+                                               .first_xy = 0.59,
+                                               .later_xy = 0.95,
+                                               .first_z = 0.49,
+                                               .later_z = 0.49},
+                                         Model{.name = "rc2026",
+                                               .slide_mps2 = 3.3,
+                                               .roll_mps2 = 0.22,
+                                               .roll_per_s = 0.045,
+                                               .switch_ratio = 0.66,
+                                               .first_xy = 0.70,
+                                               .later_xy = 0.87,
+                                               .first_z = 0.46,
+                                               .later_z = 0.40}),
+                         [](const auto& test) { return std::string(test.param.name); });
 
 TEST(BallPresets, DoNotChangeTheNet) {
   BallParameters ball;

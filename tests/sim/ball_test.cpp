@@ -16,6 +16,35 @@ struct WideScene {
     field.length_m = 30.0;
     return field;
   }
+  const BallState& ball() const { return world.state().ball; }
+  double path_m() const { return ball().position_m.x() + 14.0; }  // from where `kicked` puts it
+  void frames(int count) {
+    for (int f = 0; f < count; ++f) world.step({}, {});
+  }
+  // Steps until the ball rolls, for at most 30 s. Returns how far it has slid.
+  double slid_m() {
+    for (int f = 0; f < 60 * 30 && !ball().is_rolling; ++f) world.step({}, {});
+    return path_m();
+  }
+  // Steps while the ball is faster than that. Returns its path up to the last such frame.
+  double path_above_m(double speed_mps) {
+    double last_m = 0.0;
+    while (ball().velocity_mps.x() > speed_mps) {
+      last_m = path_m();
+      world.step({}, {});
+    }
+    return last_m;
+  }
+  // The ball's greatest height after each of the next frames.
+  double highest_m(int count) {
+    double highest_m = 0.0;
+    for (int f = 0; f < count; ++f) {
+      world.step({}, {});
+      highest_m = std::max(highest_m, ball().height_m);
+    }
+    return highest_m;
+  }
+
   World world;
 };
 
@@ -37,17 +66,11 @@ TEST_P(KickedBall, SlidesThenRollsAsFarAsTheClosedFormsPredict) {
   const double slide_m = (v * v - rolls_at * rolls_at) / (2 * 3.4);
   const double roll_m = rolls_at * rolls_at / (2 * 0.30);
   scene.world.put_ball(kicked(v));
-  double slid_m = 0.0;
-  for (int f = 0; f < 60 * 30; ++f) {
-    scene.world.step({}, {});
-    if (slid_m == 0.0 && scene.world.state().ball.is_rolling) {
-      slid_m = scene.world.state().ball.position_m.x() + 14.0;
-    }
-  }
-  const double path_m = scene.world.state().ball.position_m.x() + 14.0;
+  const double slid_m = scene.slid_m();
+  scene.frames(60 * 30);
   EXPECT_NEAR(slid_m, slide_m, 0.02 * slide_m + v / 60);  // observed once per frame
-  EXPECT_NEAR(path_m, slide_m + roll_m, 0.01 * path_m);
-  EXPECT_EQ(scene.world.state().ball.velocity_mps, Vec2(0, 0));
+  EXPECT_NEAR(scene.path_m(), slide_m + roll_m, 0.01 * (slide_m + roll_m));
+  EXPECT_EQ(scene.ball().velocity_mps, Vec2(0, 0));
 }
 
 INSTANTIATE_TEST_SUITE_P(AtSeveralSpeeds, KickedBall, testing::Values(1.0, 2.0, 4.0, 5.0));
@@ -71,26 +94,15 @@ TEST(ChippedBall, FirstLandsAfterTheSquareOfItsSpeedOverGravity) {
   WideScene scene;
   const double v = 5.0;
   scene.world.put_ball(kicked(v / std::sqrt(2.0), v / std::sqrt(2.0)));
-  double last_m = 0.0;
-  while (scene.world.state().ball.velocity_mps.x() > 3.5) {  // until the landing slows it
-    last_m = scene.world.state().ball.position_m.x() + 14.0;
-    scene.world.step({}, {});
-  }
-  EXPECT_NEAR(last_m, v * v / 9.81, 3.5 / 60 + 0.02);
-  EXPECT_NEAR(scene.world.state().ball.velocity_mps.x(), 0.75 * v / std::sqrt(2.0), 1e-3);
+  EXPECT_NEAR(scene.path_above_m(3.5), v * v / 9.81, 3.5 / 60 + 0.02);  // the landing slows it
+  EXPECT_NEAR(scene.ball().velocity_mps.x(), 0.75 * v / std::sqrt(2.0), 1e-3);
 }
 
 TEST(ChippedBall, RisesBallisticallyAndBouncesHalfAsFast) {
   WideScene scene;
   scene.world.put_ball(kicked(2.0, 3.0));
-  double peak_m = 0.0;
-  double second_peak_m = 0.0;
-  for (int f = 0; f < 60; ++f) {
-    scene.world.step({}, {});
-    const bool has_landed = scene.world.state().ball.velocity_mps.x() < 1.9;
-    double& highest = has_landed ? second_peak_m : peak_m;
-    highest = std::max(highest, scene.world.state().ball.height_m);
-  }
+  const double peak_m = scene.highest_m(36);  // lands after 0.61 s = 36.7 frames
+  const double second_peak_m = scene.highest_m(60 - 36);
   EXPECT_NEAR(peak_m, 3.0 * 3.0 / (2 * 9.81), 0.005);
   EXPECT_NEAR(second_peak_m, 1.5 * 1.5 / (2 * 9.81), 0.005);
 }
@@ -99,9 +111,9 @@ TEST(ChippedBall, RollsOnceABounceWouldStayBelowTenMillimetres) {
   WideScene scene;
   // Lands at 0.88 m/s and would bounce at 0.44 m/s, 9.9 mm high.
   scene.world.put_ball(kicked(1.0, 0.88));
-  for (int f = 0; f < 13; ++f) scene.world.step({}, {});
-  EXPECT_EQ(scene.world.state().ball.height_m, 0.0);
-  EXPECT_TRUE(scene.world.state().ball.is_rolling);
+  scene.frames(13);
+  EXPECT_EQ(scene.ball().height_m, 0.0);
+  EXPECT_TRUE(scene.ball().is_rolling);
 }
 
 TEST(ChippedBall, FliesOverARobotWithoutTouchingIt) {
@@ -130,22 +142,24 @@ TEST(ChippedBall, IsStoppedByARobotItDoesNotClear) {
   EXPECT_LT(scene.ball().position_m.x(), -0.09);
 }
 
-TEST(FallingBall, DoesNotStayOnARobot) {
-  for (const double off_m : {0.0, 0.03, -0.06, 0.08}) {
-    Scene scene;
-    scene.put_robot(kWest0, {0, 0});
-    BallState ball;
-    ball.position_m = {0.0, off_m};
-    ball.height_m = 0.5;
-    scene.world.put_ball(ball);
-    scene.frames(120);
-    EXPECT_EQ(scene.ball().height_m, 0.0) << off_m;
-    EXPECT_GT(distance_to_hull(scene.ball().position_m, scene.robot(kWest0).position_m,
-                               scene.robot(kWest0).heading),
-              kBallRadius_m - 0.002)
-        << off_m;
-  }
+class BallFallingOnARobot : public testing::TestWithParam<int> {};  // mm beside the robot's centre
+
+TEST_P(BallFallingOnARobot, DoesNotStayThere) {
+  Scene scene;
+  scene.put_robot(kWest0, {0, 0});
+  BallState ball;
+  ball.position_m = {0.0, GetParam() / 1000.0};
+  ball.height_m = 0.5;
+  scene.world.put_ball(ball);
+  scene.frames(120);
+  EXPECT_EQ(scene.ball().height_m, 0.0);
+  EXPECT_GT(distance_to_hull(scene.ball().position_m, scene.robot(kWest0).position_m,
+                             scene.robot(kWest0).heading),
+            kBallRadius_m - 0.002);
 }
+
+INSTANTIATE_TEST_SUITE_P(Beside, BallFallingOnARobot, testing::Values(0, 30, -60, 80),
+                         name_of_number);
 
 TEST(FallingBall, RollsOffTheRoofOfAGoalBehindIt) {
   Scene scene;

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "soccer/rule_book.hpp"
 #include "soccer/trigonometry.hpp"
@@ -41,39 +41,45 @@ TEST(CameraPositions, OfTheDivisionsIn2026) {
   ASSERT_EQ(two.size(), 2U);
   EXPECT_EQ(two[0].position_m, Vec2(-3, 0));
   EXPECT_EQ(two[1].position_m, Vec2(3, 0));
-  for (const double height_m : {one[0].height_m, two[0].height_m, two[1].height_m}) {
-    EXPECT_GE(height_m, 6.0);
-    EXPECT_LE(height_m, 6.5);
+  const auto [least_m, most_m] = std::minmax({one[0].height_m, two[0].height_m, two[1].height_m});
+  EXPECT_GE(least_m, 6.0);
+  EXPECT_LE(most_m, 6.5);
+}
+
+void expect_good_view_everywhere(const char* preset, const char* book) {
+  const Field field = field_of(book);
+  Camera camera(steady(preset), field, 73.2, 1);
+  WorldState world;
+  Frame frame;
+  for (const Vec2& ball_m : grid_within_walls(field, 10)) {
+    world.ball.position_m = ball_m;
+    camera.look(world, frame);
+    ASSERT_TRUE(frame.ball) << preset << ball_m.transpose();
+    ASSERT_FALSE(frame.ball->height_m);
+    ASSERT_LT((frame.ball->position_m - ball_m).norm(), 0.025) << preset << ball_m.transpose();
   }
 }
 
 TEST(CameraPositions, CoverEveryPointInsideTheWallsAndReportNoHeight) {
-  for (const auto& [preset, book] : {std::pair{"rc2026-b", "2026-b"}, {"rc2026-a", "2026-a"}}) {
-    const Field field = field_of(book);
-    Camera camera(steady(preset), field, 73.2, 1);
-    WorldState world;
-    Frame frame;
-    for (int i = -10; i <= 10; ++i) {
-      for (int j = -10; j <= 10; ++j) {
-        world.ball.position_m = {field.wall_x_m() * i / 10.0, field.wall_y_m() * j / 10.0};
-        camera.look(world, frame);
-        ASSERT_TRUE(frame.ball) << preset << world.ball.position_m.transpose();
-        ASSERT_FALSE(frame.ball->height_m);
-        ASSERT_LT((frame.ball->position_m - world.ball.position_m).norm(), 0.025);
-      }
-    }
-  }
+  expect_good_view_everywhere("rc2026-b", "2026-b");
+  expect_good_view_everywhere("rc2026-a", "2026-a");
 }
 
-TEST(CameraErrors, MakeTwoCamerasDisagreeBy20MillimetresAnd29Milliradians) {
-  const Field field = field_of("2026-a");
+// The root mean squares of the disagreement of two cameras, over games and over the field. The
+// points cover whole periods of the errors, so the means are exact.
+struct Disagreement {
+  double position_m = 0;
+  double heading_rad = 0;
+};
+
+Disagreement disagreement_of_two_cameras() {
   constexpr int kGames = 50;
   double sum_m2 = 0;
   double sum_rad2 = 0;
   int points = 0;
   for (int seed = 0; seed < kGames; ++seed) {
     RandomStream chance(seed);
-    const CameraErrors errors(vision_of("rc2026-a"), field, chance);
+    const CameraErrors errors(vision_of("rc2026-a"), field_of("2026-a"), chance);
     for (int i = 0; i < 24; ++i) {
       for (int j = 0; j < 18; ++j) {
         const Vec2 at_m(-5.75 + 0.5 * i, -4.25 + 0.5 * j);
@@ -83,20 +89,30 @@ TEST(CameraErrors, MakeTwoCamerasDisagreeBy20MillimetresAnd29Milliradians) {
       }
     }
   }
-  // The points cover whole periods, so the means are exact.
-  EXPECT_NEAR(std::sqrt(sum_m2 / points), 0.020, 1e-6);
-  EXPECT_NEAR(std::sqrt(sum_rad2 / points), 0.029, 1e-6);
+  return {std::sqrt(sum_m2 / points), std::sqrt(sum_rad2 / points)};
 }
 
-TEST(CameraErrors, AreSmooth) {
-  const Field field = field_of("2026-a");
-  RandomStream chance(3);
-  const CameraErrors errors(vision_of("rc2026-a"), field, chance);
+TEST(CameraErrors, MakeTwoCamerasDisagreeBy20MillimetresAnd29Milliradians) {
+  const Disagreement disagreement = disagreement_of_two_cameras();
+  EXPECT_NEAR(disagreement.position_m, 0.020, 1e-6);
+  EXPECT_NEAR(disagreement.heading_rad, 0.029, 1e-6);
+}
+
+// The greatest change of the error along the field's length, in steps of 0.1 m.
+double greatest_change_m(const CameraErrors& errors) {
+  double greatest_m = 0;
   for (int i = 0; i < 120; ++i) {
     const Vec2 at_m(-6 + 0.1 * i, 0.3);
     const Vec2 step_m = errors.position_m(0, at_m + Vec2(0.1, 0)) - errors.position_m(0, at_m);
-    EXPECT_LT(step_m.norm(), 0.001) << i;  // at most 10 mm * 2 pi / 12 m * 0.1 m = 0.5 mm
+    greatest_m = std::max(greatest_m, step_m.norm());
   }
+  return greatest_m;
+}
+
+TEST(CameraErrors, AreSmooth) {
+  RandomStream chance(3);
+  const CameraErrors errors(vision_of("rc2026-a"), field_of("2026-a"), chance);
+  EXPECT_LT(greatest_change_m(errors), 0.001);  // at most 10 mm * 2 pi / 12 m * 0.1 m = 0.5 mm
 }
 
 TEST(CameraErrors, MakeARobotJumpAtTheSeam) {
@@ -113,16 +129,17 @@ TEST(CameraErrors, MakeARobotJumpAtTheSeam) {
   EXPECT_LT((before_m - after_m).norm(), 0.050);
 }
 
-TEST(CameraErrors, AreThoseOfTheGamesSeed) {
-  const WorldState world = world_with_robot_at({1, 1}, {3, 3});
-  std::set<double> seen_m;
+double ball_seen_m(std::uint64_t seed) {
+  Camera camera(steady("rc2026-a"), field_of("2026-a"), 73.2, seed);
   Frame frame;
-  for (const int seed : {1, 2, 1, 2}) {
-    Camera camera(steady("rc2026-a"), field_of("2026-a"), 73.2, static_cast<std::uint64_t>(seed));
-    camera.look(world, frame);
-    seen_m.insert(frame.ball->position_m.x());
-  }
-  EXPECT_EQ(seen_m.size(), 2U);
+  camera.look(world_with_robot_at({1, 1}, {3, 3}), frame);
+  return frame.ball->position_m.x();
+}
+
+TEST(CameraErrors, AreThoseOfTheGamesSeed) {
+  EXPECT_EQ(ball_seen_m(1), ball_seen_m(1));
+  EXPECT_EQ(ball_seen_m(2), ball_seen_m(2));
+  EXPECT_NE(ball_seen_m(1), ball_seen_m(2));
 }
 
 // Twelve robots at rest, and a ball that is far from all of them.
@@ -179,12 +196,28 @@ TEST(FalseBalls, AppearAtTheirRateAheadOfRobots) {
   EXPECT_NEAR(count, expected, 5 * std::sqrt(expected));
 }
 
-TEST(FalseBalls, AreAsFrequentAsMeasured) {
-  for (const char* preset : {"rc2026-b", "rc2026-a"}) {
-    EXPECT_GE(vision_of(preset).false_balls_per_s, 0.0015);
-    EXPECT_LE(vision_of(preset).false_balls_per_s, 0.06);
-    EXPECT_EQ(vision_of(preset).misread_numbers, 3e-5);
+class FalseDetectionsUnder : public testing::TestWithParam<const char*> {};
+
+TEST_P(FalseDetectionsUnder, AreAsFrequentAsMeasured) {
+  EXPECT_GE(vision_of(GetParam()).false_balls_per_s, 0.0015);
+  EXPECT_LE(vision_of(GetParam()).false_balls_per_s, 0.06);
+  EXPECT_EQ(vision_of(GetParam()).misread_numbers, 3e-5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Presets, FalseDetectionsUnder, testing::Values("rc2026-b", "rc2026-a"),
+                         name_of_camera_preset);
+
+// The number of frames with a false ball instead of the ball of the full world.
+int frames_with_false_ball(Camera& camera, int frames) {
+  const WorldState world = full_world();
+  Frame frame;
+  int replaced = 0;
+  for (int i = 0; i < frames; ++i) {
+    camera.look(world, frame);
+    const bool is_false = frame.ball && (frame.ball->position_m - Vec2(0, 2.8)).norm() > 0.1;
+    replaced += is_false ? 1 : 0;
   }
+  return replaced;
 }
 
 TEST(FalseBalls, ReplaceAMissedBallForOneFrame) {
@@ -192,15 +225,7 @@ TEST(FalseBalls, ReplaceAMissedBallForOneFrame) {
   vision.false_balls_per_s = 10;
   vision.ball_misses = 0.5;
   Camera camera(vision, field_of("2026-b"), 73.2, 1);
-  const WorldState world = full_world();
-  Frame frame;
-  int replaced = 0;
-  for (int i = 0; i < 1000; ++i) {
-    camera.look(world, frame);
-    const bool is_false = frame.ball && (frame.ball->position_m - Vec2(0, 2.8)).norm() > 0.1;
-    replaced += is_false ? 1 : 0;
-  }
-  EXPECT_GT(replaced, 100);
+  EXPECT_GT(frames_with_false_ball(camera, 1000), 100);
 }
 
 TEST(MisreadNumbers, AreThoseOfATeamMate) {
@@ -226,16 +251,27 @@ TEST(MisreadNumbers, AreThoseOfATeamMate) {
   EXPECT_NEAR(doubles, expected, 0.03 * expected);  // if both robots are misread, none is double
 }
 
-TEST(OtherDetections, AreEmptyUnderTheOlderPresets) {
-  for (const char* preset : {"paper", "none", "friendly", "rc2021", "realistic"}) {
-    Camera camera = camera_of(preset);
-    Frame frame;
-    for (int i = 0; i < 1000; ++i) {
-      camera.look(full_world(), frame);
-      ASSERT_TRUE(camera.others().is_empty()) << preset;
-    }
+class OtherDetectionsUnder : public testing::TestWithParam<const char*> {};
+
+// The number of frames in which the camera reports other detections.
+int frames_with_others(Camera& camera, int frames) {
+  Frame frame;
+  int with_others = 0;
+  for (int i = 0; i < frames; ++i) {
+    camera.look(full_world(), frame);
+    with_others += camera.others().is_empty() ? 0 : 1;
   }
+  return with_others;
 }
+
+TEST_P(OtherDetectionsUnder, AreEmpty) {
+  Camera camera = camera_of(GetParam());
+  EXPECT_EQ(frames_with_others(camera, 1000), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(OlderPresets, OtherDetectionsUnder,
+                         testing::Values("paper", "none", "friendly", "rc2021", "realistic"),
+                         name_of_camera_preset);
 
 }  // namespace
 }  // namespace autoref::sim

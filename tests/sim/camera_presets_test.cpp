@@ -70,14 +70,14 @@ Observed observe(const char* preset, int frames) {
 }
 
 struct Kind {
-  const char* name;
-  double ball_m;
-  double robot_m;
-  double robot_rad;
-  double ball_misses;
-  double robot_misses;
-  double command_loss;
-  double latency_s;
+  const char* name = "";
+  double ball_m = 0;
+  double robot_m = 0;
+  double robot_rad = 0;
+  double ball_misses = 0;
+  double robot_misses = 0;
+  double command_loss = 0;
+  double latency_s = 0;
   double frame_rate_hz = 60;
 };
 
@@ -110,19 +110,55 @@ TEST_P(CameraKind, SetsRadioAndLatencyAndIsIdentifiedByItsParameters) {
 }
 
 // The realism levels of ER-Force's simulator, and the vision measured in 2026.
-INSTANTIATE_TEST_SUITE_P(
-    Presets, CameraKind,
-    testing::Values(Kind{"paper", 0, 0, 0, 0, 0, 0, 0.040}, Kind{"none", 0, 0, 0, 0, 0, 0, 0.040},
-                    Kind{"friendly", 0.0004, 0.0003, 0.003, 0.05, 0.02, 0.01, 0.045},
-                    Kind{"rc2021", 0.001, 0.0013, 0.01, 0.05, 0, 0.03, 0.045},
-                    Kind{"realistic", 0.0014, 0.0013, 0.01, 0.05, 0.02, 0.03, 0.048},
-                    Kind{"rc2026-b", 0.0007, 0.0005, 0.005, 0.007, 0.002, 0.03, 0.0323, 73.2},
-                    Kind{"rc2026-a", 0.0007, 0.0005, 0.005, 0.007, 0.002, 0.03, 0.0323, 73.2}),
-    [](const auto& kind) {
-      std::string name = kind.param.name;
-      std::replace(name.begin(), name.end(), '-', '_');
-      return name;
-    });
+INSTANTIATE_TEST_SUITE_P(Presets, CameraKind,
+                         testing::Values(Kind{.name = "paper", .latency_s = 0.040},
+                                         Kind{.name = "none", .latency_s = 0.040},
+                                         Kind{.name = "friendly",
+                                              .ball_m = 0.0004,
+                                              .robot_m = 0.0003,
+                                              .robot_rad = 0.003,
+                                              .ball_misses = 0.05,
+                                              .robot_misses = 0.02,
+                                              .command_loss = 0.01,
+                                              .latency_s = 0.045},
+                                         Kind{.name = "rc2021",
+                                              .ball_m = 0.001,
+                                              .robot_m = 0.0013,
+                                              .robot_rad = 0.01,
+                                              .ball_misses = 0.05,
+                                              .command_loss = 0.03,
+                                              .latency_s = 0.045},
+                                         Kind{.name = "realistic",
+                                              .ball_m = 0.0014,
+                                              .robot_m = 0.0013,
+                                              .robot_rad = 0.01,
+                                              .ball_misses = 0.05,
+                                              .robot_misses = 0.02,
+                                              .command_loss = 0.03,
+                                              .latency_s = 0.048},
+                                         Kind{.name = "rc2026-b",
+                                              .ball_m = 0.0007,
+                                              .robot_m = 0.0005,
+                                              .robot_rad = 0.005,
+                                              .ball_misses = 0.007,
+                                              .robot_misses = 0.002,
+                                              .command_loss = 0.03,
+                                              .latency_s = 0.0323,
+                                              .frame_rate_hz = 73.2},
+                                         Kind{.name = "rc2026-a",
+                                              .ball_m = 0.0007,
+                                              .robot_m = 0.0005,
+                                              .robot_rad = 0.005,
+                                              .ball_misses = 0.007,
+                                              .robot_misses = 0.002,
+                                              .command_loss = 0.03,
+                                              .latency_s = 0.0323,
+                                              .frame_rate_hz = 73.2}),
+                         [](const auto& kind) {
+                           std::string name = kind.param.name;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace autoref::sim

@@ -164,16 +164,21 @@ TEST(AFastBall, IsNotSlowedDownByLongerSteps) {
 
 class CommandDelay : public testing::TestWithParam<int> {};  // sub-steps
 
+// The speed of a robot a frame after its first command, which takes effect that many sub-steps
+// late.
+double speed_after_delay_mps(int delay_substeps, int contact_free_substeps) {
+  Configuration late = with(4, contact_free_substeps);
+  late.latency_s = delay_substeps / 240.0;
+  Scene scene = far_apart(late);
+  scene.frame();
+  return scene.robot(kWest0).velocity_mps.x();
+}
+
 TEST_P(CommandDelay, IsTheSameWithLongerSteps) {
-  for (const int contact_free_substeps : {4, 2, 1}) {
-    Configuration late = with(4, contact_free_substeps);
-    late.latency_s = GetParam() / 240.0;
-    Scene scene = far_apart(late);
-    scene.frame();
-    const double driven_s = (4 - GetParam()) / 240.0;  // at 3 m/s^2
-    EXPECT_NEAR(scene.robot(kWest0).velocity_mps.x(), 3.0 * driven_s, 1e-4)
-        << contact_free_substeps;
-  }
+  const double driven_s = (4 - GetParam()) / 240.0;  // at 3 m/s^2
+  EXPECT_NEAR(speed_after_delay_mps(GetParam(), 4), 3.0 * driven_s, 1e-4);
+  EXPECT_NEAR(speed_after_delay_mps(GetParam(), 2), 3.0 * driven_s, 1e-4);
+  EXPECT_NEAR(speed_after_delay_mps(GetParam(), 1), 3.0 * driven_s, 1e-4);
 }
 
 INSTANTIATE_TEST_SUITE_P(Substeps, CommandDelay, testing::Values(0, 1, 2, 3));
@@ -196,13 +201,16 @@ bool is_kicked_again_after(int frames, int contact_free_substeps) {
   return scene.ball().velocity_mps.norm() > 1.5;
 }
 
+class KickersDeadTime : public testing::TestWithParam<int> {};  // sub-steps without contacts
+
 // 100 ms are six frames.
-TEST(KickersDeadTime, IsTheSameWithLongerSteps) {
-  for (const int contact_free_substeps : {4, 2, 1}) {
-    EXPECT_FALSE(is_kicked_again_after(5, contact_free_substeps)) << contact_free_substeps;
-    EXPECT_TRUE(is_kicked_again_after(6, contact_free_substeps)) << contact_free_substeps;
-  }
+TEST_P(KickersDeadTime, IsTheSameWithLongerSteps) {
+  EXPECT_FALSE(is_kicked_again_after(5, GetParam()));
+  EXPECT_TRUE(is_kicked_again_after(6, GetParam()));
 }
+
+INSTANTIATE_TEST_SUITE_P(ContactFreeSubsteps, KickersDeadTime, testing::Values(4, 2, 1),
+                         testing::PrintToStringParamName());
 
 // The speed of two robots after colliding at `closing_mps`.
 double predicted_parting_mps(double closing_mps, int contact_free_substeps) {
@@ -217,13 +225,18 @@ double predicted_parting_mps(double closing_mps, int contact_free_substeps) {
   return scene.robot(kEast0).velocity_mps.x() - scene.robot(kWest0).velocity_mps.x();
 }
 
-TEST(RobotsThatMeetGently, SeparateTheSameAfterLongerSteps) {
-  for (const double closing_mps : {0.1, 0.2, 0.3, 0.4, 0.49}) {
-    EXPECT_NEAR(predicted_parting_mps(closing_mps, 2), predicted_parting_mps(closing_mps, 4), 1e-3)
-        << closing_mps;
-    EXPECT_NEAR(predicted_parting_mps(closing_mps, 4), 0.2 * closing_mps, 1e-3) << closing_mps;
-  }
+class RobotsThatMeetGently : public testing::TestWithParam<int> {};  // closing speed in mm/s
+
+TEST_P(RobotsThatMeetGently, SeparateTheSameAfterLongerSteps) {
+  const double closing_mps = GetParam() / 1000.0;
+  const double fine_mps = predicted_parting_mps(closing_mps, 4);
+  EXPECT_NEAR(predicted_parting_mps(closing_mps, 2), fine_mps, 1e-3);
+  EXPECT_NEAR(fine_mps, 0.2 * closing_mps, 1e-3);
 }
+
+INSTANTIATE_TEST_SUITE_P(AtMillimetresPerSecond, RobotsThatMeetGently,
+                         testing::Values(100, 200, 300, 400, 490),
+                         testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace autoref::sim

@@ -16,19 +16,17 @@ double gap_to_hull_m(const Scene& scene, RobotId id) {
   return distance_to_hull(scene.ball().position_m, robot.position_m, robot.heading) - kBallRadius_m;
 }
 
-TEST(FrontPlate, IsFlatWithinOneMillimetre) {
-  for (const double aside_m : {-0.045, -0.02, 0.0, 0.03, 0.048}) {
-    Scene scene;
-    scene.put_robot(kWest0, {0, 0});
-    scene.put_ball({0.0975, aside_m}, {-0.04, 0.0}, true);
-    double nearest_m = 1.0;
-    for (int f = 0; f < 60; ++f) {
-      scene.frame();
-      nearest_m = std::min(nearest_m, scene.ball().position_m.x());
-    }
-    EXPECT_NEAR(nearest_m, kFrontDistance_m + kBallRadius_m, 0.0009) << aside_m;
-  }
+class FrontPlate : public testing::TestWithParam<int> {};  // mm beside its centre
+
+TEST_P(FrontPlate, IsFlatWithinOneMillimetre) {
+  Scene scene;
+  scene.put_robot(kWest0, {0, 0});
+  scene.put_ball({0.0975, GetParam() / 1000.0}, {-0.04, 0.0}, true);
+  const double nearest_m = scene.least_over(60, [&] { return scene.ball().position_m.x(); });
+  EXPECT_NEAR(nearest_m, kFrontDistance_m + kBallRadius_m, 0.0009);
 }
+
+INSTANTIATE_TEST_SUITE_P(At, FrontPlate, testing::Values(-45, -20, 0, 30, 48), name_of_number);
 
 TEST(PushedBall, LiesAtThePlateWithinOneMillimetre) {
   Scene scene;
@@ -39,20 +37,19 @@ TEST(PushedBall, LiesAtThePlateWithinOneMillimetre) {
   EXPECT_NEAR(gap_to_hull_m(scene, kWest0), 0.0, 0.001);
 }
 
-TEST(RobotsBack, IsRound) {
-  for (const double angle_deg : {40.0, 90.0, 135.0, 180.0, -60.0}) {
-    Scene scene;
-    scene.put_robot(kWest0, {0, 0});
-    const Vec2 from = heading_of(angle_deg * kPi / 180.0);
-    scene.put_ball(from * 0.1125, from * -0.04, true);
-    double nearest_m = 1.0;
-    for (int f = 0; f < 60; ++f) {
-      scene.frame();
-      nearest_m = std::min(nearest_m, scene.ball().position_m.norm());
-    }
-    EXPECT_NEAR(nearest_m, kRobotRadius_m + kBallRadius_m, 0.0009) << angle_deg;
-  }
+class RobotsBack : public testing::TestWithParam<int> {};  // angle in degrees
+
+TEST_P(RobotsBack, IsRound) {
+  Scene scene;
+  scene.put_robot(kWest0, {0, 0});
+  const Vec2 from = heading_of(GetParam() * kPi / 180.0);
+  scene.put_ball(from * 0.1125, from * -0.04, true);
+  const double nearest_m = scene.least_over(60, [&] { return scene.ball().position_m.norm(); });
+  EXPECT_NEAR(nearest_m, kRobotRadius_m + kBallRadius_m, 0.0009);
 }
+
+INSTANTIATE_TEST_SUITE_P(AtDegrees, RobotsBack, testing::Values(40, 90, 135, 180, -60),
+                         name_of_number);
 
 TEST(RobotsBody, ReflectsAboutHalfOfTheSpeed) {
   Scene scene;
@@ -67,12 +64,7 @@ TEST(SlowBallAgainstABody, StillBounces) {
   Scene scene;
   scene.put_robot(kWest0, {0, 0}, {-1, 0});
   scene.put_ball({0.1125, 0.0}, {-0.09, 0.0});  // below Box2D's default threshold of 0.1 m/s
-  double fastest_mps = 0.0;
-  for (int f = 0; f < 6; ++f) {
-    scene.frame();
-    fastest_mps = std::max(fastest_mps, scene.ball().velocity_mps.x());
-  }
-  EXPECT_GT(fastest_mps, 0.01);
+  EXPECT_GT(scene.most_over(6, [&] { return scene.ball().velocity_mps.x(); }), 0.01);
 }
 
 class HardKicks : public testing::TestWithParam<int> {};  // sub-steps
@@ -133,10 +125,8 @@ TEST(HighBalls, NeverLeaveTheWalls) {
   ball.velocity_mps = {2.0, 4.0};
   ball.vertical_mps = 4.0;
   scene.world.put_ball(ball);
-  for (int f = 0; f < 240; ++f) {
-    scene.frame();
-    ASSERT_LT(scene.ball().position_m.y(), scene.field.wall_y_m() - kBallRadius_m + 0.002);
-  }
+  EXPECT_LT(scene.most_over(240, [&] { return scene.ball().position_m.y(); }),
+            scene.field.wall_y_m() - kBallRadius_m + 0.002);
 }
 
 TEST(BallInTheGoal, StaysThere) {
@@ -182,47 +172,58 @@ TEST(BallOverTheBar, FliesOverTheGoal) {
   EXPECT_GT(scene.ball().position_m.x(), scene.field.half_length_m() + 0.2);
 }
 
-TEST(GoalPost, StopsABall) {
-  for (const double side : {-1.0, 1.0}) {
-    Scene scene;
-    const double post_y = side * (scene.field.half_goal_m() + 0.01);
-    scene.put_ball({2.5, post_y}, {8.0, 0.0});
-    scene.frames(30);
-    EXPECT_LT(scene.ball().position_m.x(), scene.field.half_length_m());
-  }
+// Where a ball is half a second after a hard kick at the inner edge of a post (1: north, -1:
+// south).
+double ball_after_post_m(double side) {
+  Scene scene;
+  const double post_y = side * (scene.field.half_goal_m() + 0.01);
+  scene.put_ball({2.5, post_y}, {8.0, 0.0});
+  scene.frames(30);
+  return scene.ball().position_m.x();
 }
 
-// The positions where a robot can press a ball against a wall, and the direction of pressing.
-TEST(RobotThatSqueezesTheBall, CannotPressItThroughAWall) {
-  const Field field;
-  struct Target {
-    Vec2 ball_m;
-    Vec2 to;
-  };
-  const double line = field.half_length_m();
-  const std::vector<Target> targets = {
-      {{line + 0.09, field.half_goal_m() - 0.03}, {0, 1}},   // goal's side wall, from inside
-      {{line + 0.09, field.half_goal_m() + 0.05}, {0, -1}},  // and from outside
-      {{line + 0.15, 0.1}, {1, 0}},                          // goal's back wall
-      {{line + 0.24, 0.1}, {-1, 0}},                         // and from behind
-      {{0.5, field.wall_y_m() - 0.03}, {0, 1}},
-      {{field.wall_x_m() - 0.03, 1.2}, {1, 0}},
-  };
-  for (const Target& target : targets) {
-    Scene scene;
-    scene.put_robot(kWest0, target.ball_m - 0.3 * target.to, target.to);
-    scene.put_robot(kEast0, {0, -1});
-    scene.put_ball(target.ball_m);
-    scene.command(kWest0).velocity_mps = {3.0, 0.0};
-    double furthest_m = 0.0;
-    for (int f = 0; f < 240; ++f) {
-      scene.frame();
-      furthest_m = std::max(furthest_m, (scene.ball().position_m - target.ball_m).dot(target.to));
-    }
-    EXPECT_LT(furthest_m, 0.035) << target.ball_m.transpose();
-    EXPECT_TRUE(scene.world.is_finite());
-  }
+TEST(GoalPost, StopsABall) {
+  EXPECT_LT(ball_after_post_m(-1), Field{}.half_length_m());
+  EXPECT_LT(ball_after_post_m(1), Field{}.half_length_m());
 }
+
+// A position where a robot can press a ball against a wall, and the direction of pressing.
+struct PressedWall {
+  const char* name;
+  Vec2 ball_m;
+  Vec2 to;
+};
+
+std::vector<PressedWall> pressed_walls() {
+  const Field field;
+  const double line = field.half_length_m();
+  return {
+      {"GoalsSideFromInside", {line + 0.09, field.half_goal_m() - 0.03}, {0, 1}},
+      {"GoalsSideFromOutside", {line + 0.09, field.half_goal_m() + 0.05}, {0, -1}},
+      {"GoalsBackFromInside", {line + 0.15, 0.1}, {1, 0}},
+      {"GoalsBackFromBehind", {line + 0.24, 0.1}, {-1, 0}},
+      {"NorthWall", {0.5, field.wall_y_m() - 0.03}, {0, 1}},
+      {"EastWall", {field.wall_x_m() - 0.03, 1.2}, {1, 0}},
+  };
+}
+
+class RobotThatSqueezesTheBall : public testing::TestWithParam<PressedWall> {};
+
+TEST_P(RobotThatSqueezesTheBall, CannotPressItThroughAWall) {
+  const Vec2& ball_m = GetParam().ball_m;
+  const Vec2& to = GetParam().to;
+  Scene scene;
+  scene.put_robot(kWest0, ball_m - 0.3 * to, to);
+  scene.put_robot(kEast0, {0, -1});
+  scene.put_ball(ball_m);
+  scene.command(kWest0).velocity_mps = {3.0, 0.0};
+  EXPECT_LT(scene.most_over(240, [&] { return (scene.ball().position_m - ball_m).dot(to); }),
+            0.035);
+  EXPECT_TRUE(scene.world.is_finite());
+}
+
+INSTANTIATE_TEST_SUITE_P(At, RobotThatSqueezesTheBall, testing::ValuesIn(pressed_walls()),
+                         [](const auto& test) { return test.param.name; });
 
 TEST(TwoRobotsAtOneBall, KeepItBetweenThem) {
   Scene scene;
@@ -231,11 +232,10 @@ TEST(TwoRobotsAtOneBall, KeepItBetweenThem) {
   scene.put_ball({0, 0});
   scene.command(kWest0).velocity_mps = {3, 0};
   scene.command(kEast0).velocity_mps = {3, 0};
-  for (int f = 0; f < 120; ++f) {
-    scene.frame();
-    ASSERT_GT(gap_to_hull_m(scene, kWest0), -0.01) << f;
-    ASSERT_GT(gap_to_hull_m(scene, kEast0), -0.01) << f;
-  }
+  const auto gap_m = [&] {
+    return std::min(gap_to_hull_m(scene, kWest0), gap_to_hull_m(scene, kEast0));
+  };
+  EXPECT_GT(scene.least_over(120, gap_m), -0.01);
 }
 
 TEST(Touches, NameTheRobotAndThePositionWhenTheBallArrives) {
@@ -243,14 +243,7 @@ TEST(Touches, NameTheRobotAndThePositionWhenTheBallArrives) {
   scene.put_robot(kWest0, {0, 1});
   scene.put_robot(kEast0, {0, 0}, {-1, 0});
   scene.put_ball({-0.2, 0.0}, {3.0, 0.0});
-  std::vector<Touch> touches;
-  for (int f = 0; f < 10; ++f) {
-    scene.frame();
-    for (const Touch& touch : scene.world.touches()) {
-      EXPECT_EQ(touch.frame, scene.world.state().frame);
-      touches.push_back(touch);
-    }
-  }
+  const std::vector<Touch> touches = scene.touches_over(10);
   ASSERT_EQ(touches.size(), 1U);
   EXPECT_EQ(touches[0].robot, kEast0);
   EXPECT_FALSE(touches[0].is_kick);
@@ -270,6 +263,13 @@ TEST(Touches, CountAKickOnce) {
   EXPECT_TRUE(scene.world.touches().empty());
 }
 
+// The number of touches in each of the next frames.
+std::vector<std::size_t> touch_counts(Scene& scene, std::size_t frames) {
+  std::vector<std::size_t> counts(frames);
+  for (std::size_t& count : counts) count = scene.touches_over(1).size();
+  return counts;
+}
+
 TEST(Touches, CountABallInContactOncePerFrame) {
   Scene scene;
   scene.put_robot(kWest0, {-1, 0});
@@ -277,21 +277,16 @@ TEST(Touches, CountABallInContactOncePerFrame) {
   scene.command(kWest0).velocity_mps = {1, 0};
   scene.command(kWest0).dribble = true;
   scene.frames(5);
-  for (int f = 0; f < 10; ++f) {
-    scene.frame();
-    EXPECT_GE(scene.world.touches().size(), 1U);
-    EXPECT_LE(scene.world.touches().size(), 2U);  // a second one only after it separated
-  }
+  const std::vector<std::size_t> counts = touch_counts(scene, 10);
+  EXPECT_GE(*std::min_element(counts.begin(), counts.end()), 1U);
+  EXPECT_LE(*std::max_element(counts.begin(), counts.end()), 2U);  // a second one if it separated
 }
 
 TEST(Touches, IgnoreTheCutOffPartOfTheDisc) {
   Scene scene;
   scene.put_robot(kWest0, {0, 0});
   scene.put_ball({0.075 + 0.0215 + 0.005, -0.3}, {0, 2.0});
-  for (int f = 0; f < 20; ++f) {
-    scene.frame();
-    EXPECT_TRUE(scene.world.touches().empty()) << f;
-  }
+  EXPECT_EQ(scene.touches_over(20).size(), 0U);
   EXPECT_NEAR(scene.ball().position_m.x(), 0.1015, 1e-4);
 }
 

@@ -28,6 +28,17 @@ struct Pair : Scene {
   }
   void command_both(const RobotCommand& both) { command(kWest0) = command(kWest1) = both; }
   void put_ball_before(RobotId id) { put_ball_at_plate(id, 0.005); }
+  // Puts the ball before a robot, which may kick it, and waits for twelve frames.
+  void play_ball_with(RobotId id) {
+    put_ball_before(id);
+    frames(12);
+  }
+  // The speed that the robot's kick gives the ball.
+  double kicked_by_mps(RobotId id) {
+    put_ball_before(id);
+    frame();
+    return ball().velocity_mps.x() + 3.4 * 4 / 240;
+  }
 };
 
 RobotCommand forward(double speed_mps) {
@@ -62,14 +73,8 @@ TEST(MixedRobots, HaveTheirOwnKicker) {
   RobotCommand kick;
   kick.kick_mps = 5;
   pair.command_both(kick);
-  double speed_mps[2];
-  for (const RobotId id : {kWest0, kWest1}) {
-    pair.put_ball_before(id);
-    pair.frame();
-    speed_mps[id.number] = pair.ball().velocity_mps.x() + 3.4 * 4 / 240;
-  }
-  EXPECT_NEAR(speed_mps[0], 2.0, 0.01);
-  EXPECT_NEAR(speed_mps[1], 5.0, 0.01);
+  EXPECT_NEAR(pair.kicked_by_mps(kWest0), 2.0, 0.01);
+  EXPECT_NEAR(pair.kicked_by_mps(kWest1), 5.0, 0.01);
 }
 
 TEST(MixedRobots, ChargeTheirKickersIndependently) {
@@ -77,30 +82,31 @@ TEST(MixedRobots, ChargeTheirKickersIndependently) {
   RobotCommand kick;
   kick.kick_mps = 5;
   pair.command_both(kick);
-  for (const RobotId id : {kWest0, kWest1, kWest0, kWest1}) {
-    pair.put_ball_before(id);
-    pair.frames(12);
-  }
+  pair.play_ball_with(kWest0);
+  pair.play_ball_with(kWest1);
+  pair.play_ball_with(kWest0);
+  pair.play_ball_with(kWest1);
   EXPECT_GT(pair.ball().velocity_mps.x(), 3.0);
-  pair.put_ball_before(kWest0);
-  pair.frames(12);
+  pair.play_ball_with(kWest0);
   EXPECT_LT(pair.ball().velocity_mps.x(), 0.5);
 }
 
-TEST(MixedRobots, HaveTheirOwnDribbler) {
+// How far the ball moves in a second in which that robot reverses with its dribbler on; robot 0's
+// is broken.
+double dribbled_m(RobotId id) {
   RobotCommand back = forward(-0.5);
   back.dribble = true;
-  double moved_m[2];
-  for (const RobotId id : {kWest0, kWest1}) {
-    Pair pair([](RobotSpec& broken) { broken.dribbler.force_n = 0; });
-    pair.command_both(back);
-    pair.put_ball_at_plate(id);
-    const double start_m = pair.ball().position_m.x();
-    pair.frames(60);
-    moved_m[id.number] = pair.ball().position_m.x() - start_m;
-  }
-  EXPECT_NEAR(moved_m[0], 0.0, 0.01);
-  EXPECT_LT(moved_m[1], -0.3);
+  Pair pair([](RobotSpec& broken) { broken.dribbler.force_n = 0; });
+  pair.command_both(back);
+  pair.put_ball_at_plate(id);
+  const double start_m = pair.ball().position_m.x();
+  pair.frames(60);
+  return pair.ball().position_m.x() - start_m;
+}
+
+TEST(MixedRobots, HaveTheirOwnDribbler) {
+  EXPECT_NEAR(dribbled_m(kWest0), 0.0, 0.01);
+  EXPECT_LT(dribbled_m(kWest1), -0.3);
 }
 
 // 2.5 kg at 2 m/s hits 5 kg at rest; 0.2 of the closing speed is kept.
@@ -109,11 +115,7 @@ TEST(MixedRobots, HaveTheirOwnMass) {
   pair.put_robot(kWest0, {0.3, 0});
   pair.put_robot(kWest1, {0, 0}, {1, 0}, {2, 0});
   pair.command(kWest1).velocity_mps = {2, 0};
-  double fastest_mps = 0;
-  for (int f = 0; f < 6; ++f) {
-    pair.frame();
-    fastest_mps = std::max(fastest_mps, pair.robot(kWest0).velocity_mps.x());
-  }
+  const double fastest_mps = pair.most_over(6, [&] { return pair.robot(kWest0).velocity_mps.x(); });
   const double after_mps = 2.0 * 2.5 * (1.0 + 0.2) / (2.5 + 5.0);
   EXPECT_NEAR(fastest_mps, after_mps, 0.07);
 }

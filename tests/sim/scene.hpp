@@ -1,7 +1,13 @@
 // Small worlds for tests: noiseless motors and kickers, robots out of the way.
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "sim/world.hpp"
 #include "soccer/robot_shape.hpp"
@@ -65,11 +71,53 @@ struct Scene {
   void frames(int count) {
     for (int i = 0; i < count; ++i) frame();
   }
+  // The smallest value of a quantity after each of the next frames.
+  template <typename Quantity>
+  double least_over(int count, Quantity quantity) {
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < count; ++i) {
+      frame();
+      least = std::min<double>(least, quantity());
+    }
+    return least;
+  }
+  // The greatest value.
+  template <typename Quantity>
+  double most_over(int count, Quantity quantity) {
+    return -least_over(count, [&] { return -quantity(); });
+  }
+  // The mean value.
+  template <typename Quantity>
+  double mean_over(int count, Quantity quantity) {
+    double sum = 0;
+    for (int i = 0; i < count; ++i) {
+      frame();
+      sum += quantity();
+    }
+    return sum / count;
+  }
+  // The touches in the next frames; each must carry the number of its frame.
+  std::vector<Touch> touches_over(int count) {
+    std::vector<Touch> touches;
+    for (int i = 0; i < count; ++i) {
+      frame();
+      for (const Touch& touch : world.touches()) {
+        EXPECT_EQ(touch.frame, world.state().frame);
+        touches.push_back(touch);
+      }
+    }
+    return touches;
+  }
 
   Field field;
   World world;
   PerSide<TeamCommands> commands{};
   std::optional<Placement> placement;
 };
+
+// A number as a test's name: "minus_45".
+inline std::string name_of_number(const testing::TestParamInfo<int>& test) {
+  return (test.param < 0 ? "minus_" : "") + std::to_string(std::abs(test.param));
+}
 
 }  // namespace autoref::sim

@@ -263,17 +263,22 @@ void expect_bodies_apart(const Watch& watch, double rate_hz) {
   EXPECT_LE(watch.longest_overlap, 0.05 * rate_hz);
 }
 
-TEST(Traffic, OfAnHourKeepsBodiesApartAndNeverSpeedsTheBallUp) {
-  Traffic traffic(every_substep(quiet()));
-  Watch watch;
-  Gains gains;
-  for (std::int64_t k = 0; k < std::lround(kPlayed_s / kSubstep_s); ++k) {
+// Plays for `seconds` and observes the world after every frame.
+void play(Traffic& traffic, double seconds, double rate_hz, Watch& watch, Gains* gains = nullptr) {
+  for (std::int64_t f = 0; f < std::lround(seconds * rate_hz); ++f) {
     traffic.steer();
     const WorldState former = traffic.world.state();
     traffic.step();
     watch.note(traffic);
-    gains.note(former, traffic);
+    if (gains != nullptr) gains->note(former, traffic);
   }
+}
+
+TEST(Traffic, OfAnHourKeepsBodiesApartAndNeverSpeedsTheBallUp) {
+  Traffic traffic(every_substep(quiet()));
+  Watch watch;
+  Gains gains;
+  play(traffic, kPlayed_s, 1 / kSubstep_s, watch, &gains);
   expect_bodies_apart(watch, 1 / kSubstep_s);
   EXPECT_LE(gains.bounced_mps, kSolver_mps);
   EXPECT_LE(gains.squeezed_mps, kSolver_mps);
@@ -286,11 +291,7 @@ TEST(Traffic, OfAnHourKeepsBodiesApartInTheDefaultWorld) {
   const Configuration configuration = quiet();
   Traffic traffic(configuration);
   Watch watch;
-  for (std::int64_t f = 0; f < std::lround(kPlayed_s * configuration.frame_rate_hz); ++f) {
-    traffic.steer();
-    traffic.step();
-    watch.note(traffic);
-  }
+  play(traffic, kPlayed_s, configuration.frame_rate_hz, watch);
   expect_bodies_apart(watch, configuration.frame_rate_hz);
 }
 

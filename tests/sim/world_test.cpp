@@ -3,6 +3,7 @@
 #include <box2d/box2d.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -163,6 +164,16 @@ TEST(Latency, KeepsTheFormerCommandsForTheRemainingSubsteps) {
   EXPECT_NEAR(scene.robot(kWest0).velocity_mps.x(), 3.0 * 2 / 240, 1e-4);
 }
 
+// The longest time that Box2D measured for one of 100 steps.
+float longest_step_ms(b2World& world) {
+  float longest_ms = 0.0F;
+  for (int i = 0; i < 100; ++i) {
+    world.Step(1.0F / 60.0F, 8, 3);
+    longest_ms = std::max(longest_ms, world.GetProfile().step);
+  }
+  return longest_ms;
+}
+
 TEST(Box2dClock, StandsStill) {
   // Box2D profiles each step; with its original clock, 100 steps would take measurable time.
   b2World world(b2Vec2(0.0F, -10.0F));
@@ -170,10 +181,7 @@ TEST(Box2dClock, StandsStill) {
   definition.type = b2_dynamicBody;
   world.CreateBody(&definition);
   Scene scene;  // makes the linker include the bridge, and with it the replacement clock
-  for (int i = 0; i < 100; ++i) {
-    world.Step(1.0F / 60.0F, 8, 3);
-    ASSERT_EQ(world.GetProfile().step, 0.0F);
-  }
+  EXPECT_EQ(longest_step_ms(world), 0.0F);
 }
 
 struct Refused {

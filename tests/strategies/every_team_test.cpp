@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "strategies/registry.hpp"
@@ -31,64 +33,88 @@ std::string name_of_team(const testing::TestParamInfo<std::string_view>& team) {
 
 INSTANTIATE_TEST_SUITE_P(Named, EveryTeam, testing::ValuesIn(lawful_teams()), name_of_team);
 
-TEST_P(EveryTeam, KeepsItsDistanceFromTheBallAndComesToRestWhilePlayIsStopped) {
-  for (const Vec2& ball_m : {Vec2(0, 0), Vec2(-2.9, 1.9), Vec2(2.9, -1.9), Vec2(-1, 1)}) {
-    const auto team = make();
-    StagedWorld world(Play::kStop);
-    world.six_against_six().ball(ball_m).run(*team, 5);
-    const TeamView before = world.view;
-    world.run(*team, 1);
-    for (std::size_t i = 1; i < before.own.size(); ++i) {  // the keeper may stay in its goal
-      const Vec2& position_m = world.view.own[i].position_m;
-      EXPECT_GE((position_m - ball_m).norm(), kBallGap_m) << i << ", ball " << ball_m.transpose();
-      EXPECT_LT((position_m - before.own[i].position_m).norm(), 15_mm)
-          << i << ", ball " << ball_m.transpose();
-    }
-  }
+class EveryTeamInStop : public testing::TestWithParam<std::tuple<std::string_view, Vec2>> {};
+
+TEST_P(EveryTeamInStop, KeepsItsDistanceFromTheBallAndComesToRest) {
+  const auto& [name, ball_m] = GetParam();
+  const auto team = find_strategy(name)->make({});
+  StagedWorld world(Play::kStop);
+  world.six_against_six().ball(ball_m).run(*team, 5);
+  const TeamView before = world.view;
+  world.run(*team, 1);
+  EXPECT_EQ(field_players_within(world, ball_m, kBallGap_m), kNobody);
+  world.view.own.erase(world.view.own.begin());  // the keeper may stay in its goal, and move there
+  EXPECT_EQ(moved_since(before, world, 15_mm), kNobody);
+}
+
+INSTANTIATE_TEST_SUITE_P(BallAt, EveryTeamInStop,
+                         testing::Combine(testing::ValuesIn(lawful_teams()),
+                                          testing::Values(Vec2(0, 0), Vec2(-2.9, 1.9),
+                                                          Vec2(2.9, -1.9), Vec2(-1, 1))),
+                         [](const auto& test) {
+                           return std::string(std::get<0>(test.param)) + "_" +
+                                  place_name(std::get<1>(test.param));
+                         });
+
+// Prepares a kick-off for 6 s with one robot in the opponents' half. Returns who is not in its own.
+Numbers beyond_half_before_kickoff(Strategy& team, bool ours) {
+  StagedWorld world(Play::kPrepareKickoff, ours);
+  world.six_against_six();
+  world.view.own[5].position_m = {1.5, 0.5};
+  world.run(team, 6);
+  return numbers_of(world.view.own, is_beyond_own_half);
 }
 
 TEST_P(EveryTeam, IsInItsOwnHalfForAKickoff) {
-  for (const bool ours : {true, false}) {
-    const auto team = make();
-    StagedWorld world(Play::kPrepareKickoff, ours);
-    world.six_against_six();
-    world.view.own[5].position_m = {1.5, 0.5};
-    world.run(*team, 6);
-    for (const TrackedRobot& robot : world.view.own)
-      EXPECT_LE(robot.position_m.x(), -kRobotRadius_m) << robot.number;
-  }
+  EXPECT_EQ(beyond_half_before_kickoff(*make(), true), kNobody);
+  EXPECT_EQ(beyond_half_before_kickoff(*make(), false), kNobody);
+}
+
+// Stops play for 3 s and then lets the team have the ball for 4 s. Returns how near it gets.
+double nearest_to_its_ball_m(Strategy& team, CommandKind next, Play play) {
+  StagedWorld world(Play::kStop, true);
+  world.view.next_is_ours = true;
+  world.view.next = next;
+  world.six_against_six().ball({0, 0}).run(team, 3);
+  world.view.play = play;
+  return least_gap_m(world, team, 4, {0, 0});
 }
 
 TEST_P(EveryTeam, GoesToTheBallInOpenPlayAndAtItsRestarts) {
-  for (const Play play : {Play::kRunning, Play::kDirectFree, Play::kKickoff}) {
-    const auto team = make();
-    StagedWorld world(Play::kStop, true);
-    world.view.next_is_ours = true;
-    world.view.next =
-        play == Play::kKickoff ? CommandKind::kPrepareKickoff : CommandKind::kDirectFree;
-    world.six_against_six().ball({0, 0}).run(*team, 3);
-    world.view.play = play;
-    double least_m = 9;
-    for (int frame = 0; frame < 240; ++frame) {
-      world.step(*team);
-      for (const TrackedRobot& robot : world.view.own)
-        least_m = std::min(least_m, robot.position_m.norm());
-    }
-    EXPECT_LT(least_m, 0.12) << static_cast<int>(play);
+  EXPECT_LT(nearest_to_its_ball_m(*make(), CommandKind::kDirectFree, Play::kRunning), 0.12);
+  EXPECT_LT(nearest_to_its_ball_m(*make(), CommandKind::kDirectFree, Play::kDirectFree), 0.12);
+  EXPECT_LT(nearest_to_its_ball_m(*make(), CommandKind::kPrepareKickoff, Play::kKickoff), 0.12);
+}
+
+// Lets a new team with that many robots play for half a second in every play.
+void expect_positions_in_every_play(std::string_view name, int robots) {
+  for (int play = 0; play <= static_cast<int>(Play::kRunning); ++play) {
+    const auto team = find_strategy(name)->make({});
+    StagedWorld world(static_cast<Play>(play), true);
+    world.rows_of(robots).run(*team, 0.5);
+    EXPECT_EQ(numbers_of(world.view.own, is_nowhere), kNobody)
+        << robots << " robots, play " << play;
   }
 }
 
 TEST_P(EveryTeam, PlaysWithAnyNumberOfRobotsInEveryPlay) {
-  for (int play = 0; play <= static_cast<int>(Play::kRunning); ++play) {
-    for (const int robots : {0, 1, 2, 3, kMaxRobots}) {
-      const auto team = make();
-      StagedWorld world(static_cast<Play>(play), true);
-      for (int i = 0; i < robots; ++i)
-        world.own(i, {-2.5 + 0.3 * i, 1.0}).opponent(i, {-2.5 + 0.3 * i, -1.0});
-      world.run(*team, 0.5);
-      for (const TrackedRobot& robot : world.view.own) {
-        EXPECT_TRUE(is_finite(robot.position_m)) << play;
-      }
+  expect_positions_in_every_play(GetParam(), 0);
+  expect_positions_in_every_play(GetParam(), 1);
+  expect_positions_in_every_play(GetParam(), 2);
+  expect_positions_in_every_play(GetParam(), 3);
+  expect_positions_in_every_play(GetParam(), kMaxRobots);
+}
+
+// Both teams decide for a second in that play, and the world follows the first.
+void expect_same_commands(Strategy& first, Strategy& second, StagedWorld& world, Play play) {
+  world.view.play = play;
+  for (int frame = 0; frame < 60; ++frame) {
+    TeamCommands commands{};
+    second.decide(world.view, commands);
+    world.step(first);
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+      ASSERT_EQ(commands[i].velocity_mps, world.commands[i].velocity_mps) << i << ", " << frame;
+      ASSERT_EQ(commands[i].kick_mps, world.commands[i].kick_mps) << i << ", " << frame;
     }
   }
 }
@@ -98,20 +124,13 @@ TEST_P(EveryTeam, GivesTheSameCommandsForTheSameViews) {
   const auto second = make();
   StagedWorld world(Play::kStop, true);
   world.six_against_six().ball({0.1, 0.05});
-  for (const Play play : {Play::kStop, Play::kPrepareKickoff, Play::kKickoff, Play::kRunning,
-                          Play::kDirectFree, Play::kPreparePenalty, Play::kPenalty}) {
-    world.view.play = play;
-    if (play == Play::kRunning) world.kick({2, 1});
-    for (int frame = 0; frame < 60; ++frame) {
-      TeamCommands commands{};
-      second->decide(world.view, commands);
-      world.step(*first);
-      for (std::size_t i = 0; i < commands.size(); ++i) {
-        ASSERT_EQ(commands[i].velocity_mps, world.commands[i].velocity_mps) << i << ", " << frame;
-        ASSERT_EQ(commands[i].kick_mps, world.commands[i].kick_mps) << i << ", " << frame;
-      }
-    }
-  }
+  expect_same_commands(*first, *second, world, Play::kStop);
+  expect_same_commands(*first, *second, world, Play::kPrepareKickoff);
+  expect_same_commands(*first, *second, world, Play::kKickoff);
+  expect_same_commands(*first, *second, world.kick({2, 1}), Play::kRunning);
+  expect_same_commands(*first, *second, world, Play::kDirectFree);
+  expect_same_commands(*first, *second, world, Play::kPreparePenalty);
+  expect_same_commands(*first, *second, world, Play::kPenalty);
 }
 
 }  // namespace

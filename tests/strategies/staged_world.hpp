@@ -2,8 +2,14 @@
 // stays or moves freely.
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "soccer/robot_shape.hpp"
 #include "soccer/team_view.hpp"
@@ -79,6 +85,13 @@ class StagedWorld {
     return *this;
   }
 
+  // That many robots per team, each team in a row from west to east.
+  StagedWorld& rows_of(int robots) {
+    for (int i = 0; i < robots; ++i)
+      own(i, {-2.5 + 0.3 * i, 1.0}).opponent(i, {-2.5 + 0.3 * i, -1.0});
+    return *this;
+  }
+
   // One frame of 1/60 s in which every robot moves exactly as commanded.
   const TeamCommands& step(Strategy& team) {
     commands.fill(RobotCommand{});
@@ -128,6 +141,92 @@ class StagedWorld {
   double kicked_at_s = 0;
 };
 
+// Numbers of robots: compared with kNobody, they name the robots that break a rule.
+using Numbers = std::vector<int>;
+inline const Numbers kNobody;
+
+template <typename Condition>
+Numbers numbers_of(const TrackedRobots& robots, Condition condition) {
+  Numbers numbers;
+  for (const TrackedRobot& robot : robots) {
+    if (condition(robot)) numbers.push_back(robot.number);
+  }
+  return numbers;
+}
+
+inline bool is_beyond_own_half(const TrackedRobot& robot) {
+  return !(robot.position_m.x() <= -kRobotRadius_m);
+}
+inline bool is_nowhere(const TrackedRobot& robot) { return !is_finite(robot.position_m); }
+
+// The own robots whose centres are less than `distance_m` from the point.
+inline Numbers robots_within(const StagedWorld& world, const Vec2& point_m, double distance_m) {
+  return numbers_of(world.view.own, [&](const TrackedRobot& robot) {
+    return !((robot.position_m - point_m).norm() >= distance_m);
+  });
+}
+
+// The same without robot 0, the keeper, which may stay in its goal.
+inline Numbers field_players_within(const StagedWorld& world, const Vec2& point_m,
+                                    double distance_m) {
+  Numbers numbers = robots_within(world, point_m, distance_m);
+  std::erase(numbers, 0);
+  return numbers;
+}
+
+// The own robots whose centres are less than `distance_m` from the opponents' defence area.
+inline Numbers near_their_area(const StagedWorld& world, double distance_m) {
+  return numbers_of(world.view.own, [&](const TrackedRobot& robot) {
+    return !(distance_to_defence_area(Field{}, Side::kEast, robot.position_m) >= distance_m);
+  });
+}
+
+// The own robots that are at least `distance_m` from where they were.
+inline Numbers moved_since(const TeamView& before, const StagedWorld& world, double distance_m) {
+  return numbers_of(world.view.own, [&](const TrackedRobot& robot) {
+    const auto same = [&](const TrackedRobot& former) { return former.number == robot.number; };
+    const auto former = std::find_if(before.own.begin(), before.own.end(), same);
+    return !((robot.position_m - former->position_m).norm() < distance_m);
+  });
+}
+
+// The robots that are commanded to move or to kick.
+inline Numbers active_robots(const TeamCommands& commands) {
+  Numbers numbers;
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    if (commands[i].velocity_mps != Vec2(0, 0) || commands[i].kick_mps != 0)
+      numbers.push_back(static_cast<int>(i));
+  }
+  return numbers;
+}
+
+// Lets the team play for `seconds`. Returns the smallest distance of its robots from the point.
+inline double least_gap_m(StagedWorld& world, Strategy& team, double seconds, const Vec2& point_m) {
+  double least_m = 10;
+  for (int frame = 0; frame < seconds * 60; ++frame) {
+    world.step(team);
+    for (const TrackedRobot& robot : world.view.own)
+      least_m = std::min(least_m, (robot.position_m - point_m).norm());
+  }
+  return least_m;
+}
+
+// A position in millimetres as a part of a test's name: "West2900North1900".
+inline std::string place_name(const Vec2& position_m) {
+  const auto part = [](double metres, const char* plus, const char* minus) {
+    return (metres < 0 ? minus : plus) + std::to_string(std::lround(std::abs(metres) * 1000));
+  };
+  return part(position_m.x(), "East", "West") + part(position_m.y(), "North", "South");
+}
+inline std::string name_of_place(const testing::TestParamInfo<Vec2>& info) {
+  return place_name(info.param);
+}
+inline std::string name_of_rule_book(const testing::TestParamInfo<const char*>& info) {
+  std::string name = info.param;
+  std::erase(name, '-');
+  return name;
+}
+
 // A staged world and a team's prediction of it.
 struct StagedPrediction {
   explicit StagedPrediction(Play play, bool ours = false, const TeamContext& context = {},
@@ -147,6 +246,13 @@ struct StagedPrediction {
   StagedWorld world;
   PredictedState predicted;
 };
+
+// A team with robots that cannot chip.
+inline TeamContext context_without_chips() {
+  TeamContext context;
+  for (Abilities& robot : context.robots) robot.chip_mps = 0;
+  return context;
+}
 
 // The team context for a game under that rule book.
 inline TeamContext team_context_of(const char* rules) {

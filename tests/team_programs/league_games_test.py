@@ -6,6 +6,7 @@ usage: league_games_test.py AUTOREF SCENARIO LEAGUE_TEAM LEAGUE_ADAPTER
 By the pipe, and by UDP through the adapter, the same team must play the same game, and win it.
 """
 import json
+import random
 import shlex
 import socket
 import subprocess
@@ -14,11 +15,20 @@ import sys
 GROUPS = "224.5.23.2", "224.5.23.1", "127.0.0.1"
 
 
+def bind_to_free_port(udp):
+    """The port is below those that Linux gives to sockets without a port of their own."""
+    while True:
+        try:
+            return udp.bind(("", random.randrange(21_000, 30_000)))
+        except OSError:
+            continue
+
+
 def free_addresses():
     """An address of each group whose port nobody uses at the moment."""
     sockets = [socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in GROUPS]
     for udp in sockets:
-        udp.bind(("", 0))
+        bind_to_free_port(udp)
     addresses = [f"{host}:{udp.getsockname()[1]}" for host, udp in zip(GROUPS, sockets)]
     for udp in sockets:
         udp.close()
@@ -29,6 +39,7 @@ def played(autoref, scenario, side, command):
     settings = [
         f"a.command={shlex.join(command)}",
         f"match.a_plays={side}",
+        "a.answer_s=120",
         "b.strategy=dummy",
         "match.half_s=10",
         "sim.vision.cameras=1",

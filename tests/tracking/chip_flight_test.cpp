@@ -52,26 +52,42 @@ TEST(ChipFlight, IsUnknownWhileTheBallBouncesThenOnTheGround) {
   EXPECT_EQ(clean_estimate(kick, 1.75).flight, BallFlight::kOnGround);
 }
 
+// Detections of a ball that rolls at 1 m/s for two seconds.
+void roll(ChipFlight& flight) {
+  for (int n = 1; n < 120; ++n) flight.add({n / 60.0, {n / 60.0, 1}, {2, 1}, 4});
+}
+
 TEST(ChipFlight, IsUnknownBeforeAKickAndAfterTheNext) {
   ChipFlight flight(1.4_mm);
   EXPECT_EQ(flight.add({0, {1, 1}, {2, 1}, 4}).flight, BallFlight::kUnknown);
-  for (int n = 1; n < 120; ++n) flight.add({n / 60.0, {n / 60.0, 1}, {2, 1}, 4});
+  roll(flight);
   EXPECT_EQ(flight.estimate().flight, BallFlight::kUnknown);
   flight.begin({2, 5_ms, {2, 1}, 1_mm});
   EXPECT_EQ(flight.estimate().flight, BallFlight::kUnknown);
 }
 
 // A robot in the way deflects the ball, which then falls.
-TEST(ChipFlight, GivesUpIfTheBallIsHitInTheAir) {
-  const Kick kick = chip_along({-2, 0.5}, {1, 0});
+// The flight of a chip, seen for a quarter of a second.
+ChipFlight flight_of(const Kick& kick) {
   ChipFlight flight(1_mm);
   flight.begin({kick.time_s, 5_ms, kick.from_m, 1_mm});
   for (int n = 1; n <= 15; ++n) flight.add(seen(truth_at(kick, n / 60.0), n / 60.0));
-  ASSERT_EQ(flight.estimate().flight, BallFlight::kFlying);
-  const Truth hit = truth_at(kick, 0.25);
+  return flight;
+}
+
+// The next three detections of a ball that is hit sideways at a quarter of a second.
+void hit_sideways(ChipFlight& flight, const Truth& hit) {
   for (int n = 16; n <= 18; ++n) {
     flight.add(seen({hit.position_m + Vec2(0, (n - 15) / 60.0), hit.height_m}, n / 60.0));
   }
+}
+
+TEST(ChipFlight, GivesUpIfTheBallIsHitInTheAir) {
+  const Kick kick = chip_along({-2, 0.5}, {1, 0});
+  ChipFlight flight = flight_of(kick);
+  ASSERT_EQ(flight.estimate().flight, BallFlight::kFlying);
+  const Truth hit = truth_at(kick, 0.25);
+  hit_sideways(flight, hit);
   EXPECT_EQ(flight.estimate().flight, BallFlight::kUnknown);
   const BallDetection later = seen({hit.position_m, 0}, 2.0);  // after all bounces would have ended
   EXPECT_EQ(flight.add(later).flight, BallFlight::kUnknown);

@@ -81,19 +81,28 @@ Tally tally_of(Kick (*any)(RandomStream&), double noise_m) {
 
 // The values stated in chip_flight.hpp.
 struct Figures {
-  const char* name;
-  double noise_m;
-  std::array<double, 5> detected;  // fractions detected by the times kMarks_s
-  double height_rms_m, height_median_m, landing_rms_m, landing_median_m;
+  const char* name = "";
+  double noise_m = 0;
+  std::array<double, 5> detected{};  // fractions detected by the times kMarks_s
+  double height_rms_m = 0;
+  double height_median_m = 0;
+  double landing_rms_m = 0;
+  double landing_median_m = 0;
 };
 
 class ChipFlightInNoise : public testing::TestWithParam<Figures> {};
 
+// The mark, by index, at which the fraction of detected chips differs by more than 0.02; none: -1.
+int first_differing_mark(const Tally& tally, const std::array<double, 5>& detected) {
+  for (std::size_t i = 0; i < kMarks_s.size(); ++i) {
+    if (!(std::abs(tally.share_detected(i) - detected[i]) <= 0.02)) return static_cast<int>(i);
+  }
+  return -1;
+}
+
 TEST_P(ChipFlightInNoise, DetectsChipsAsSoonAsStated) {
   const Tally tally = tally_of(chip_inside_the_field, GetParam().noise_m);
-  for (std::size_t i = 0; i < kMarks_s.size(); ++i) {
-    EXPECT_NEAR(tally.share_detected(i), GetParam().detected[i], 0.02) << kMarks_s[i];
-  }
+  EXPECT_EQ(first_differing_mark(tally, GetParam().detected), -1);
 }
 
 TEST_P(ChipFlightInNoise, RarelyDetectsAFlightForAStraightKick) {
@@ -123,14 +132,35 @@ TEST_P(ChipFlightInNoise, RarelyReportsAFlightAfterTheLanding) {
   EXPECT_LE(tally_of(chip_inside_the_field, GetParam().noise_m).flying_after_all, 0.01 * kKicks);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Cameras, ChipFlightInNoise,
-    testing::Values(
-        Figures{"none", 0, {0.39, 0.96, 0.99, 1, 1}, 4_mm, 0.3_mm, 47_mm, 0.3_mm},
-        Figures{"friendly", 0.4_mm, {0.08, 0.90, 0.97, 0.99, 1}, 16_mm, 3_mm, 110_mm, 5_mm},
-        Figures{"rc2021", 1_mm, {0.02, 0.64, 0.92, 0.97, 1}, 26_mm, 7_mm, 130_mm, 11_mm},
-        Figures{"realistic", 1.4_mm, {0.01, 0.44, 0.88, 0.95, 1}, 32_mm, 9_mm, 137_mm, 14_mm}),
-    [](const auto& row) { return row.param.name; });
+INSTANTIATE_TEST_SUITE_P(Cameras, ChipFlightInNoise,
+                         testing::Values(Figures{.name = "none",
+                                                 .detected = {0.39, 0.96, 0.99, 1, 1},
+                                                 .height_rms_m = 4_mm,
+                                                 .height_median_m = 0.3_mm,
+                                                 .landing_rms_m = 47_mm,
+                                                 .landing_median_m = 0.3_mm},
+                                         Figures{.name = "friendly",
+                                                 .noise_m = 0.4_mm,
+                                                 .detected = {0.08, 0.90, 0.97, 0.99, 1},
+                                                 .height_rms_m = 16_mm,
+                                                 .height_median_m = 3_mm,
+                                                 .landing_rms_m = 110_mm,
+                                                 .landing_median_m = 5_mm},
+                                         Figures{.name = "rc2021",
+                                                 .noise_m = 1_mm,
+                                                 .detected = {0.02, 0.64, 0.92, 0.97, 1},
+                                                 .height_rms_m = 26_mm,
+                                                 .height_median_m = 7_mm,
+                                                 .landing_rms_m = 130_mm,
+                                                 .landing_median_m = 11_mm},
+                                         Figures{.name = "realistic",
+                                                 .noise_m = 1.4_mm,
+                                                 .detected = {0.01, 0.44, 0.88, 0.95, 1},
+                                                 .height_rms_m = 32_mm,
+                                                 .height_median_m = 9_mm,
+                                                 .landing_rms_m = 137_mm,
+                                                 .landing_median_m = 14_mm}),
+                         [](const auto& row) { return row.param.name; });
 
 // Straight towards or away from the camera, where a flight is hardest to distinguish from a roll.
 void aim_at_camera(Kick& kick, RandomStream& chance) {

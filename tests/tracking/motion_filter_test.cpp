@@ -91,13 +91,19 @@ TEST(MotionFilter, HasConsistentInnovations) {
   EXPECT_NEAR(share, std::exp(-4.0), 5 * std::sqrt(std::exp(-4.0) / kDetections));
 }
 
-TEST(MotionFilter, LearnsTheVelocityFromOneDetectionAfterInflation) {
+// A filter of something at rest at 0 that has been detected 30 times.
+MotionFilter<1> filter_at_rest() {
   MotionFilter<1> filter({0.0001, 0.1, 8.0});
   filter.start(Axis(0));
   for (int i = 0; i < 30; ++i) {
     filter.predict(0.01, Axis(0));
     filter.correct(Axis(0) - filter.position());
   }
+  return filter;
+}
+
+TEST(MotionFilter, LearnsTheVelocityFromOneDetectionAfterInflation) {
+  MotionFilter<1> filter = filter_at_rest();
   filter.predict(0.01, Axis(0));
   filter.inflate_velocity_covariance(0.01);
   filter.correct(Axis(0.05) - filter.position());

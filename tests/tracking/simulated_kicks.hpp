@@ -17,12 +17,37 @@ inline constexpr double kCameraHeight_m = 4_m;
 
 // How balls decelerate and bounce in the league's simulators.
 struct BallModel {
-  double slide_mps2, roll_mps2, rolls_below, along_first, along_later, upwards;
+  double slide_mps2 = 0;
+  double roll_mps2 = 0;
+  double rolls_below = 0;  // fraction of the kick's speed
+  double along_first = 0;  // fractions of the speed that bounces keep
+  double along_later = 0;
+  double upwards = 0;
 };
-inline constexpr std::array<BallModel, 4> kModels = {{{3.4, 0.30, 0.67, 0.75, 0.95, 0.5},
-                                                      {3.92, 0.35, 0.69, 0.715, 1.0, 0.566},
-                                                      {3.0, 0.26, 0.667, 0.8, 0.85, 0.47},
-                                                      {10.3, 0.70, 0.70, 0.59, 0.95, 0.49}}};
+inline constexpr std::array<BallModel, 4> kModels = {{{.slide_mps2 = 3.4,
+                                                       .roll_mps2 = 0.30,
+                                                       .rolls_below = 0.67,
+                                                       .along_first = 0.75,
+                                                       .along_later = 0.95,
+                                                       .upwards = 0.5},
+                                                      {.slide_mps2 = 3.92,
+                                                       .roll_mps2 = 0.35,
+                                                       .rolls_below = 0.69,
+                                                       .along_first = 0.715,
+                                                       .along_later = 1.0,
+                                                       .upwards = 0.566},
+                                                      {.slide_mps2 = 3.0,
+                                                       .roll_mps2 = 0.26,
+                                                       .rolls_below = 0.667,
+                                                       .along_first = 0.8,
+                                                       .along_later = 0.85,
+                                                       .upwards = 0.47},
+                                                      {.slide_mps2 = 10.3,
+                                                       .roll_mps2 = 0.70,
+                                                       .rolls_below = 0.70,
+                                                       .along_first = 0.59,
+                                                       .along_later = 0.95,
+                                                       .upwards = 0.49}}};
 
 struct Kick {
   double time_s = 0;

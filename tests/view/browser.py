@@ -11,7 +11,7 @@ from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
 from selenium.webdriver.support.ui import WebDriverWait
 
-WAIT_S = 20
+WAIT_S = 120
 PHONE, DESKTOP, PROJECTOR = (390, 844), (1280, 800), (1920, 1080)
 PAPER = (718, 1040)  # A4 without margins, at 96 dpi
 
@@ -34,8 +34,8 @@ def start_browser():
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
     browser = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
-    browser.set_page_load_timeout(60)
-    browser.set_script_timeout(30)
+    browser.set_page_load_timeout(WAIT_S)
+    browser.set_script_timeout(WAIT_S)
     return browser
 
 

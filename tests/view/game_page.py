@@ -29,7 +29,7 @@ def played_game(autoref, scenario, page, log=None, **settings):
         check=True,
         capture_output=True,
         text=True,
-        timeout=120,
+        timeout=300,
     )
     return json.loads(done.stdout)
 

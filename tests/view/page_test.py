@@ -315,9 +315,8 @@ class EndsPageTest(GamePage):
             const turn = recording.yellowEnds.indexOf(1);
             let fastest = 0;
             for (let i = turn - 5; i < turn + 5; ++i) {
-              for (const robot of recording.robots) {
+              for (const robot of recording.robots)
                 fastest = Math.max(fastest, velocityAt(recording, robot, i)?.speed ?? 0);
-              }
             }
             return fastest;"""
         )
@@ -383,7 +382,7 @@ class ComparedPageTest(BrowserTest):
             check=True,
             capture_output=True,
             text=True,
-            timeout=120,
+            timeout=300,
         )
         cls.compared = json.loads(done.stdout)
         done = subprocess.run(
@@ -400,7 +399,7 @@ class ComparedPageTest(BrowserTest):
             check=True,
             capture_output=True,
             text=True,
-            timeout=120,
+            timeout=300,
         )
         cls.annotated = json.loads(done.stdout)
 

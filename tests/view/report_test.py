@@ -42,7 +42,7 @@ class ReportTest(BrowserTest):
             ["run", str(folder / "scenario.yaml"), "-o", str(folder / "results")],
             ["report", str(folder / "results")],
         ):
-            subprocess.run([AUTOREF, *words], check=True, capture_output=True, timeout=120)
+            subprocess.run([AUTOREF, *words], check=True, capture_output=True, timeout=300)
         cls.build = (folder / "results/report.md").read_text().split("| build | ")[1].split(" |")[0]
         # The page is alone in a folder, as if it had been received by mail.
         cls.page = folder / "alone" / "report.html"

@@ -82,17 +82,21 @@ TEST(CommandUpdate, AFlatKickHasItsWholeSpeedOverGround) {
 
 // At 45 degrees the speed over ground is the speed in space times the cosine of 45 degrees. The
 // first hop is 2 v_ground v_up / g long.
-TEST(CommandUpdate, AChipKickKeepsTheLengthOfItsFirstHop) {
-  for (const double angle_deg : {20.0, 45.0, 70.0}) {
-    CommandUpdate update;
-    update.kick_speed_mps = 5;
-    update.kick_angle_rad = to_radians(angle_deg);
-    const RobotCommand command = command_of(update, kNorth, {});
-    const double hop = std::sin(to_radians(angle_deg)) * std::cos(to_radians(angle_deg)) * 25;
-    EXPECT_TRUE(command.chip);
-    EXPECT_NEAR(command.kick_mps * command.kick_mps, hop, 1e-9) << angle_deg;
-  }
+class ChipKickAt : public testing::TestWithParam<int> {};  // angle in degrees
+
+TEST_P(ChipKickAt, KeepsTheLengthOfItsFirstHop) {
+  const double angle_rad = to_radians(GetParam());
+  CommandUpdate update;
+  update.kick_speed_mps = 5;
+  update.kick_angle_rad = angle_rad;
+  const RobotCommand command = command_of(update, kNorth, {});
+  EXPECT_TRUE(command.chip);
+  EXPECT_NEAR(command.kick_mps * command.kick_mps, std::sin(angle_rad) * std::cos(angle_rad) * 25,
+              1e-9);
 }
+
+INSTANTIATE_TEST_SUITE_P(Degrees, ChipKickAt, testing::Values(20, 45, 70),
+                         testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace autoref::league

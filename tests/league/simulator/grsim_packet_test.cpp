@@ -98,19 +98,21 @@ TEST(GrsimPacket, ReplacesRobotsAndBall) {
   EXPECT_EQ(teleport.vx_mps, 0.0);
 }
 
+// The code of the first error in the packet; empty if there is none.
+std::string grsim_error(const std::string& bytes) {
+  const GrsimPacket packet = read_grsim_packet(bytes, kSix);
+  return packet.commands.errors.empty() ? "" : packet.commands.errors.front().code;
+}
+
 TEST(GrsimPacket, WhatIsImpossibleIsAnError) {
-  const auto code = [](const std::string& bytes) {
-    const GrsimPacket packet = read_grsim_packet(bytes, kSix);
-    return packet.commands.errors.empty() ? "" : packet.commands.errors.front().code;
-  };
-  EXPECT_EQ(code("garbage"), "PACKET");
-  EXPECT_EQ(code(standing(true, 6).SerializeAsString()), "ROBOT_ID");
+  EXPECT_EQ(grsim_error("garbage"), "PACKET");
+  EXPECT_EQ(grsim_error(standing(true, 6).SerializeAsString()), "ROBOT_ID");
   grsim::Packet fast = standing(true, 0);
   fast.mutable_commands()->mutable_robot_commands(0)->set_veltangent(1e9F);
-  EXPECT_EQ(code(fast.SerializeAsString()), "NOT_FINITE");
+  EXPECT_EQ(grsim_error(fast.SerializeAsString()), "NOT_FINITE");
   grsim::Packet far_away;
   far_away.mutable_replacement()->mutable_ball()->set_x(1e9);
-  EXPECT_EQ(code(far_away.SerializeAsString()), "REPLACEMENT");
+  EXPECT_EQ(grsim_error(far_away.SerializeAsString()), "REPLACEMENT");
 }
 
 }  // namespace

@@ -75,13 +75,17 @@ TEST(RobotControl, ImpossibleNumbersAreErrors) {
   EXPECT_EQ(code_of(updates_of(control, 6)), "NOT_FINITE");
 }
 
+void expect_kick_angle_refused(float angle_deg) {
+  simulation::RobotControl control = local_velocity(0, 1, 0, 0);
+  control.mutable_robot_commands(0)->set_kick_angle(angle_deg);
+  EXPECT_EQ(code_of(updates_of(control, 6)), "ANGLE_VALUE") << angle_deg;
+  EXPECT_TRUE(updates_of(control, 6).updates.empty()) << angle_deg;
+}
+
 TEST(RobotControl, AKickAngleIsFromZeroToNinetyDegrees) {
-  for (const float angle_deg : {-1.0F, 90.5F, kNan}) {
-    simulation::RobotControl control = local_velocity(0, 1, 0, 0);
-    control.mutable_robot_commands(0)->set_kick_angle(angle_deg);
-    EXPECT_EQ(code_of(updates_of(control, 6)), "ANGLE_VALUE") << angle_deg;
-    EXPECT_TRUE(updates_of(control, 6).updates.empty());
-  }
+  expect_kick_angle_refused(-1);
+  expect_kick_angle_refused(90.5);
+  expect_kick_angle_refused(kNan);
 }
 
 TEST(RobotControl, GarbageIsAnError) {

@@ -45,17 +45,19 @@ TEST(SyncRequest, ContainsStepCommandsAndControl) {
   EXPECT_TRUE(request.commands.errors.empty());
 }
 
+// The code of the first error in the request; empty if there is none.
+std::string sync_error(const simulation::SimulationSyncRequest& message, std::optional<Side> side) {
+  const SyncRequest request = read_sync_request(message.SerializeAsString(), side, kRobots);
+  return request.commands.errors.empty() ? "" : request.commands.errors.front().code;
+}
+
 TEST(SyncRequest, WhatIsWrongIsAnErrorOfTheResponse) {
-  const auto code = [](const simulation::SimulationSyncRequest& message, std::optional<Side> side) {
-    const SyncRequest request = read_sync_request(message.SerializeAsString(), side, kRobots);
-    return request.commands.errors.empty() ? "" : request.commands.errors.front().code;
-  };
-  EXPECT_EQ(code(with_step(-1), Side::kWest), "STEP");
-  EXPECT_EQ(code(with_step(11), Side::kWest), "STEP");
+  EXPECT_EQ(sync_error(with_step(-1), Side::kWest), "STEP");
+  EXPECT_EQ(sync_error(with_step(11), Side::kWest), "STEP");
   simulation::SimulationSyncRequest commands = with_step(0.1F);
   commands.mutable_robot_control()->add_robot_commands()->set_id(9);
-  EXPECT_EQ(code(commands, Side::kWest), "ROBOT_ID");
-  EXPECT_EQ(code(commands, std::nullopt), "PACKET");
+  EXPECT_EQ(sync_error(commands, Side::kWest), "ROBOT_ID");
+  EXPECT_EQ(sync_error(commands, std::nullopt), "PACKET");
   EXPECT_EQ(read_sync_request("\x0d", Side::kWest, kRobots).commands.errors.front().code, "PACKET");
 }
 

@@ -72,6 +72,6 @@ def are_answered(counts, teams=2):
 
 def counted(program):
     """What a program printed when the game was over."""
-    output, _ = program.communicate(timeout=60)
+    output, _ = program.communicate(timeout=LONGEST_S)
     assert program.returncode == 0, f"{program.args} failed"
     return json.loads(output)

@@ -21,10 +21,10 @@ StagedMachine in_2026(State state = State::kRun) {
 // "Every third foul of the same team results in a yellow card" (2026).
 TEST(TransitionMultipleFouls, IsTakenAtTheThirdFoulWithoutStoppingPlay) {
   StagedMachine game = in_2026();
-  for (int i = 0; i < 2; ++i) {
-    EXPECT_EQ(game.foul(Side::kEast), "bot_crash_unique");
-    EXPECT_EQ(game.look_for_cards(), "");
-  }
+  EXPECT_EQ(game.foul(Side::kEast), "bot_crash_unique");
+  EXPECT_EQ(game.look_for_cards(), "");
+  game.foul(Side::kEast);
+  EXPECT_EQ(game.look_for_cards(), "");
   game.foul(Side::kEast);
   EXPECT_EQ(game.look_for_cards(), "multiple_fouls");
   EXPECT_EQ(game.state.machine_state, State::kRun);
@@ -42,14 +42,15 @@ TEST(TransitionMultipleFouls, IsTakenOnceForThreeFouls) {
 
 TEST(TransitionMultipleFouls, CountsEachSidesFoulsSeparately) {
   StagedMachine game = in_2026();
-  for (const Side side : {Side::kWest, Side::kEast, Side::kWest, Side::kEast}) game.foul(side);
+  game.fouls(Side::kWest, 2);
+  game.fouls(Side::kEast, 2);
   EXPECT_EQ(game.look_for_cards(), "");
 }
 
 // A drawn crash may be the third foul of both sides; then both get the card at once.
 TEST(TransitionMultipleFouls, IsTakenForBothSidesAtOnce) {
   StagedMachine game = in_2026();
-  for (int i = 0; i < 3; ++i) game.foul(std::nullopt);
+  game.fouls(std::nullopt, 3);
   EXPECT_EQ(game.look_for_cards(), "multiple_fouls");
   EXPECT_EQ(game.state.signal.yellow_cards, (PerSide<int>{{1, 1}}));
   EXPECT_EQ(game.look_for_cards(), "");
@@ -57,7 +58,7 @@ TEST(TransitionMultipleFouls, IsTakenForBothSidesAtOnce) {
 
 TEST(TransitionMultipleFoulsStopped, IsTakenWhilePlayIsStopped) {
   StagedMachine game = in_2026(State::kWaitStop);
-  for (int i = 0; i < 3; ++i) game.foul(Side::kWest);
+  game.fouls(Side::kWest, 3);
   EXPECT_EQ(game.look_for_cards(), "multiple_fouls");
   EXPECT_EQ(game.state.machine_state, State::kWaitStop);
   EXPECT_EQ(game.state.signal.robots_allowed, (PerSide<int>{{5, 6}}));
@@ -68,7 +69,7 @@ TEST(TransitionMultipleFoulsStopped, IsTakenWhilePlayIsStopped) {
 TEST(TransitionMultipleCards, IsTakenForTheThirdActiveYellowCard) {
   StagedMachine game = in_2026();
   game.fouls_for_cards(Side::kWest, 2);
-  for (int i = 0; i < 3; ++i) game.foul(Side::kWest);
+  game.fouls(Side::kWest, 3);
   EXPECT_EQ(game.look_for_cards(), "multiple_cards");
   EXPECT_EQ(game.state.signal.yellow_cards[Side::kWest], 2);
   EXPECT_EQ(game.state.signal.red_cards, (PerSide<int>{{1, 0}}));
@@ -95,7 +96,7 @@ TEST(TransitionMultipleCards, LastsForTheRestOfTheGame) {
 TEST(TransitionMultipleCardsStopped, IsTakenWhilePlayIsStopped) {
   StagedMachine game = in_2026(State::kWaitStop);
   game.fouls_for_cards(Side::kEast, 2);
-  for (int i = 0; i < 3; ++i) game.foul(Side::kEast);
+  game.fouls(Side::kEast, 3);
   EXPECT_EQ(game.look_for_cards(), "multiple_cards");
   EXPECT_EQ(game.state.signal.red_cards, (PerSide<int>{{0, 1}}));
 }

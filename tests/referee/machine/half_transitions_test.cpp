@@ -37,20 +37,24 @@ TEST(TransitionNextHalf, WaitsForTheBreakThenPreparesTheOtherTeamsKickOff) {
   EXPECT_EQ(game.signal.stage, Stage::kSecondHalf);
 }
 
-TEST(TransitionNextHalf, ChangesEndsAfterTheBreakIfTheRuleBookSaysSo) {
-  for (const bool change_ends : {false, true}) {
-    Configuration configuration = short_game();
-    configuration.rules.change_ends = change_ends;
-    configuration.break_s = 3;
-    ScriptedGame game(configuration);
-    game.line_up().kick_off();
-    EXPECT_TRUE(game.run_until("half_over").blue_on_positive_half);
-    game.run(2.9);
-    EXPECT_TRUE(game.signal.blue_on_positive_half);
-    EXPECT_EQ(game.run_until("next_half").blue_on_positive_half, !change_ends);
-    EXPECT_EQ(game.signal.blue_on_positive_half, !change_ends);
-  }
+class TransitionNextHalfWhere : public testing::TestWithParam<bool> {};  // teams change ends
+
+TEST_P(TransitionNextHalfWhere, ChangesEndsAfterTheBreakIfTheRuleBookSaysSo) {
+  Configuration configuration = short_game();
+  configuration.rules.change_ends = GetParam();
+  configuration.break_s = 3;
+  ScriptedGame game(configuration);
+  game.line_up().kick_off();
+  EXPECT_TRUE(game.run_until("half_over").blue_on_positive_half);
+  game.run(2.9);
+  EXPECT_TRUE(game.signal.blue_on_positive_half);
+  EXPECT_EQ(game.run_until("next_half").blue_on_positive_half, !GetParam());
+  EXPECT_EQ(game.signal.blue_on_positive_half, !GetParam());
 }
+
+INSTANTIATE_TEST_SUITE_P(Teams, TransitionNextHalfWhere, testing::Bool(), [](const auto& test) {
+  return test.param ? "ChangeEnds" : "KeepTheirEnds";
+});
 
 TEST(TransitionGameOver, HaltsPermanentlyAfterTheLastHalf) {
   ScriptedGame game(short_game());

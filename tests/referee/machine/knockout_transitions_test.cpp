@@ -39,12 +39,12 @@ TEST(TransitionExtraTime, FollowsADrawOfTwoHalves) {
 
 TEST(TransitionExtraTime, HasTwoHalvesWithTheirOwnLength) {
   ScriptedGame game = drawn_after_two_halves();
-  for (const Stage stage : {Stage::kExtraFirstHalf, Stage::kExtraSecondHalf}) {
-    const double began_s = game.run_until("start").time_s;
-    EXPECT_EQ(game.signal.stage, stage);
-    const bool is_first = stage == Stage::kExtraFirstHalf;
-    EXPECT_NEAR(game.run_until(is_first ? "half_over" : "shootout").time_s, began_s + 4, 1e-6);
-  }
+  const double first_s = game.run_until("start").time_s;
+  EXPECT_EQ(game.signal.stage, Stage::kExtraFirstHalf);
+  EXPECT_NEAR(game.run_until("half_over").time_s, first_s + 4, 1e-6);
+  const double second_s = game.run_until("start").time_s;
+  EXPECT_EQ(game.signal.stage, Stage::kExtraSecondHalf);
+  EXPECT_NEAR(game.run_until("shootout").time_s, second_s + 4, 1e-6);
 }
 
 TEST(TransitionExtraTime, ChangesEndsBeforeEachHalfButNotForTheShootout) {
@@ -170,16 +170,24 @@ TEST(TransitionShootoutMiss, FollowsABallThatTheKeeperTurnsBack) {
   const double keeper_x_m = touched_x_m + kBallRadius_m + kFrontDistance_m + 0.001;
   game.robot(Side::kEast, 0) = {0, Vec2(keeper_x_m, 0), Vec2(-1, 0)};
   game.kick(Side::kWest, 1, {4, 0});
-  for (int i = 0; i < 7; ++i) game.step();
+  game.run(7 / ScriptedGame::kRate_hz);
   EXPECT_EQ(game.count("shootout_miss"), 0);
   game.ball_mps = Vec2(-2, 0);
   game.run_until("shootout_miss", 0.5);
 }
 
+// Each side takes that many kicks, beginning with the first.
+void shoot_in_turn(ScriptedGame& game, int kicks, bool first_scores, bool second_scores) {
+  for (int i = 0; i < kicks; ++i) {
+    shoot(game, first_scores);
+    shoot(game, second_scores);
+  }
+}
+
 // The remaining kicks cannot change the winner: 3 to 0 after three of five kicks each.
 TEST(TransitionShootoutOver, IsTakenAsSoonAsTheWinnerIsCertain) {
   ScriptedGame game = in_shootout();
-  for (int i = 0; i < 6; ++i) shoot(game, i % 2 == 0);
+  shoot_in_turn(game, 3, true, false);
   const Decision over = game.run_until("shootout_over", 1);
   EXPECT_EQ(over.to, State::kOver);
   EXPECT_EQ(game.signal.stage, Stage::kPostGame);
@@ -188,7 +196,7 @@ TEST(TransitionShootoutOver, IsTakenAsSoonAsTheWinnerIsCertain) {
 
 TEST(TransitionShootoutOver, IsTakenAfterOneMoreEachIfFiveDoNotDecide) {
   ScriptedGame game = in_shootout();
-  for (int i = 0; i < 10; ++i) shoot(game, false);
+  shoot_in_turn(game, 5, false, false);
   shoot(game, true);
   game.run(0.5);
   EXPECT_FALSE(game.referee.is_over());  // the other side still has its sixth kick
@@ -200,7 +208,7 @@ TEST(TransitionShootoutOverNext, LeadsToTheNextGame) {
   Configuration configuration = knockout();
   configuration.after_game = AfterGame::kNewGame;
   ScriptedGame game = in_shootout(configuration);
-  for (int i = 0; i < 6; ++i) shoot(game, i % 2 == 1);
+  shoot_in_turn(game, 3, false, true);
   EXPECT_EQ(game.run_until("shootout_over_next").to, State::kDelayWait);
   game.run_until("new_game", 0.1);
   EXPECT_FALSE(game.referee.shootout_goals().has_value());
@@ -224,11 +232,12 @@ TEST(Shootout, StaysAPenaltyKickForTheTeamsAfterTheBallHasMoved) {
   SituationTracker tracker{RuleBook{}};
   RefereeSignal signal;
   signal.stage = Stage::kShootout;
-  for (const CommandKind kind : {CommandKind::kPreparePenalty, CommandKind::kNormalStart}) {
-    signal.command = {kind, Side::kWest};
-    ++signal.command_counter;
-    tracker.update(signal, Vec2(2, 0));
-  }
+  signal.command = {CommandKind::kPreparePenalty, Side::kWest};
+  signal.command_counter = 1;
+  tracker.update(signal, Vec2(2, 0));
+  signal.command = {CommandKind::kNormalStart, Side::kWest};
+  signal.command_counter = 2;
+  tracker.update(signal, Vec2(2, 0));
   EXPECT_EQ(tracker.update(signal, Vec2(2.5, 0)).play, Play::kPenalty);
 }
 

@@ -38,6 +38,10 @@ class StagedMachine {
     return put(finding);
   }
 
+  void fouls(std::optional<Side> offender, int count) {
+    for (int i = 0; i < count; ++i) foul(offender);
+  }
+
   // Looks for cards as the referee does. Returns the label of the last transition taken.
   std::string_view look_for_cards() { return look_for(kCardsRule); }
 

@@ -50,7 +50,7 @@ TEST(TransitionTimeout, IsNotTakenBeforeTheFirstKickOff) {
 
 TEST(TransitionTimeout, IsGrantedFirstToTheSideThatTakesTheRestart) {
   ScriptedGame game = stopped_for_throw_in();
-  for (const Side side : kSides) game.requests[side].timeout = true;
+  game.requests[Side::kWest].timeout = game.requests[Side::kEast].timeout = true;
   const Decision first = game.run_until("timeout", 0.1);
   EXPECT_EQ(first.command, (Command{CommandKind::kTimeout, Side::kEast}));
   game.requests[Side::kEast].timeout = false;
@@ -74,38 +74,48 @@ TEST(TransitionTimeout, BeforeAForceStartIsGrantedFirstToTheSideThatHasUsedLess)
   game.run(1);
   game.requests[Side::kEast].timeout = false;
   game.run_until("timeout_over");
-  for (const Side side : kSides) game.requests[side].timeout = true;
+  game.requests[Side::kWest].timeout = game.requests[Side::kEast].timeout = true;
   EXPECT_EQ(game.run_until("timeout", 0.1).command, (Command{CommandKind::kTimeout, Side::kWest}));
 }
 
 TEST(TransitionTimeout, BeforeAForceStartIsGrantedFirstToTheSideThatDidNotKickOff) {
   ScriptedGame game = before_force_start();
-  for (const Side side : kSides) game.requests[side].timeout = true;
+  game.requests[Side::kWest].timeout = game.requests[Side::kEast].timeout = true;
   EXPECT_EQ(game.run_until("timeout", 0.1).command, (Command{CommandKind::kTimeout, Side::kEast}));
 }
 
-TEST(TransitionTimeout, IsTakenFourTimesByATeam) {
-  ScriptedGame game = stopped_for_throw_in();
-  for (int i = 0; i < 6; ++i) {
+// West requests that many timeouts, one after the other.
+void request_timeouts(ScriptedGame& game, int count) {
+  for (int i = 0; i < count; ++i) {
     game.requests[Side::kWest].timeout = true;
     game.run(0.1);
     game.requests[Side::kWest].timeout = false;
     game.run(0.1);
   }
+}
+
+TEST(TransitionTimeout, IsTakenFourTimesByATeam) {
+  ScriptedGame game = stopped_for_throw_in();
+  request_timeouts(game, 6);
   EXPECT_EQ(game.count("timeout"), 4);
 }
 
 // Double size in 2014 allows six timeouts with 450 s in total; 2026 allows as many as single size.
+// How long a timeout lasts that nobody ends; nobody gets another one.
+double timeout_by_s(const char* book) {
+  ScriptedGame game = stopped_for_throw_in(with_timeouts(book));
+  game.requests[Side::kWest].timeout = true;
+  const double began_s = game.run_until("timeout").time_s;
+  const double ended_s = game.run_until("timeout_over", 500).time_s;
+  game.run(5);
+  EXPECT_EQ(game.count("timeout"), 1) << book;
+  return ended_s - began_s;
+}
+
 TEST(TransitionTimeout, LastsAsLongAsTheBookAllows) {
-  for (const auto& [book, longest_s] :
-       {std::pair("2014", 300.0), std::pair("2014-double", 450.0), std::pair("2026-b", 300.0)}) {
-    ScriptedGame game = stopped_for_throw_in(with_timeouts(book));
-    game.requests[Side::kWest].timeout = true;
-    const double began_s = game.run_until("timeout").time_s;
-    EXPECT_NEAR(game.run_until("timeout_over", 500).time_s, began_s + longest_s, 1e-6) << book;
-    game.run(5);
-    EXPECT_EQ(game.count("timeout"), 1) << book;
-  }
+  EXPECT_NEAR(timeout_by_s("2014"), 300, 1e-6);
+  EXPECT_NEAR(timeout_by_s("2014-double"), 450, 1e-6);
+  EXPECT_NEAR(timeout_by_s("2026-b"), 300, 1e-6);
 }
 
 TEST(TransitionTimeoutOver, ContinuesWithTheSameRestart) {

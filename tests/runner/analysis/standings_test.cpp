@@ -12,51 +12,60 @@ namespace autoref::runner {
 namespace {
 
 struct Score {
-  const char* team_a;
-  const char* team_b;
-  int pair;
-  int leg;
-  int a;
-  int b;
+  int a = 0;
+  int b = 0;
   EndReason end = EndReason::kTime;
 };
 
-RoundRobin robin_with(const std::vector<Score>& scores) {
+// The scores of two teams in the legs of their only pair of games.
+struct Encounter {
+  const char* team_a;
+  const char* team_b;
+  std::vector<Score> legs;
+};
+
+RoundRobin robin_with(const std::vector<Encounter>& encounters) {
   RoundRobin robin;
-  for (const Score& score : scores) {
-    robin.teams[score.team_a];
-    robin.teams[score.team_b];
+  for (const Encounter& encounter : encounters) {
+    robin.teams[encounter.team_a];
+    robin.teams[encounter.team_b];
   }
   return robin;
 }
 
-std::vector<Group> matchups_in(const std::vector<Score>& scores) {
-  RowsById rows;
-  for (const Score& score : scores) {
-    GameRow row;
-    GameRecord& record = row.record;
-    record.goals_a = score.a;
-    record.goals_b = score.b;
-    record.end_reason = score.end;
-    if (score.end == EndReason::kVoid) record.status = Status::kVoid;
-    if (score.end == EndReason::kShootout) record.shootout = {{2, 3}};
-    row.pair = score.pair;
-    row.leg = score.leg;
-    row.team_a = score.team_a;
-    row.team_b = score.team_b;
-    rows[fmt::format("game {:03}", rows.size())] = row;
-  }
-  return grouped(matchups_of(robin_with(scores)), rows);
+GameRow row_of(const Encounter& encounter, std::size_t leg) {
+  const Score& score = encounter.legs[leg];
+  GameRow row;
+  GameRecord& record = row.record;
+  record.goals_a = score.a;
+  record.goals_b = score.b;
+  record.end_reason = score.end;
+  if (score.end == EndReason::kVoid) record.status = Status::kVoid;
+  if (score.end == EndReason::kShootout) record.shootout = {{2, 3}};
+  row.pair = 1;
+  row.leg = static_cast<int>(leg) + 1;
+  row.team_a = encounter.team_a;
+  row.team_b = encounter.team_b;
+  return row;
 }
 
-std::vector<Standing> standings_in(const std::vector<Score>& scores) {
-  return standings_of(matchups_in(scores));
+std::vector<Group> matchups_in(const std::vector<Encounter>& encounters) {
+  RowsById rows;
+  for (const Encounter& encounter : encounters) {
+    for (std::size_t leg = 0; leg < encounter.legs.size(); ++leg)
+      rows[fmt::format("game {:03}", rows.size())] = row_of(encounter, leg);
+  }
+  return grouped(matchups_of(robin_with(encounters)), rows);
+}
+
+std::vector<Standing> standings_in(const std::vector<Encounter>& encounters) {
+  return standings_of(matchups_in(encounters));
 }
 
 // Bold beats calm 2:0 and 1:0, draws 1:1 with and loses 0:1 to zone; calm and zone draw 0:0 twice.
-const std::vector<Score> kThreeTeams = {{"bold", "calm", 1, 1, 2, 0}, {"bold", "calm", 1, 2, 1, 0},
-                                        {"bold", "zone", 1, 1, 1, 1}, {"bold", "zone", 1, 2, 0, 1},
-                                        {"calm", "zone", 1, 1, 0, 0}, {"calm", "zone", 1, 2, 0, 0}};
+const std::vector<Encounter> kThreeTeams = {{"bold", "calm", {{2, 0}, {1, 0}}},
+                                            {"bold", "zone", {{1, 1}, {0, 1}}},
+                                            {"calm", "zone", {{0, 0}, {0, 0}}}};
 
 TEST(Standings, GivesThreePointsForAWinAndOneForADraw) {
   const std::vector<Standing> standings = standings_in(kThreeTeams);
@@ -81,7 +90,7 @@ TEST(Standings, CountsGoalsForAndAgainstEachTeam) {
 
 TEST(Standings, RanksEqualPointsByGoalDifferenceThenByName) {
   const std::vector<Standing> standings =
-      standings_in({{"b", "d", 1, 1, 1, 0}, {"c", "d", 1, 1, 3, 0}, {"a", "d", 1, 1, 1, 0}});
+      standings_in({{"b", "d", {{1, 0}}}, {"c", "d", {{3, 0}}}, {"a", "d", {{1, 0}}}});
   ASSERT_EQ(standings.size(), 4U);
   EXPECT_EQ(standings[0].team, "c");
   EXPECT_EQ(standings[1].team, "a");
@@ -90,7 +99,7 @@ TEST(Standings, RanksEqualPointsByGoalDifferenceThenByName) {
 
 TEST(Standings, LeavesVoidGamesAndTheirPairsOut) {
   const std::vector<Standing> standings =
-      standings_in({{"a", "b", 1, 1, 3, 1}, {"a", "b", 1, 2, 9, 0, EndReason::kVoid}});
+      standings_in({{"a", "b", {{3, 1}, {9, 0, EndReason::kVoid}}}});
   EXPECT_EQ(standings[0].games(), 1);
   EXPECT_EQ(standings[0].void_games, 1);
   EXPECT_EQ(standings[1].void_games, 1);
@@ -99,13 +108,13 @@ TEST(Standings, LeavesVoidGamesAndTheirPairsOut) {
 
 TEST(Standings, CountsAForfeitAsALossWhateverTheScore) {
   const std::vector<Standing> standings =
-      standings_in({{"a", "b", 1, 1, 3, 0, EndReason::kForfeitA}});
+      standings_in({{"a", "b", {{3, 0, EndReason::kForfeitA}}}});
   EXPECT_EQ(standings[0].team, "b");
   EXPECT_EQ(standings[0].points(), 3);
 }
 
 TEST(Standings, CountsAShootOutWinAsAWin) {
-  const std::vector<Group> matchups = matchups_in({{"a", "b", 1, 1, 1, 1, EndReason::kShootout}});
+  const std::vector<Group> matchups = matchups_in({{"a", "b", {{1, 1, EndReason::kShootout}}}});
   EXPECT_EQ(matchups[0].wins_b, 1);
   EXPECT_EQ(matchups[0].draws, 0);
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 
 #include "runner/io/csv.hpp"
@@ -12,27 +11,38 @@
 namespace autoref::runner {
 namespace {
 
-struct FakeScore {
-  int pair;
-  int leg;
-  const char* robots;
-  int a;
-  int b;
+struct FakeLeg {
+  int goals_a = 0;
+  int goals_b = 0;
   bool is_void = false;
 };
 
-std::vector<Group> groups_of(const std::vector<FakeScore>& scores) {
+FakeLeg void_leg(int goals_a, int goals_b) { return {goals_a, goals_b, true}; }
+
+// The legs of a pair of games with that number of robots.
+struct FakePair {
+  const char* robots;
+  int pair;
+  std::vector<FakeLeg> legs;
+};
+
+GameRow row_of_leg(const FakePair& pair, std::size_t leg) {
+  const FakeLeg& score = pair.legs[leg];
+  GameRow row;
+  row.record.goals_a = score.goals_a;
+  row.record.goals_b = score.goals_b;
+  row.record.status = score.is_void ? Status::kVoid : Status::kOk;
+  row.pair = pair.pair;
+  row.leg = static_cast<int>(leg) + 1;
+  row.values = {pair.robots};
+  return row;
+}
+
+std::vector<Group> groups_of(const std::vector<FakePair>& pairs) {
   RowsById rows;
-  for (const FakeScore& score : scores) {
-    GameRow row;
-    GameRecord& record = row.record;
-    record.goals_a = score.a;
-    record.goals_b = score.b;
-    record.status = score.is_void ? Status::kVoid : Status::kOk;
-    row.pair = score.pair;
-    row.leg = score.leg;
-    row.values = {score.robots};
-    rows[fmt::format("game {:03}", rows.size())] = row;
+  for (const FakePair& pair : pairs) {
+    for (std::size_t leg = 0; leg < pair.legs.size(); ++leg)
+      rows[fmt::format("game {:03}", rows.size())] = row_of_leg(pair, leg);
   }
   return grouped(std::get<Sweep>(small_sweep().content), rows);
 }
@@ -41,7 +51,7 @@ const Sweep kSmallSweep = std::get<Sweep>(small_sweep().content);
 
 TEST(Summary, AveragesDifferencesOverThePairOfLegs) {
   const std::vector<Group> groups =
-      groups_of({{1, 1, "6", 3, 1}, {1, 2, "6", 1, 1}, {2, 1, "6", 0, 2}, {2, 2, "6", 0, 4}});
+      groups_of({{"6", 1, {{3, 1}, {1, 1}}}, {"6", 2, {{0, 2}, {0, 4}}}});
   EXPECT_EQ(groups[0].differences, (std::vector<double>{2, 0, -2, -4}));
   EXPECT_EQ(groups[0].pair_differences, (DifferenceByPair{{1, 1}, {2, -3}}));
   EXPECT_TRUE(groups[1].differences.empty());
@@ -49,7 +59,7 @@ TEST(Summary, AveragesDifferencesOverThePairOfLegs) {
 
 TEST(Summary, LeavesVoidGamesAndTheirPairsOut) {
   const std::vector<Group> groups =
-      groups_of({{1, 1, "6", 3, 1}, {1, 2, "6", 9, 9, true}, {2, 1, "6", 2, 0}, {2, 2, "6", 1, 1}});
+      groups_of({{"6", 1, {{3, 1}, void_leg(9, 9)}}, {"6", 2, {{2, 0}, {1, 1}}}});
   EXPECT_EQ(groups[0].void_games, 1);
   EXPECT_EQ(groups[0].differences.size(), 3U);
   EXPECT_EQ(groups[0].pair_differences, (DifferenceByPair{{2, 1}}));
@@ -57,7 +67,7 @@ TEST(Summary, LeavesVoidGamesAndTheirPairsOut) {
 
 TEST(Summary, HasARowPerValueWithMeansAndDeviations) {
   const std::vector<Group> groups =
-      groups_of({{1, 1, "6", 1, 1}, {1, 2, "6", 3, 1}, {1, 1, "5", 4, 0}, {1, 2, "5", 4, 0}});
+      groups_of({{"6", 1, {{1, 1}, {3, 1}}}, {"5", 1, {{4, 0}, {4, 0}}}});
   // The standard deviation of 1 and 3 is sqrt(2).
   EXPECT_EQ(summary_csv(kSmallSweep, groups),
             "b.robots,games,void_games,mean_a,sd_a,mean_b,sd_b,mean_diff,sd_diff,pairs,diff_low95,"
@@ -73,23 +83,17 @@ TEST(Summary, HasARowPerValueWithMeansAndDeviations) {
 
 TEST(Summary, FitsTheSlopeOverThePairs) {
   const std::vector<Group> groups =
-      groups_of({{1, 1, "6", 1, 1}, {1, 2, "6", 3, 1}, {1, 1, "5", 4, 0}, {1, 2, "5", 4, 0}});
+      groups_of({{"6", 1, {{1, 1}, {3, 1}}}, {"5", 1, {{4, 0}, {4, 0}}}});
   EXPECT_NEAR(slope_over_factor(kSmallSweep, groups).value().mean, -3.0, 1e-12);
 }
 
 TEST(Summary, ComputesTheSlopesIntervalOverPairNumbers) {
-  const std::vector<Group> groups = groups_of({{1, 1, "6", 1, 0},
-                                               {1, 2, "6", 1, 0},
-                                               {2, 1, "6", 9, 0},
-                                               {2, 2, "6", 9, 0},
-                                               {3, 1, "6", 5, 0},
-                                               {3, 2, "6", 5, 0},
-                                               {1, 1, "5", 4, 0},
-                                               {1, 2, "5", 4, 0},
-                                               {2, 1, "5", 10, 0},
-                                               {2, 2, "5", 10, 0},
-                                               {3, 1, "5", 7, 0},
-                                               {3, 2, "5", 7, 0}});
+  const std::vector<Group> groups = groups_of({{"6", 1, {{1, 0}, {1, 0}}},
+                                               {"6", 2, {{9, 0}, {9, 0}}},
+                                               {"6", 3, {{5, 0}, {5, 0}}},
+                                               {"5", 1, {{4, 0}, {4, 0}}},
+                                               {"5", 2, {{10, 0}, {10, 0}}},
+                                               {"5", 3, {{7, 0}, {7, 0}}}});
   const Slope slope = slope_over_factor(kSmallSweep, groups).value();
   EXPECT_NEAR(slope.mean, -2.0, 1e-12);
   // Slopes -3, -1, -2: standard deviation 1, t(0.975, 2) = 4.302653 from tables.
@@ -98,14 +102,10 @@ TEST(Summary, ComputesTheSlopesIntervalOverPairNumbers) {
 }
 
 TEST(Summary, LeavesAPairNumberWithAVoidLegOutOfTheSlope) {
-  const std::vector<Group> groups = groups_of({{1, 1, "6", 1, 0},
-                                               {1, 2, "6", 1, 0},
-                                               {2, 1, "6", 9, 0},
-                                               {2, 2, "6", 9, 0, true},
-                                               {1, 1, "5", 4, 0},
-                                               {1, 2, "5", 4, 0},
-                                               {2, 1, "5", 10, 0},
-                                               {2, 2, "5", 10, 0}});
+  const std::vector<Group> groups = groups_of({{"6", 1, {{1, 0}, {1, 0}}},
+                                               {"6", 2, {{9, 0}, void_leg(9, 0)}},
+                                               {"5", 1, {{4, 0}, {4, 0}}},
+                                               {"5", 2, {{10, 0}, {10, 0}}}});
   const Slope slope = slope_over_factor(kSmallSweep, groups).value();
   EXPECT_NEAR(slope.mean, -3.0, 1e-12);
   EXPECT_FALSE(slope.interval);
@@ -126,23 +126,20 @@ TEST(Summary, DoesNotFitASlopeOverNamesOrSeveralFactors) {
 // = 2 sqrt(3); with two degrees of freedom, the two-sided p is 0.0742 (scipy.stats.ttest_1samp([3,
 // 1, 2], 0)).
 TEST(SummaryTable, ComparesEachValueWithTheFirst) {
-  std::vector<FakeScore> scores;
-  for (const auto& [pair, six, five] : {std::array{1, 1, 4}, {2, 5, 6}, {3, 0, 2}}) {
-    for (const int leg : {1, 2}) {
-      scores.push_back({pair, leg, "6", six, 0});
-      scores.push_back({pair, leg, "5", five, 0});
-    }
-  }
-  const std::string table = summary_table(kSmallSweep, groups_of(scores));
+  const std::vector<Group> groups = groups_of({{"6", 1, {{1, 0}, {1, 0}}},
+                                               {"6", 2, {{5, 0}, {5, 0}}},
+                                               {"6", 3, {{0, 0}, {0, 0}}},
+                                               {"5", 1, {{4, 0}, {4, 0}}},
+                                               {"5", 2, {{6, 0}, {6, 0}}},
+                                               {"5", 3, {{2, 0}, {2, 0}}}});
+  const std::string table = summary_table(kSmallSweep, groups);
   EXPECT_NE(table.find("+2.00 [-0.48, +4.48]   0.074\n"), std::string::npos) << table;
 }
 
 TEST(SummaryTable, HasScoresDifferencesAndVoidGames) {
-  const std::string table = summary_table(kSmallSweep, groups_of({{1, 1, "6", 1, 1},
-                                                                  {1, 2, "6", 3, 1},
-                                                                  {2, 1, "6", 1, 1},
-                                                                  {2, 2, "6", 1, 1},
-                                                                  {1, 1, "5", 4, 0, true}}));
+  const std::string table = summary_table(kSmallSweep, groups_of({{"6", 1, {{1, 1}, {3, 1}}},
+                                                                  {"6", 2, {{1, 1}, {1, 1}}},
+                                                                  {"5", 1, {void_leg(4, 0)}}}));
   // The pairs' differences are 1 and 0: mean 0.5, t(0.975, 1) = 12.706, standard error 0.5.
   EXPECT_NE(table.find("+0.50 [-5.85, +6.85]"), std::string::npos) << table;
   EXPECT_NE(table.find("1.50 ± 1.00"), std::string::npos) << table;

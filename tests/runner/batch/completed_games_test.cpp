@@ -19,7 +19,8 @@ std::vector<ScheduledGame> scheduled_games() {
 GameRow rows_played(const ScheduledGame& game, const GameRecord& record, const std::string& build) {
   GameRow row = row_of(game);
   row.record = record;
-  row.circumstances = {build, "host", "cpu", 1.0, 1, "0/1"};
+  row.circumstances.build = build;
+  row.circumstances.wall_s = 1;
   return row;
 }
 

@@ -34,7 +34,8 @@ inline GameRecord fake_tuned_game(const GameConfiguration& game) {
 inline Scenario small_tuning(const std::string& name) {
   Tuning tuning;
   tuning.team.strategy = "cobalt";
-  tuning.parameters = {{"pass_risk", 0, 1, 0.25, 0.2, false}, {"width", 0.2, 1, 0.6, 0.2, false}};
+  tuning.parameters = {{.name = "pass_risk", .from = 0, .to = 1, .start = 0.25, .step = 0.2},
+                       {.name = "width", .from = 0.2, .to = 1, .start = 0.6, .step = 0.2}};
   if (name != "self") tuning.opponents["other"].strategy = "zone";
   if (name == "cma_es") tuning.method = kCmaEsName;
   tuning.iterations = 12;

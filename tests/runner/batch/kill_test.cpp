@@ -6,6 +6,7 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
+#include <functional>
 #include <thread>
 
 #include "tests/runner/batch/fake_games.hpp"
@@ -30,15 +31,19 @@ int result_rows_in(const std::filesystem::path& path) {
   return lines;
 }
 
-// Runs the experiment in a process and kills the process once `pids` has two lines, or after 30 s.
+// Looks at a condition every 10 ms until it holds, for a minute at most.
+void wait_until(const std::function<bool()>& holds) {
+  for (int i = 0; i < 6000 && !holds(); ++i) std::this_thread::sleep_for(milliseconds(10));
+}
+
+// Runs the experiment in a process and kills the process once `pids` has two lines.
 void run_and_kill(const ExperimentOptions& options, const std::filesystem::path& pids) {
   const pid_t child = fork();
   if (child == 0) {
     run_experiment(small_sweep(20), options);
     _exit(0);
   }
-  for (int i = 0; i < 3000 && result_rows_in(pids) < 2; ++i)
-    std::this_thread::sleep_for(milliseconds(10));
+  wait_until([&] { return result_rows_in(pids) >= 2; });
   kill(child, SIGKILL);
   waitpid(child, nullptr, 0);
 }
@@ -55,14 +60,14 @@ TEST(KilledRun, EndsItsWorkers) {
   ExperimentOptions options = slow_options(folder / "run");
   options.play = [&folder](const GameConfiguration& game) {
     write_content(folder / "pids", std::to_string(getpid()) + "\n", std::ios::app);
-    std::this_thread::sleep_for(std::chrono::seconds(60));
+    std::this_thread::sleep_for(std::chrono::hours(1));
     return fake_game(game);
   };
   run_and_kill(options, folder / "pids");
   std::ifstream pids(folder / "pids");
   int workers = 0;
   for (std::string pid; std::getline(pids, pid); ++workers) {
-    for (int i = 0; i < 200 && is_running(pid); ++i) std::this_thread::sleep_for(milliseconds(10));
+    wait_until([&] { return !is_running(pid); });
     EXPECT_FALSE(is_running(pid)) << pid;
   }
   EXPECT_EQ(workers, 2);

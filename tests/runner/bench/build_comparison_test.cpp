@@ -24,11 +24,11 @@ std::string printing(const std::string& hash) {
   return R"(echo '{"status": "ok", "sim_s": 10, "state_hash": ")" + hash + R"("}')";
 }
 
-std::string failure_of(const std::string& script) {
+std::string failure_of(const std::string& script, double longest_game_s = 600) {
   const TemporaryFolder folder;
   const std::string program = stand_in(folder, "program", script);
   try {
-    compare_builds(program, program, {.rounds = 6, .longest_game_s = 0.5});
+    compare_builds(program, program, {.rounds = 6, .longest_game_s = longest_game_s});
   } catch (const InputError& error) {
     EXPECT_EQ(error.location().file, program);
     return error.what();
@@ -65,8 +65,9 @@ TEST(CompareBuilds, KnowsWhetherTheGamesAreTheSame) {
 TEST(CompareBuilds, NamesTheProgramThatFails) {
   EXPECT_NE(failure_of("echo hello").find("found 'hello"), std::string::npos);
   EXPECT_NE(failure_of("exit 3").find("code 3"), std::string::npos);
-  EXPECT_NE(failure_of("exec sleep 100").find("took longer than 0.5 s"), std::string::npos);
-  EXPECT_NE(failure_of("exec sleep 100 >&-").find("took longer than 0.5 s"), std::string::npos);
+  EXPECT_NE(failure_of("exec sleep 1000", 0.5).find("took longer than 0.5 s"), std::string::npos);
+  EXPECT_NE(failure_of("exec sleep 1000 >&-", 0.5).find("took longer than 0.5 s"),
+            std::string::npos);
   EXPECT_THROW(compare_builds("/nonexistent/autoref", "x", {}), InputError);
 }
 

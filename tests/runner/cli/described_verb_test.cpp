@@ -24,7 +24,10 @@ TEST(ManPage, HasEveryVerbWithItsOptionsAndExample) {
 }
 
 TEST(ManPage, ShowsTextsThatWouldBeCommandsOfRoff) {
-  DescribedVerb program{"tool", ".SH no heading", {}, "'quoted\n\\back", {}};
+  DescribedVerb program;
+  program.name = "tool";
+  program.description = ".SH no heading";
+  program.footer = "'quoted\n\\back";
   const std::string page = man_page(program, "tool 1");
   EXPECT_NE(page.find("\n\\&.SH no heading\n"), std::string::npos) << page;
   EXPECT_NE(page.find("\n\\&'quoted\n\\eback\n"), std::string::npos) << page;

@@ -17,8 +17,9 @@ GameConfiguration rolling_ball() {
   game.scene = Scene{};
   game.start = StartState{};
   game.start->ball = {{2, 0.1}, {3, 0}, 0, 0, true};
-  game.start->robots[Side::kWest] = {{2, {-1, 1}, {1, 0}, {0, 0}, 0}};
-  game.start->robots[Side::kEast] = {{0, {0, -1}, {0, 1}, {0, 0}, 0}};
+  game.start->robots[Side::kWest] = {sim::RobotState{.number = 2, .position_m = {-1, 1}}};
+  game.start->robots[Side::kEast] = {
+      sim::RobotState{.number = 0, .position_m = {0, -1}, .heading = {0, 1}}};
   return game;
 }
 

@@ -267,7 +267,11 @@ TEST(JudgeReport, BeginsWithASummaryOfTheLastSeedOverAllRuleBooks) {
 TEST(JudgeReport, SummarisesNoOtherSeedThanTheLast) {
   JudgeReport report;
   for (const std::string seeds : {"tuning", "test"}) {
-    CameraTally tally{seeds, "paper", "none", 1, 0, {}, {}, {}, {}};
+    CameraTally tally;
+    tally.seeds = seeds;
+    tally.rules = "paper";
+    tally.camera = "none";
+    tally.games = 1;
     tally.last_touch[0] = {seeds == "test" ? 3 : 4, 1, 0};
     report.tallies.push_back(tally);
   }

@@ -1,7 +1,7 @@
 // A short game whose teams are both on the network, all of it on the loopback.
 #pragma once
 
-#include <initializer_list>
+#include <vector>
 
 #include "runner/bench/beside_live_game.hpp"
 #include "runner/game/configuration.hpp"
@@ -28,9 +28,13 @@ inline LiveOptions loopback_options(Pace pace) {
   options.speed = {pace};
   options.unicast = kLoopback;
   options.answer_s = 60;
-  for (int* port : {&options.ports.vision, &options.ports.referee, &options.ports.tracker,
-                    &options.ports.blue, &options.ports.yellow, &options.ports.control})
-    *port = free_port(thread);
+  const std::vector<int> free = free_ports(thread, 6);
+  options.ports.vision = free[0];
+  options.ports.referee = free[1];
+  options.ports.tracker = free[2];
+  options.ports.blue = free[3];
+  options.ports.yellow = free[4];
+  options.ports.control = free[5];
   options.ports.grsim = 0;
   return options;
 }

@@ -30,7 +30,7 @@ class PortsTest : public testing::Test {
           return std::nullopt;
         }) {
     options_.speed.pace = pace;
-    options_.ports.yellow = free_port(thread_);
+    options_.ports.yellow = free_ports(thread_, 1).front();
     options_.ports.blue = options_.ports.control = options_.ports.grsim = 0;
     ports_.emplace(
         thread_, options_, game_on_network(),
@@ -43,10 +43,9 @@ class PortsTest : public testing::Test {
 
   // The code of the first error in the answer; empty if there is none.
   std::string error_in_answer() {
-    std::future<std::string> arrived = answer_.get_future();
-    if (arrived.wait_for(kRequestPatience) != std::future_status::ready) return "no answer";
+    if (arrived_.wait_for(kRequestPatience) != std::future_status::ready) return "no answer";
     simulation::SimulationSyncResponse response;
-    if (!response.ParseFromString(arrived.get())) return "not a response";
+    if (!response.ParseFromString(arrived_.get())) return "not a response";
     const auto& errors = response.robot_control_response().errors();
     return errors.empty() ? "" : errors[0].code();
   }
@@ -54,13 +53,11 @@ class PortsTest : public testing::Test {
   // Lets the lock-step go on until it has answered the yellow team.
   void complete_frame() {
     const auto deadline = LockStep::Clock::now() + kRequestPatience;
-    while (LockStep::Clock::now() < deadline && ports_->traffic()[Side::kWest].packets == 0)
+    while (LockStep::Clock::now() < deadline &&
+           arrived_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
       lock_step_.advance(
           1, {}, slots_, [](const league::SimulatorRequest&) {},
           LockStep::Clock::now() + std::chrono::milliseconds(5));
-    lock_step_.advance(
-        1, {}, slots_, [](const league::SimulatorRequest&) {},
-        LockStep::Clock::now() + std::chrono::milliseconds(5));
   }
 
   NetworkThread thread_;
@@ -70,6 +67,7 @@ class PortsTest : public testing::Test {
   RobotUpdates robots_{game_on_network()};
   LockStep lock_step_{{{true, false}}, kRequestRate_hz};
   std::promise<std::string> answer_;
+  std::future<std::string> arrived_ = answer_.get_future();
   DatagramReceiver client_;
   std::optional<TeamPorts> ports_;
 };

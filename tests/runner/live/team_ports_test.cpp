@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "league/messages/simulation.pb.h"
 #include "runner/bench/beside_live_game.hpp"
@@ -16,8 +17,9 @@ class TeamPortsTest : public testing::Test {
  protected:
   TeamPortsTest() {
     game_.a.on_network = true;
-    options_.ports.yellow = free_port(thread_);
-    options_.ports.control = free_port(thread_);
+    const std::vector<int> free = free_ports(thread_, 2);
+    options_.ports.yellow = free[0];
+    options_.ports.control = free[1];
     options_.ports.grsim = 0;
     ports_.emplace(thread_, options_, game_, PortTargets{&slots_, &control_, &robots_, nullptr});
   }

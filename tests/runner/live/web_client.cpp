@@ -24,9 +24,12 @@ unsigned byte(const std::string& bytes, std::size_t index) {
 
 }  // namespace
 
-WebClient::WebClient(int port) : socket_(socket(AF_INET, SOCK_STREAM, 0)) {
+WebClient::WebClient(int port, std::optional<int> receive_buffer)
+    : socket_(socket(AF_INET, SOCK_STREAM, 0)) {
   const timeval patience{kPatience_s, 0};
   setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof(patience));
+  if (receive_buffer)
+    setsockopt(socket_, SOL_SOCKET, SO_RCVBUF, &*receive_buffer, sizeof(*receive_buffer));
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_port = htons(static_cast<std::uint16_t>(port));

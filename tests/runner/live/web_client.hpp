@@ -10,7 +10,8 @@ namespace autoref::runner {
 
 class WebClient {
  public:
-  explicit WebClient(int port);
+  // With a size in bytes, the system keeps no more for this client than about so much unread.
+  explicit WebClient(int port, std::optional<int> receive_buffer = std::nullopt);
   ~WebClient();
   WebClient(const WebClient&) = delete;
   WebClient& operator=(const WebClient&) = delete;

@@ -19,8 +19,8 @@ LoggedNoise noise_of(const VisionNoise& noise, double rate_hz, double length_s) 
   };
   LoggedNoise measured;
   Frame frame;
-  frame.robots[Side::kWest] = {{3, {}, {}}};
-  frame.robots[Side::kEast] = {{0, {}, {}}};
+  frame.robots[Side::kWest] = {RobotObservation{.number = 3}};
+  frame.robots[Side::kEast] = {RobotObservation{.number = 0}};
   for (frame.number = 0; frame.time_s < length_s; ++frame.number) {
     frame.time_s = static_cast<double>(frame.number) / rate_hz;
     for (const Side side : kSides) {
@@ -29,7 +29,7 @@ LoggedNoise noise_of(const VisionNoise& noise, double rate_hz, double length_s) 
       robot.heading = heading_of(3 * frame.time_s + noise.robot_rad * chance.normal());
     }
     const double since_kick_s = frame.time_s - std::floor(frame.time_s);
-    frame.ball = BallObservation{blurred({4 * since_kick_s, 0}, noise.ball_m), {}, {}};
+    frame.ball.emplace().position_m = blurred({4 * since_kick_s, 0}, noise.ball_m);
     measured.take(frame);
   }
   return measured;

@@ -111,7 +111,8 @@ TEST_F(LoggedStateTest, IsAnErrorBeyondTheLogOrWithoutALog) {
 }
 
 TEST(Renumber, KeepsNumbersThatTheTeamHas) {
-  StartingRobots robots = {{1, {0, 0}, {1, 0}, {0, 0}, 0}, {5, {1, 0}, {1, 0}, {0, 0}, 0}};
+  StartingRobots robots = {sim::RobotState{.number = 1},
+                           sim::RobotState{.number = 5, .position_m = {1, 0}}};
   renumber(robots, 6);
   EXPECT_EQ(robots[1].number, 5);
   renumber(robots, 4);

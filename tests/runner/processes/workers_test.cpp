@@ -94,15 +94,15 @@ TEST(Workers, DistinguishAKillFromACrash) {
 TEST(Workers, GiveUpAJobThatTakesTooLongAtItsFirstAttempt) {
   WorkerOptions options;
   options.attempts = 3;
-  options.longest_job_s = 0.2;
+  options.longest_job_s = 3;  // far more than the other job needs, even on a busy machine
   const Outcome outcome = done_by(
       1, 2,
       [](std::size_t job) {
-        if (job == 0) std::this_thread::sleep_for(std::chrono::seconds(60));
+        if (job == 0) std::this_thread::sleep_for(std::chrono::hours(1));
         return std::string("fine");
       },
       options);
-  EXPECT_EQ(outcome.results.at(0).failure, "it took longer than 0.2 s, in attempt 1");
+  EXPECT_EQ(outcome.results.at(0).failure, "it took longer than 3 s, in attempt 1");
   EXPECT_EQ(outcome.results.at(1).payload, "fine");
 }
 
@@ -174,26 +174,24 @@ bool has_second_job_begun(const std::function<bool()>& is_enough, int patience_m
   return has_begun;
 }
 
-TEST(Workers, PlayOnWhileTheirLastResultIsHandled) { EXPECT_TRUE(has_second_job_begun({}, 10000)); }
+TEST(Workers, PlayOnWhileTheirLastResultIsHandled) { EXPECT_TRUE(has_second_job_begun({}, 60000)); }
 
 TEST(Workers, WaitForTheirLastResultIfItMayBeEnough) {
   EXPECT_FALSE(has_second_job_begun([] { return false; }, 100));
 }
 
 TEST(Workers, StopAtOnceAfterTheSecondInterrupt) {
-  const auto start = std::chrono::steady_clock::now();
   int ticks = 0;
   const Ending ending = do_jobs({0, 1}, {.workers = 2},
                                 {[](std::size_t) {
                                    std::this_thread::sleep_for(std::chrono::seconds(60));
                                    return std::string("fine");
                                  },
-                                 [](const JobResult&) { FAIL(); },
+                                 [](const JobResult&) { FAIL() << "waited for a job"; },
                                  [&] {
                                    if (++ticks <= 2) kill(getpid(), SIGTERM);
                                  }});
   EXPECT_EQ(ending, Ending::kInterrupted);
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
 }
 
 TEST(Workers, AreKilledWhenTheReceiverThrows) {

@@ -44,9 +44,17 @@ TEST(Plots, OfChallengersHaveNoRatings) {
             (std::vector<std::string>{"difference", "histogram", "running_mean"}));
 }
 
+Group group_of_six_robots() {
+  Group group;
+  group.values = {"6"};
+  return group;
+}
+
 TEST(Plots, AreEmptyBeforeTheFirstGame) {
+  Group six = group_of_six_robots();
+  six.void_games = 1;
   ExperimentResults results;
-  results.groups = {Group{{"6"}, {}, {}, {}, {}, {}, 1, 0, 0, 0}};
+  results.groups = {six};
   EXPECT_TRUE(plots_of(small_sweep(), results).empty());
 }
 
@@ -71,8 +79,12 @@ TEST(DifferencePlot, ShowsTheSlope) {
 }
 
 TEST(HistogramPlot, CountsTheGamesOfEachDifference) {
+  Group six = group_of_six_robots();
+  six.differences = {1, 1, -2};
+  six.wins_a = 2;
+  six.wins_b = 1;
   ExperimentResults results;
-  results.groups = {{{"6"}, {}, {}, {1, 1, -2}, {}, {}, 0, 2, 0, 1}};
+  results.groups = {six};
   EXPECT_EQ(histogram_plot(small_sweep(), results).value().csv,
             "row,name,goal_difference,games,share_of_tallest\n1,6,-2,1,0.5000\n1,6,1,2,1.0000\n");
 }

@@ -17,7 +17,12 @@ GameRow sample_row() {
   const ScheduledGame game = scheduled_games(std::get<Sweep>(small_sweep().content)).front();
   GameRow row = row_of(game);
   row.record = fake_game(resolved(game.configuration));
-  row.circumstances = {"build", "host", "A, \"fast\" CPU", 1.5, 2, "0/1"};
+  row.circumstances = {.build = "build",
+                       .host = "host",
+                       .cpu = "A, \"fast\" CPU",
+                       .wall_s = 1.5,
+                       .attempt = 2,
+                       .shard = "0/1"};
   return row;
 }
 
@@ -30,8 +35,20 @@ GameRow full_row() {
   record.status = Status::kForfeit;
   record.void_reason = "no robots";
   for (std::size_t i = 0; i < record.events.size(); ++i) record.events[i] = static_cast<int>(i + 1);
-  record.counts[0] = {12, 7, 30, 21, 301.25, 3, 5};
-  record.counts[1] = {8, 2, 25, 9, 200.5, 4, 6};
+  record.counts[0] = {.shots = 12,
+                      .shots_on_goal = 7,
+                      .passes_tried = 30,
+                      .passes_completed = 21,
+                      .possession_s = 301.25,
+                      .fouls = 3,
+                      .duels_won = 5};
+  record.counts[1] = {.shots = 8,
+                      .shots_on_goal = 2,
+                      .passes_tried = 25,
+                      .passes_completed = 9,
+                      .possession_s = 200.5,
+                      .fouls = 4,
+                      .duels_won = 6};
   record.transitions = {"begin", "goal", "start"};
   record.ball_in_play_s = 700.125;
   row.side_a = Side::kEast;

@@ -5,8 +5,8 @@
 #include <cctype>
 #include <set>
 
-#include "tests/runner/support/written_names.hpp"
 #include "tests/runner/support/schema_tables.hpp"
+#include "tests/runner/support/written_names.hpp"
 
 namespace autoref::runner {
 namespace {

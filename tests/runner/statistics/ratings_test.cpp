@@ -12,7 +12,10 @@ namespace autoref::runner {
 namespace {
 
 // Three teams, all against all: games, goal difference, wins of the first.
-const std::vector<MatchupTotals> kThree = {{0, 1, 4, 3, 3}, {0, 2, 2, 5, 2}, {1, 2, 4, -2, 1.5}};
+const std::vector<MatchupTotals> kThree = {
+    {.a = 0, .b = 1, .games = 4, .difference = 3, .wins = 3},
+    {.a = 0, .b = 2, .games = 2, .difference = 5, .wins = 2},
+    {.a = 1, .b = 2, .games = 4, .difference = -2, .wins = 1.5}};
 
 void expect_near_rating(const Eigen::VectorXd& found, const std::vector<double>& expected) {
   ASSERT_EQ(found.size(), expected.size());
@@ -26,13 +29,19 @@ TEST(GoalRating, MatchesNumPysLeastSquares) {
 }
 
 TEST(GoalRating, IsExactIfTheGamesAreConsistent) {
-  expect_near_rating(goal_rating(3, std::vector<MatchupTotals>{{0, 1, 2, 2, 0}, {2, 1, 4, 8, 0}}),
-                     {0, -1, 1});
+  expect_near_rating(
+      goal_rating(
+          3, std::vector<MatchupTotals>{{.a = 0, .b = 1, .games = 2, .difference = 2, .wins = 0},
+                                        {.a = 2, .b = 1, .games = 4, .difference = 8, .wins = 0}}),
+      {0, -1, 1});
 }
 
 TEST(GoalRating, CentresUnlinkedGroupsOfTeamsAtZero) {
   expect_near_rating(
-      goal_rating(5, std::vector<MatchupTotals>{{0, 1, 2, 4, 2}, {2, 3, 2, -12, 0}, {0, 4}}),
+      goal_rating(
+          5, std::vector<MatchupTotals>{{.a = 0, .b = 1, .games = 2, .difference = 4, .wins = 2},
+                                        {.a = 2, .b = 3, .games = 2, .difference = -12, .wins = 0},
+                                        {.a = 0, .b = 4}}),
       {1, -1, -3, 3, 0});
 }
 
@@ -45,13 +54,17 @@ TEST(BradleyTerry, MatchesStatsmodelsLogit) {
 TEST(BradleyTerry, StaysFiniteIfATeamWinsEverything) {
   // For two teams, half the log odds with half a win added for each.
   const double half = std::log(40.5 / 0.5) / 2;
-  expect_near_rating(bradley_terry(2, std::vector<MatchupTotals>{{0, 1, 40, 90, 40}}),
-                     {half, -half});
+  expect_near_rating(
+      bradley_terry(
+          2,
+          std::vector<MatchupTotals>{{.a = 0, .b = 1, .games = 40, .difference = 90, .wins = 40}}),
+      {half, -half});
 }
 
 TEST(BradleyTerry, FollowsAChainOfTeamsThatAlwaysWin) {
   std::vector<MatchupTotals> chain;
-  for (std::size_t i = 0; i < 9; ++i) chain.push_back({i, i + 1, 1000, 3000, 1000});
+  for (std::size_t i = 0; i < 9; ++i)
+    chain.push_back({.a = i, .b = i + 1, .games = 1000, .difference = 3000, .wins = 1000});
   const Eigen::VectorXd strengths = bradley_terry(10, chain);
   for (int i = 0; i < 9; ++i) {
     EXPECT_NEAR(strengths(i) - strengths(i + 1), std::log(1000.5 / 0.5), 1e-6);

@@ -181,13 +181,6 @@ TEST_F(CommandsFile, ThatIsDamagedIsRefused) {
   EXPECT_THROW(read_all(), InputError);
 }
 
-// A program whose commands differ from run to run.
-std::string random_script() {
-  return kDrawsRandom + kGreets + kReads + kAnswers +
-         "while :; do next; [ -z \"$frame\" ] || answer \",\\\"commands\\\":[{\\\"robot\\\":1,"
-         "\\\"vx_mps\\\":0.$random}]\"; done\n";
-}
-
 GameRecord played(const GameConfiguration& game, GamePrograms programs, bool& is_same) {
   GameRecord record = play(game, nullptr, programs.maker());
   is_same = programs.finish(record);
@@ -195,7 +188,7 @@ GameRecord played(const GameConfiguration& game, GamePrograms programs, bool& is
 }
 
 TEST_F(CommandsFile, RepeatsAGameWhoseProgramDoesNotRepeatIt) {
-  const GameConfiguration game = shell_game(random_script());
+  const GameConfiguration game = shell_game(changing_script(folder_ / "mark"));
   bool is_same = false;
   const GameRecord live = played(game, GamePrograms::live(game, {file_}), is_same);
   ASSERT_EQ(live.status, Status::kOk) << live.void_reason;

@@ -15,6 +15,7 @@ struct HostileTeam {
   std::string name;
   std::string script;
   std::string reason;  // part of the row's
+  double answer_s = 60;
 };
 
 std::string team_name(const testing::TestParamInfo<HostileTeam>& info) { return info.param.name; }
@@ -23,6 +24,7 @@ class HostileTeams : public testing::TestWithParam<HostileTeam> {};
 
 TEST_P(HostileTeams, LoseTheirGameAndNothingElse) {
   GameConfiguration game = shell_game(GetParam().script);
+  game.a.program->answer_s = GetParam().answer_s;
   for (const OnTeamFault consequence : {OnTeamFault::kVoid, OnTeamFault::kForfeit}) {
     game.match.on_team_fault = consequence;
     const GameRecord record = play(game, nullptr, make_program_or_registered_team);
@@ -38,9 +40,9 @@ TEST_P(HostileTeams, LoseTheirGameAndNothingElse) {
 INSTANTIATE_TEST_SUITE_P(
     Kinds, HostileTeams,
     testing::Values(
-        HostileTeam{"HangsAtTheStart", "sleep 100", "did not answer within 1 s"},
-        HostileTeam{"Hangs", script_that(2, "sleep 100"), "did not answer within 1 s"},
-        HostileTeam{"NeverReads", kGreets + "sleep 100", "did not answer within 1 s"},
+        HostileTeam{"HangsAtTheStart", "sleep 1000", "did not answer within 1 s", 1},
+        HostileTeam{"Hangs", script_that(2, "sleep 1000"), "did not answer within 1 s", 1},
+        HostileTeam{"NeverReads", kGreets + "sleep 1000", "did not answer within 1 s", 1},
         HostileTeam{"EndsAtTheStart", "echo no licence >&2; exit 4",
                     "ended with status 4; its last lines on standard error:\nno licence"},
         HostileTeam{"Ends", script_that(2, "exit 0"), "ended with status 0"},
@@ -49,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(
         HostileTeam{"GreetsInAnotherProtocol", "echo HELLO; sleep 100", "HELLO"},
         HostileTeam{"NeverEndsItsGreeting", "while :; do printf x; done",
                     "sent bad output: the first line begins with"},
-        HostileTeam{"WritesBeforeTheStart", kGreets + "echo '{\"frame\":0}'; sleep 100", ""},
+        HostileTeam{"WritesBeforeTheStart", kGreets + "echo '{\"frame\":0}'; sleep 1000", "", 1},
         HostileTeam{"SendsGarbage", script_that(2, "echo garbage"), "garbage"},
         HostileTeam{"SendsZeros", script_that(2, "head -c 100000 /dev/zero; sleep 100"), "sent "},
         HostileTeam{"SendsTooMuch", script_that(2, "yes | tr -d '\\n'"), "65536"},

@@ -18,8 +18,14 @@ inline const std::string kReads =
 
 inline const std::string kAnswers = "answer() { echo \"{\\\"frame\\\":$frame$1}\"; }\n";
 
-// Another digit sequence in each run.
-inline const std::string kDrawsRandom = "random=$(od -An -N4 -tu4 /dev/urandom | tr -d ' ')\n";
+// Drives slower in its first run than in every later one. It makes the folder `mark`, which must
+// not exist yet.
+inline std::string changing_script(const std::string& mark) {
+  return "speed=0.75\nmkdir '" + mark + "' 2>/dev/null && speed=0.25\n" + kGreets + kReads +
+         kAnswers +
+         "while :; do next; [ -z \"$frame\" ] || answer \",\\\"commands\\\":[{\\\"robot\\\":1,"
+         "\\\"vx_mps\\\":$speed}]\"; done\n";
+}
 
 // Answers `frames` frames and then does what `then` says, in the place of another answer.
 inline std::string script_that(int frames, const std::string& then) {
@@ -37,7 +43,7 @@ inline TeamConfiguration shell_team(const std::string& script) {
   TeamProgram program;
   program.command = {"/bin/sh", "-c", script};
   program.environment = {marker()};
-  program.answer_s = 1;
+  program.answer_s = 60;  // however busy the machine is
   program.memory_mb = 64;
   team.program = program;
   return team;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/runner/support/temporary_folder.hpp"
 #include "tests/runner/team_programs/shell_teams.hpp"
 
 namespace autoref::runner {
@@ -26,10 +27,8 @@ TEST(TeamCheck, SaysWhatAProgramAskedForAndDid) {
 }
 
 TEST(TeamCheck, SaysThatAProgramIsNotRepeatable) {
-  const TeamCheck check = check_team(shell_game(
-      kDrawsRandom + kGreets + kReads + kAnswers +
-      "while :; do next; [ -z \"$frame\" ] || answer \",\\\"commands\\\":[{\\\"robot\\\":1,"
-      "\\\"vx_mps\\\":0.$random}]\"; done\n"));
+  const TemporaryFolder folder;
+  const TeamCheck check = check_team(shell_game(changing_script(folder / "mark")));
   EXPECT_EQ(check.fault, "");
   EXPECT_EQ(check.is_repeatable, false);
 }

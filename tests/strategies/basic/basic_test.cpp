@@ -11,18 +11,20 @@
 namespace autoref::strategies::basic {
 namespace {
 
-TEST(Basic, StaysHalfAMetreFromTheBallWhilePlayIsStopped) {
+class BasicInStop : public testing::TestWithParam<Vec2> {};
+
+TEST_P(BasicInStop, StaysHalfAMetreFromTheBall) {
   Basic team{TeamContext{}};
-  for (const Vec2& ball_m : {Vec2(0, 0), Vec2(-2.925, 1.925), Vec2(2.925, -1.925), Vec2(-1, 1)}) {
-    StagedWorld world(Play::kStop);
-    world.six_against_six().view.ball.position_m = ball_m;
-    world.run(team, 5);
-    for (const TrackedRobot& robot : world.view.own) {
-      if (robot.number == 0) continue;  // the keeper may stay in its goal
-      EXPECT_GE((robot.position_m - ball_m).norm(), kBallGap_m) << "robot " << robot.number;
-    }
-  }
+  StagedWorld world(Play::kStop);
+  world.six_against_six().view.ball.position_m = GetParam();
+  world.run(team, 5);
+  EXPECT_EQ(field_players_within(world, GetParam(), kBallGap_m), kNobody);
 }
+
+INSTANTIATE_TEST_SUITE_P(BallAt, BasicInStop,
+                         testing::Values(Vec2(0, 0), Vec2(-2.925, 1.925), Vec2(2.925, -1.925),
+                                         Vec2(-1, 1)),
+                         name_of_place);
 
 TEST(Basic, ComesToRestWhilePlayIsStopped) {
   Basic team{TeamContext{}};
@@ -31,9 +33,7 @@ TEST(Basic, ComesToRestWhilePlayIsStopped) {
   world.run(team, 6);
   const TeamView before = world.view;
   world.run(team, 1);
-  for (std::size_t i = 0; i < before.own.size(); ++i) {
-    EXPECT_LT((world.view.own[i].position_m - before.own[i].position_m).norm(), 15_mm) << i;
-  }
+  EXPECT_EQ(moved_since(before, world, 15_mm), kNobody);
 }
 
 // Whether a robot at this position would overlap the goal's walls or its net.
@@ -45,49 +45,66 @@ bool is_in_goal_walls(const Field& field, const Vec2& robot_m) {
          std::abs(robot_m.y()) < outer_m + kRobotRadius_m - 1_mm;
 }
 
-TEST(Basic, DrivesAroundAGoalFromBehindIt) {
-  const Field field;
+// Moves robot 2 for 5 s from behind a goal; stops where it overlaps the walls. Returns where it is.
+Vec2 driven_from_behind_goal_m(Play play, const Vec2& start_m) {
   Basic team{TeamContext{}};
-  for (const Play play : {Play::kRunning, Play::kStop}) {
-    for (const Vec2& start_m : {Vec2(3.315, 0.05), Vec2(-3.315, -0.2), Vec2(3.32, -0.47)}) {
-      StagedWorld world(play);
-      world.six_against_six().view.ball.position_m = {0.5, -0.5};
-      world.view.own[2].position_m = start_m;
-      for (int f = 0; f < 300; ++f) {
-        world.step(team);
-        ASSERT_FALSE(is_in_goal_walls(field, world.robot(2).position_m))
-            << start_m.transpose() << ", frame " << f;
-      }
-      EXPECT_LT(std::abs(world.robot(2).position_m.x()), field.half_length_m());
-    }
+  StagedWorld world(play);
+  world.six_against_six().view.ball.position_m = {0.5, -0.5};
+  world.view.own[2].position_m = start_m;
+  for (int f = 0; f < 300 && !is_in_goal_walls(Field{}, world.robot(2).position_m); ++f) {
+    world.step(team);
   }
+  return world.robot(2).position_m;
+}
+
+class BasicBehindAGoal : public testing::TestWithParam<Vec2> {};
+
+TEST_P(BasicBehindAGoal, DrivesAroundItInOpenPlay) {
+  const Vec2 end_m = driven_from_behind_goal_m(Play::kRunning, GetParam());
+  EXPECT_LT(std::abs(end_m.x()), Field{}.half_length_m());
+}
+
+TEST_P(BasicBehindAGoal, DrivesAroundItInAStop) {
+  const Vec2 end_m = driven_from_behind_goal_m(Play::kStop, GetParam());
+  EXPECT_LT(std::abs(end_m.x()), Field{}.half_length_m());
+}
+
+INSTANTIATE_TEST_SUITE_P(From, BasicBehindAGoal,
+                         testing::Values(Vec2(3.315, 0.05), Vec2(-3.315, -0.2), Vec2(3.32, -0.47)),
+                         name_of_place);
+
+// Prepares a kick-off for 6 s with one robot in the opponents' half. Returns who is not in its own.
+Numbers beyond_half_at_kickoff(bool ours) {
+  Basic team{TeamContext{}};
+  StagedWorld world(Play::kPrepareKickoff, ours);
+  world.six_against_six();
+  world.view.own[5].position_m = {1.5, 0.5};
+  world.run(team, 6);
+  return numbers_of(world.view.own, is_beyond_own_half);
 }
 
 TEST(Basic, LinesUpInItsOwnHalfForAKickoff) {
-  Basic team{TeamContext{}};
-  for (const bool ours : {true, false}) {
-    StagedWorld world(Play::kPrepareKickoff, ours);
-    world.six_against_six();
-    world.view.own[5].position_m = {1.5, 0.5};
-    world.run(team, 6);
-    for (const TrackedRobot& robot : world.view.own) {
-      EXPECT_LE(robot.position_m.x(), -kRobotRadius_m) << robot.number;
-    }
-  }
+  EXPECT_EQ(beyond_half_at_kickoff(true), kNobody);
+  EXPECT_EQ(beyond_half_at_kickoff(false), kNobody);
 }
 
 TEST(Basic, KeepsItsHullClearOfTheOpponentsAreaBeforeARestart) {
   Basic team{TeamContext{}};
-  const Field field;
   StagedWorld world(Play::kDirectFree, false);
   world.six_against_six().view.ball.position_m = {2.525, 1.925};  // the opponents' goal kick
   world.view.own[3].position_m = {2.2, 0.3};
   world.run(team, 4);
-  for (const TrackedRobot& robot : world.view.own) {
-    EXPECT_GE(distance_to_defence_area(field, Side::kEast, robot.position_m),
-              200_mm + kRobotRadius_m)
-        << robot.number;
+  EXPECT_EQ(near_their_area(world, 200_mm + kRobotRadius_m), kNobody);
+}
+
+// Lets robot 1 play until it kicks the ball, for at most 10 s. Returns whether it did.
+bool kicks_within_ten_seconds(StagedWorld& world, Basic& team) {
+  for (int i = 0; i < 600; ++i) {
+    const RobotCommand& command = world.step(team)[1];
+    const double gap_m = (world.robot(1).position_m - world.view.ball.position_m).norm();
+    if (command.kick_mps > 0 && gap_m < 0.11) return true;
   }
+  return false;
 }
 
 TEST(Basic, GetsBehindTheBallAndKicksItAtTheGoal) {
@@ -95,13 +112,7 @@ TEST(Basic, GetsBehindTheBallAndKicksItAtTheGoal) {
   StagedWorld world(Play::kRunning);
   world.own(0, {-2.9, 0}).own(1, {1.0, 0.6});
   world.view.ball.position_m = {0.5, 0.2};
-  const RobotCommand* kick = nullptr;
-  for (int i = 0; i < 600 && kick == nullptr; ++i) {
-    const RobotCommand& command = world.step(team)[1];
-    const double gap_m = (world.robot(1).position_m - world.view.ball.position_m).norm();
-    if (command.kick_mps > 0 && gap_m < 0.11) kick = &command;
-  }
-  ASSERT_NE(kick, nullptr);
+  ASSERT_TRUE(kicks_within_ten_seconds(world, team));
   const Vec2 ray = world.robot(1).heading;
   const double y_at_goal = 0.2 + ray.y() / ray.x() * (3.025 - 0.5);
   EXPECT_LT(std::abs(y_at_goal), 0.35);
@@ -121,12 +132,7 @@ TEST(Basic, TakesItsRestartEvenWithASingleRobot) {
   StagedWorld world(Play::kIndirectFree, true);
   world.own(4, {-2, -1});
   world.view.ball.position_m = {1, 1.925};
-  double nearest_m = 10;
-  for (int i = 0; i < 400; ++i) {
-    world.step(team);
-    nearest_m = std::min(nearest_m, (world.robot(4).position_m - Vec2(1, 1.925)).norm());
-  }
-  EXPECT_LT(nearest_m, 0.1);
+  EXPECT_LT(least_gap_m(world, team, 400 / 60.0, {1, 1.925}), 0.1);
 }
 
 // The maximum speed commanded in a stop of 5 s under that rule book.
@@ -161,9 +167,7 @@ TEST(Basic, KeepsItsDistanceAtAFreeKickInFrontOfItsArea) {
   StagedWorld world(Play::kDirectFree, false);
   world.six_against_six().view.ball.position_m = {-3.025 + 0.8 + 0.7, 0.1};
   world.run(team, 8);
-  for (const TrackedRobot& robot : world.view.own) {
-    EXPECT_GE((robot.position_m - world.view.ball.position_m).norm(), kBallGap_m) << robot.number;
-  }
+  EXPECT_EQ(robots_within(world, world.view.ball.position_m, kBallGap_m), kNobody);
 }
 
 TEST(Basic, LeavesAStoppedBallWithinTwoSeconds) {
@@ -175,9 +179,7 @@ TEST(Basic, LeavesAStoppedBallWithinTwoSeconds) {
   world.view.own[2].position_m = {0.9, 0.95};
   world.view.own[3].position_m = {1.1, 1.15};
   world.run(team, 2);
-  for (const TrackedRobot& robot : world.view.own) {
-    EXPECT_GE((robot.position_m - Vec2(1, 1)).norm(), kBallGap_m) << robot.number;
-  }
+  EXPECT_EQ(robots_within(world, {1, 1}, kBallGap_m), kNobody);
 }
 
 // The smallest distance of the team's robots from a ball at rest in the opponents' area.
@@ -206,10 +208,7 @@ TEST(Basic, StandsStillInHalt) {
   Basic team{TeamContext{}};
   StagedWorld world(Play::kHalt);
   world.six_against_six();
-  for (const RobotCommand& command : world.step(team)) {
-    EXPECT_EQ(command.velocity_mps, Vec2(0, 0));
-    EXPECT_EQ(command.kick_mps, 0);
-  }
+  EXPECT_EQ(active_robots(world.step(team)), kNobody);
 }
 
 TEST(Basic, PlaysWithNoRobotsAndWithSixteen) {
@@ -217,12 +216,8 @@ TEST(Basic, PlaysWithNoRobotsAndWithSixteen) {
   StagedWorld empty(Play::kRunning);
   empty.step(team);
   StagedWorld full(Play::kRunning);
-  for (int i = 0; i < 16; ++i) {
-    full.own(i, {-2.5 + 0.3 * i, 1.0});
-    full.opponent(i, {-2.5 + 0.3 * i, -1.0});
-  }
-  full.run(team, 3);
-  for (const TrackedRobot& robot : full.view.own) EXPECT_TRUE(is_finite(robot.position_m));
+  full.rows_of(16).run(team, 3);
+  EXPECT_EQ(numbers_of(full.view.own, is_nowhere), kNobody);
 }
 
 }  // namespace

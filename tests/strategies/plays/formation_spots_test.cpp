@@ -159,20 +159,26 @@ TEST(SendAhead, SendsAllFreeRobotsIfThereAreTooFew) {
   EXPECT_EQ(assignment.task(1).role, Role::kReceiver);
 }
 
-TEST(OffTheirArea, KeepsAPositionThisFarFromTheAreaPlusAnExtraDistance) {
-  for (const char* rules : {"paper", "2026-b"}) {
-    StagedPrediction stage(Play::kRunning, false, team_context_of(rules));
-    const PredictedState& predicted = stage.look();
-    const Vec2 position_m = predicted.field().goal_centre_m(Side::kEast) - Vec2(0.5, 0.3);
-    const double least_m =
-        predicted.rules().attacker_to_area_m + kRobotRadius_m + room_for_error_m(predicted.rules());
-    for (const double more_m : {0.0, 0.25}) {
-      const Vec2 p = off_their_area(predicted, position_m, more_m).position_m;
-      const double off_m = distance_to_defence_area(predicted.field(), Side::kEast, p);
-      EXPECT_NEAR(off_m, least_m + more_m + 30_mm, 30_mm) << rules;
-    }
-  }
+class OffTheirAreaUnder : public testing::TestWithParam<const char*> {};
+
+// How far a position in the area is moved away from it, beyond the required distance.
+double extra_off_their_area_m(const PredictedState& predicted, double more_m) {
+  const Vec2 position_m = predicted.field().goal_centre_m(Side::kEast) - Vec2(0.5, 0.3);
+  const double least_m =
+      predicted.rules().attacker_to_area_m + kRobotRadius_m + room_for_error_m(predicted.rules());
+  const Vec2 p = off_their_area(predicted, position_m, more_m).position_m;
+  return distance_to_defence_area(predicted.field(), Side::kEast, p) - least_m;
 }
+
+TEST_P(OffTheirAreaUnder, KeepsAPositionThisFarFromTheAreaPlusAnExtraDistance) {
+  StagedPrediction stage(Play::kRunning, false, team_context_of(GetParam()));
+  const PredictedState& predicted = stage.look();
+  EXPECT_NEAR(extra_off_their_area_m(predicted, 0), 30_mm, 30_mm);
+  EXPECT_NEAR(extra_off_their_area_m(predicted, 0.25), 0.25 + 30_mm, 30_mm);
+}
+
+INSTANTIATE_TEST_SUITE_P(Books, OffTheirAreaUnder, testing::Values("paper", "2026-b"),
+                         name_of_rule_book);
 
 }  // namespace
 }  // namespace autoref::strategies

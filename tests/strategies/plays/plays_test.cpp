@@ -1,6 +1,11 @@
 #include "strategies/plays/plays.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <tuple>
 
 #include "tests/strategies/staged_play.hpp"
 
@@ -22,6 +27,16 @@ int count_of(const Staged& stage, const RoleAssignment& assignment, Role role) {
   return count;
 }
 
+// The largest x of the positions at which robots are to stand; -10 if there are none.
+double foremost_stand_m(const Staged& stage, const RoleAssignment& assignment) {
+  double foremost_m = -10;
+  for (int i = 0; i < stage.predicted.robots(); ++i) {
+    if (assignment.task(i).role != Role::kStands) continue;
+    foremost_m = std::max(foremost_m, assignment.task(i).waypoint.position_m.x());
+  }
+  return foremost_m;
+}
+
 TEST(RoleAssignment, GivesAPositionToTheNearestFreeRobot) {
   Staged stage(Play::kRunning);
   stage.world.own(0, {-2, 0}).own(1, {0, 1}).own(2, {1, 0});
@@ -40,30 +55,42 @@ TEST(RoleAssignment, LeavesAPositionEmptyIfNoRobotIsFree) {
   EXPECT_EQ(assignment.nearest_free({0, 0}), -1);
 }
 
-TEST(OpenPlay, GivesEveryRobotARoleForTeamsOfAllSizes) {
-  for (const double ball_x : {-1.5, 0.5, 2.0}) {
-    for (int robots = 2; robots <= kMaxRobots; ++robots) {
-      Staged stage(Play::kRunning);
-      for (int i = 0; i < robots; ++i) stage.world.own(i, {-2.5 + 0.3 * i, 1.0 - 0.12 * i});
-      for (int i = 0; i < 6; ++i) stage.world.opponent(i, {2.5 - 0.4 * i, 0.3 * i - 1});
-      stage.world.ball({ball_x, 0.2});
-      const RoleAssignment assignment = stage.assignment(open_play);
-      EXPECT_EQ(assignment.free_robots(), 0) << robots << " robots";
-      EXPECT_EQ(count_of(stage, assignment, Role::kBall), 1) << robots << " robots";
-    }
-  }
+class OpenPlayOf : public testing::TestWithParam<int> {};
+
+// Two rows; every robot must have a role, and exactly one of them the ball.
+void expect_a_role_for_everybody(int robots, double ball_x_m) {
+  SCOPED_TRACE(fmt::format("ball at x = {} m", ball_x_m));
+  Staged stage(Play::kRunning);
+  for (int i = 0; i < robots; ++i) stage.world.own(i, {-2.5 + 0.3 * i, 1.0 - 0.12 * i});
+  for (int i = 0; i < 6; ++i) stage.world.opponent(i, {2.5 - 0.4 * i, 0.3 * i - 1});
+  stage.world.ball({ball_x_m, 0.2});
+  const RoleAssignment assignment = stage.assignment(open_play);
+  EXPECT_EQ(assignment.free_robots(), 0);
+  EXPECT_EQ(count_of(stage, assignment, Role::kBall), 1);
 }
 
-TEST(OpenPlay, KeepsTheKeeperAndTheRobotAtTheBallAsRobotsLeave) {
-  for (int robots = 6; robots >= 2; --robots) {
-    Staged stage(Play::kRunning);
-    stage.robots(robots);
-    stage.world.opponent(0, {2, 0}).ball({1, 0});
-    const RoleAssignment assignment = stage.assignment(open_play);
-    EXPECT_EQ(assignment.task(0).role, Role::kKeeper) << robots;
-    EXPECT_EQ(count_of(stage, assignment, Role::kBall), 1) << robots;
-  }
+TEST_P(OpenPlayOf, GivesEveryRobotARole) {
+  expect_a_role_for_everybody(GetParam(), -1.5);
+  expect_a_role_for_everybody(GetParam(), 0.5);
+  expect_a_role_for_everybody(GetParam(), 2.0);
 }
+
+INSTANTIATE_TEST_SUITE_P(Robots, OpenPlayOf, testing::Range(2, kMaxRobots + 1),
+                         testing::PrintToStringParamName());
+
+class OpenPlayAsRobotsLeave : public testing::TestWithParam<int> {};
+
+TEST_P(OpenPlayAsRobotsLeave, KeepsTheKeeperAndTheRobotAtTheBall) {
+  Staged stage(Play::kRunning);
+  stage.robots(GetParam());
+  stage.world.opponent(0, {2, 0}).ball({1, 0});
+  const RoleAssignment assignment = stage.assignment(open_play);
+  EXPECT_EQ(assignment.task(0).role, Role::kKeeper);
+  EXPECT_EQ(count_of(stage, assignment, Role::kBall), 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, OpenPlayAsRobotsLeave, testing::Range(2, 7),
+                         testing::PrintToStringParamName());
 
 TEST(OpenPlay, SendsALoneRobotToTheBallOnlyIfItIsThereFirst) {
   Staged ours(Play::kRunning);
@@ -102,10 +129,7 @@ TEST(OpenPlay, CoversTheOwnGoalWithRobotsThatHaveNobodyToMark) {
   const RoleAssignment assignment = stage.assignment(open_play);
   ASSERT_FALSE(stage.predicted.is_ours());
   EXPECT_EQ(count_of(stage, assignment, Role::kReceiver), 0);
-  for (int i = 0; i < 6; ++i) {
-    const bool stands = assignment.task(i).role == Role::kStands;
-    EXPECT_TRUE(!stands || assignment.task(i).waypoint.position_m.x() < 1.0);
-  }
+  EXPECT_LT(foremost_stand_m(stage, assignment), 1.0);
 }
 
 TEST(ChooseForBall, ChoosesTheRobotThatGetsThereFirst) {
@@ -133,6 +157,15 @@ TEST(ChooseForBall, AvoidsARobotThatMustNotTouchTheBallAgain) {
   EXPECT_EQ(choose_for_ball(stage.book, assignment), 2);
 }
 
+// Whether a robot with a task is sent to within 0.6 m of the opponent.
+bool has_marker(const RoleAssignment& assignment, const Vec2& opponent_m) {
+  for (int i = 0; i < 6; ++i) {
+    const double off_m = (assignment.task(i).waypoint.position_m - opponent_m).norm();
+    if (!assignment.is_free(i) && off_m < 0.6) return true;
+  }
+  return false;
+}
+
 TEST(Defend, SendsTheWallAndThenAMarkerToEachDangerousOpponent) {
   Staged stage(Play::kRunning);
   stage.robots(6);
@@ -140,16 +173,8 @@ TEST(Defend, SendsTheWallAndThenAMarkerToEachDangerousOpponent) {
   RoleAssignment assignment(stage.look());
   defend(stage.book, assignment, 2, 4);
   EXPECT_EQ(assignment.free_robots(), 2);
-  const auto has_marker = [&](const Vec2& opponent_m) {
-    for (int i = 0; i < 6; ++i) {
-      if (!assignment.is_free(i) &&
-          (assignment.task(i).waypoint.position_m - opponent_m).norm() < 0.6)
-        return true;
-    }
-    return false;
-  };
-  EXPECT_TRUE(has_marker({-1, -1.2}));
-  EXPECT_TRUE(has_marker({0, 1.5}));
+  EXPECT_TRUE(has_marker(assignment, {-1, -1.2}));
+  EXPECT_TRUE(has_marker(assignment, {0, 1.5}));
 }
 
 TEST(TakeRestart, IsGivenToTheFieldPlayerNearestToTheBall) {
@@ -166,47 +191,58 @@ TEST(TakeRestart, IsGivenToTheKeeperIfItIsAlone) {
   EXPECT_EQ(stage.assignment(take_restart).task(0).role, Role::kBall);
 }
 
+// Whether a field player is sent between the ball and the own goal, near the ball.
+bool is_path_to_goal_blocked(const RoleAssignment& assignment, const Vec2& ball_m) {
+  const Vec2 goal_m = Field{}.goal_centre_m(Side::kWest);
+  for (int i = 1; i < 6; ++i) {
+    const Vec2& position_m = assignment.task(i).waypoint.position_m;
+    if ((position_m - ball_m).norm() < 0.9 && distance_to_segment(position_m, ball_m, goal_m) < 0.1)
+      return true;
+  }
+  return false;
+}
+
 TEST(AwaitRestart, BlocksTheBallsPathToTheOwnGoal) {
   Staged stage(Play::kDirectFree, false);
   stage.robots(6);
   const Vec2 ball_m(-0.5, 1.2);
   stage.world.opponent(0, {-0.4, 1.3}).ball(ball_m);
   const RoleAssignment assignment = stage.assignment(await_restart);
-  const Vec2 goal_m = Field{}.goal_centre_m(Side::kWest);
-  bool is_blocked = false;
-  for (int i = 1; i < 6; ++i) {
-    const Vec2& position_m = assignment.task(i).waypoint.position_m;
-    is_blocked = is_blocked || ((position_m - ball_m).norm() < 0.9 &&
-                                distance_to_segment(position_m, ball_m, goal_m) < 0.1);
-  }
-  EXPECT_TRUE(is_blocked);
+  EXPECT_TRUE(is_path_to_goal_blocked(assignment, ball_m));
   EXPECT_EQ(assignment.free_robots(), 0);
 }
 
-TEST(AwaitKickoff, GivesEveryRobotASeparatePositionInTheOwnHalf) {
-  for (const bool ours : {true, false}) {
-    for (int robots = 1; robots <= 8; ++robots) {
-      Staged stage(Play::kPrepareKickoff, ours);
-      stage.robots(robots);
-      const RoleAssignment assignment = stage.assignment(await_kickoff);
-      EXPECT_EQ(assignment.free_robots(), 0) << robots;
-      for (int i = 0; i < robots; ++i) {
-        if (assignment.task(i).role != Role::kStands) continue;
-        EXPECT_LE(assignment.task(i).waypoint.position_m.x(), -kRobotRadius_m);
-      }
-    }
-  }
+// The number of robots and whether the kick-off is the team's own.
+class AwaitKickoff : public testing::TestWithParam<std::tuple<int, bool>> {};
+
+TEST_P(AwaitKickoff, GivesEveryRobotASeparatePositionInTheOwnHalf) {
+  const auto& [robots, ours] = GetParam();
+  Staged stage(Play::kPrepareKickoff, ours);
+  stage.robots(robots);
+  const RoleAssignment assignment = stage.assignment(await_kickoff);
+  EXPECT_EQ(assignment.free_robots(), 0);
+  EXPECT_LE(foremost_stand_m(stage, assignment), -kRobotRadius_m);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, AwaitKickoff, testing::Combine(testing::Range(1, 9), testing::Bool()),
+                         [](const auto& test) {
+                           const bool ours = std::get<1>(test.param);
+                           return (ours ? "OursWith" : "TheirsWith") +
+                                  std::to_string(std::get<0>(test.param));
+                         });
+
+int sent_to_ball_at_penalty(Play play) {
+  Staged stage(play, true);
+  stage.robots(6);
+  stage.world.ball(Field{}.penalty_mark_at(Side::kEast));
+  const RoleAssignment assignment = stage.assignment(penalty);
+  EXPECT_EQ(assignment.free_robots(), 0);
+  return count_of(stage, assignment, Role::kBall);
 }
 
 TEST(Penalty, SendsARobotToTheBallOnlyOnceThePenaltyMayBeTaken) {
-  for (const Play play : {Play::kPreparePenalty, Play::kPenalty}) {
-    Staged stage(play, true);
-    stage.robots(6);
-    stage.world.ball(Field{}.penalty_mark_at(Side::kEast));
-    const RoleAssignment assignment = stage.assignment(penalty);
-    EXPECT_EQ(count_of(stage, assignment, Role::kBall), play == Play::kPenalty ? 1 : 0);
-    EXPECT_EQ(assignment.free_robots(), 0);
-  }
+  EXPECT_EQ(sent_to_ball_at_penalty(Play::kPreparePenalty), 0);
+  EXPECT_EQ(sent_to_ball_at_penalty(Play::kPenalty), 1);
 }
 
 }  // namespace

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "tests/strategies/staged_world.hpp"
@@ -10,39 +13,39 @@
 namespace autoref::strategies {
 namespace {
 
-const std::vector<Vec2> kBallPositions_m = {{0, 0},  {-2.925, 1.925}, {2.925, -1.925},
-                                            {-1, 1}, {1.5, 0.3},      {-1.4, 0}};
+class SquadInStop : public testing::TestWithParam<Vec2> {};
 
-TEST(Squad, KeepsItsDistanceFromTheBallWhilePlayIsStopped) {
-  for (const Vec2& ball_m : kBallPositions_m) {
-    Squad team(TeamContext{}, TeamPlaybook{});
-    StagedWorld world(Play::kStop);
-    world.six_against_six().ball(ball_m).run(team, 5);
-    for (const TrackedRobot& robot : world.view.own) {
-      if (robot.number == 0) continue;  // the keeper may stay in its goal
-      EXPECT_GE((robot.position_m - ball_m).norm(), kBallGap_m)
-          << robot.number << ", ball at " << ball_m.transpose();
-    }
-  }
+TEST_P(SquadInStop, KeepsItsDistanceFromTheBall) {
+  Squad team(TeamContext{}, TeamPlaybook{});
+  StagedWorld world(Play::kStop);
+  world.six_against_six().ball(GetParam()).run(team, 5);
+  EXPECT_EQ(field_players_within(world, GetParam(), kBallGap_m), kNobody);
 }
 
-TEST(Squad, ComesToRestWhilePlayIsStopped) {
-  for (const Vec2& ball_m : kBallPositions_m) {
-    for (const bool ours : {true, false}) {
-      Squad team(TeamContext{}, TeamPlaybook{});
-      StagedWorld world(Play::kStop);
-      world.view.next = CommandKind::kDirectFree;
-      world.view.next_is_ours = ours;
-      world.six_against_six().ball(ball_m).run(team, 3);
-      const TeamView before = world.view;
-      world.run(team, 1);
-      for (std::size_t i = 0; i < before.own.size(); ++i) {
-        EXPECT_LT((world.view.own[i].position_m - before.own[i].position_m).norm(), 15_mm)
-            << i << ", ball at " << ball_m.transpose();
-      }
-    }
-  }
+// Stops play for 3 s before a free kick of that side. Returns who moves in the next second.
+Numbers moving_before_free_kick(const Vec2& ball_m, bool ours) {
+  Squad team(TeamContext{}, TeamPlaybook{});
+  StagedWorld world(Play::kStop);
+  world.view.next = CommandKind::kDirectFree;
+  world.view.next_is_ours = ours;
+  world.six_against_six().ball(ball_m).run(team, 3);
+  const TeamView before = world.view;
+  world.run(team, 1);
+  return moved_since(before, world, 15_mm);
 }
+
+TEST_P(SquadInStop, ComesToRestBeforeItsOwnFreeKick) {
+  EXPECT_EQ(moving_before_free_kick(GetParam(), true), kNobody);
+}
+
+TEST_P(SquadInStop, ComesToRestBeforeTheOpponentsFreeKick) {
+  EXPECT_EQ(moving_before_free_kick(GetParam(), false), kNobody);
+}
+
+INSTANTIATE_TEST_SUITE_P(BallAt, SquadInStop,
+                         testing::Values(Vec2(0, 0), Vec2(-2.925, 1.925), Vec2(2.925, -1.925),
+                                         Vec2(-1, 1), Vec2(1.5, 0.3), Vec2(-1.4, 0)),
+                         name_of_place);
 
 TEST(Squad, LeavesAStoppedBallWithinTwoSeconds) {
   Squad team(team_context_of("2014"), TeamPlaybook{});
@@ -51,8 +54,7 @@ TEST(Squad, LeavesAStoppedBallWithinTwoSeconds) {
   world.view.own[2].position_m = {0.9, 0.95};
   world.view.own[3].position_m = {1.1, 1.15};
   world.run(team, 2);
-  for (const TrackedRobot& robot : world.view.own)
-    EXPECT_GE((robot.position_m - Vec2(1, 1)).norm(), kBallGap_m) << robot.number;
+  EXPECT_EQ(robots_within(world, {1, 1}, kBallGap_m), kNobody);
 }
 
 TEST(Squad, KeepsItsHullClearOfTheOpponentsAreaBeforeARestart) {
@@ -61,11 +63,7 @@ TEST(Squad, KeepsItsHullClearOfTheOpponentsAreaBeforeARestart) {
   world.six_against_six().ball({2.525, 1.925});  // the opponents' goal kick
   world.view.own[3].position_m = {2.2, 0.3};
   world.run(team, 4);
-  for (const TrackedRobot& robot : world.view.own) {
-    EXPECT_GE(distance_to_defence_area(Field{}, Side::kEast, robot.position_m),
-              200_mm + kRobotRadius_m)
-        << robot.number;
-  }
+  EXPECT_EQ(near_their_area(world, 200_mm + kRobotRadius_m), kNobody);
 }
 
 // The maximum speed of a robot in a stop of 4 s under that rule book.
@@ -88,6 +86,28 @@ TEST(Squad, KeepsTheSpeedLimitInAStopIfThereIsOne) {
   EXPECT_GT(fastest_in_stop_mps("paper"), 1.5);
 }
 
+// The smallest distance of each robot from the ball while the team plays for 3 s.
+std::array<double, 6> least_gaps_m(StagedWorld& world, Squad& team) {
+  std::array<double, 6> least_m;
+  least_m.fill(9);
+  for (int frame = 0; frame < 180; ++frame) {
+    world.step(team);
+    for (const TrackedRobot& robot : world.view.own) {
+      double& gap_m = least_m[static_cast<std::size_t>(robot.number)];
+      gap_m = std::min(gap_m, (robot.position_m - world.view.ball.position_m).norm());
+    }
+  }
+  return least_m;
+}
+
+int nearest_field_player(const StagedWorld& world, const Vec2& ball_m) {
+  const auto gap_m = [&](const TrackedRobot& robot) { return (robot.position_m - ball_m).norm(); };
+  const TrackedRobots& own = world.view.own;
+  return std::min_element(own.begin() + 1, own.end(),
+                          [&](const auto& a, const auto& b) { return gap_m(a) < gap_m(b); })
+      ->number;
+}
+
 // Plays a stop, then the restart, which only the field player nearest to the ball takes.
 TEST(Squad, TakesItsRestartWithTheNearestRobotOnly) {
   const Vec2 ball_m(1, 1.9);
@@ -96,38 +116,45 @@ TEST(Squad, TakesItsRestartWithTheNearestRobotOnly) {
   world.view.next = CommandKind::kIndirectFree;
   world.view.next_is_ours = true;
   world.six_against_six().ball(ball_m).run(team, 4);
-  const auto gap_m = [&](int number) { return (world.robot(number).position_m - ball_m).norm(); };
-  int nearest = 1;
-  for (int i = 2; i < 6; ++i) nearest = gap_m(i) < gap_m(nearest) ? i : nearest;
+  const int taker = nearest_field_player(world, ball_m);
   world.view.play = Play::kIndirectFree;
   world.view.ours = true;
-  std::array<double, 6> least_m;
-  least_m.fill(9);
-  for (int frame = 0; frame < 180; ++frame) {
+  std::array<double, 6> least_m = least_gaps_m(world, team);
+  EXPECT_LT(std::exchange(least_m[static_cast<std::size_t>(taker)], 9.0), 0.12);
+  EXPECT_GT(*std::min_element(least_m.begin(), least_m.end()), 0.3)
+      << testing::PrintToString(least_m);
+}
+
+// Plays for 8 s in which robot 1 cannot move. Returns how near robot 2 gets to the ball.
+double least_gap_with_robot_1_stuck_m(StagedWorld& world, Squad& team, const Vec2& stuck_m) {
+  double least_m = 9;
+  for (int frame = 0; frame < 480; ++frame) {
     world.step(team);
-    for (int i = 0; i < 6; ++i)
-      least_m[static_cast<std::size_t>(i)] =
-          std::min(least_m[static_cast<std::size_t>(i)], gap_m(i));
+    world.view.own[1].position_m = stuck_m;
+    least_m = std::min(least_m, (world.robot(2).position_m - world.view.ball.position_m).norm());
   }
-  for (int i = 0; i < 6; ++i) {
-    const double reached_m = least_m[static_cast<std::size_t>(i)];
-    EXPECT_TRUE(i == nearest ? reached_m < 0.12 : reached_m > 0.3) << i << ": " << reached_m;
-  }
+  return least_m;
 }
 
 // If the nearest robot cannot move, as if it were trapped, another robot takes the restart.
 TEST(Squad, TakesItsRestartWithAnotherRobotIfTheNearestIsStuck) {
-  const Vec2 ball_m(1, 1);
+  const Vec2 stuck_m(0.5, 1);
   Squad team(TeamContext{}, TeamPlaybook{});
   StagedWorld world(Play::kDirectFree, true);
-  world.own(0, {-2.8, 0}).own(1, {0.5, 1}).own(2, {-1, -1}).ball(ball_m);
+  world.own(0, {-2.8, 0}).own(1, stuck_m).own(2, {-1, -1}).ball({1, 1});
+  EXPECT_LT(least_gap_with_robot_1_stuck_m(world, team, stuck_m), 0.12);
+}
+
+// How near robot 1 gets to the ball in 2 s, or until robot 2 is there.
+double least_gap_of_taker_m(StagedWorld& world, Squad& team) {
+  const Vec2& ball_m = world.view.ball.position_m;
   double least_m = 9;
-  for (int frame = 0; frame < 480; ++frame) {
+  for (int frame = 0; frame < 120; ++frame) {
     world.step(team);
-    world.view.own[1].position_m = {0.5, 1};
-    least_m = std::min(least_m, (world.robot(2).position_m - ball_m).norm());
+    if ((world.robot(2).position_m - ball_m).norm() < 0.2) break;
+    least_m = std::min(least_m, (world.robot(1).position_m - ball_m).norm());
   }
-  EXPECT_LT(least_m, 0.12);
+  return least_m;
 }
 
 // Laws 2014: the taker of a restart must not touch the ball again before another robot has.
@@ -137,35 +164,31 @@ TEST(Squad, DoesNotPlayTheBallTwiceAfterItsRestart) {
   world.own(0, {-2.8, 0}).own(1, {0.7, 0.8}).own(2, {-2, -1}).ball({1, 1}).run(team, 2);
   world.view.play = Play::kRunning;
   world.ball({1.5, 1.2});
-  for (int frame = 0; frame < 120; ++frame) {
-    world.step(team);
-    const double gap_m = (world.robot(1).position_m - Vec2(1.5, 1.2)).norm();
-    if ((world.robot(2).position_m - Vec2(1.5, 1.2)).norm() < 0.2) break;
-    ASSERT_GT(gap_m, kHeldBall_m + 20_mm) << frame;
+  EXPECT_GT(least_gap_of_taker_m(world, team), kHeldBall_m + 20_mm);
+}
+
+// Whether robot 4 kicks the ball within 400 frames.
+bool robot_4_takes_restart(StagedWorld& world, Squad& team) {
+  for (int i = 0; i < 400; ++i) {
+    const RobotCommand& command = world.step(team)[4];
+    const double gap_m = (world.robot(4).position_m - world.view.ball.position_m).norm();
+    if (command.kick_mps > 0 && gap_m < 0.12) return true;
   }
+  return false;
 }
 
 TEST(Squad, TakesItsRestartEvenWithASingleRobot) {
   Squad team(TeamContext{}, TeamPlaybook{});
   StagedWorld world(Play::kIndirectFree, true);
   world.own(4, {-2, -1}).ball({1, 1.925});
-  bool is_taken = false;
-  for (int i = 0; i < 400; ++i) {
-    const RobotCommand& command = world.step(team)[4];
-    is_taken = is_taken ||
-               (command.kick_mps > 0 && (world.robot(4).position_m - Vec2(1, 1.925)).norm() < 0.12);
-  }
-  EXPECT_TRUE(is_taken);
+  EXPECT_TRUE(robot_4_takes_restart(world, team));
 }
 
 TEST(Squad, StandsStillInHalt) {
   Squad team(TeamContext{}, TeamPlaybook{});
   StagedWorld world(Play::kHalt);
   world.six_against_six();
-  for (const RobotCommand& command : world.step(team)) {
-    EXPECT_EQ(command.velocity_mps, Vec2(0, 0));
-    EXPECT_EQ(command.kick_mps, 0);
-  }
+  EXPECT_EQ(active_robots(world.step(team)), kNobody);
 }
 
 TEST(Squad, DeclaresItsLowestNumberAsKeeper) {
@@ -175,28 +198,44 @@ TEST(Squad, DeclaresItsLowestNumberAsKeeper) {
   EXPECT_EQ(team.requests().keeper, 3);
 }
 
-// Two teams in a game that looks the same when turned by 180 degrees must give the same commands.
-// Each robot moves in its own team's frame, so that the symmetry is exact to the last bit.
-TEST(Squad, PlaysSymmetricallyFromTheOtherEnd) {
-  PerSide<std::unique_ptr<Squad>> teams;
-  PerSide<StagedWorld> ends{{StagedWorld(Play::kRunning), StagedWorld(Play::kRunning)}};
-  for (const Side side : kSides) {
-    teams[side] = std::make_unique<Squad>(TeamContext{}, TeamPlaybook{});
-    for (int i = 0; i < 6; ++i) ends[side].own(i, {-0.4 - 0.4 * i, 1.2 - 0.35 * i});
+// Two teams in a game that looks the same when turned by 180 degrees. Each robot moves in its own
+// team's frame, so that the symmetry is exact to the last bit.
+struct SymmetricGame {
+  SymmetricGame() {
+    for (const Side side : kSides) {
+      for (int i = 0; i < 6; ++i) ends[side].own(i, {-0.4 - 0.4 * i, 1.2 - 0.35 * i});
+    }
   }
-  for (int frame = 0; frame < 180; ++frame) {
+  void frame() {
     const PerSide<TrackedRobots> before{{ends[Side::kWest].view.own, ends[Side::kEast].view.own}};
     for (const Side side : kSides) {
-      TeamView& view = ends[side].view;
-      view.opponents.clear();
+      TrackedRobots& opponents = ends[side].view.opponents;
+      opponents.clear();
       for (const TrackedRobot& robot : before[opponent_of(side)])
-        view.opponents.push_back(mirrored(robot));
+        opponents.push_back(mirrored(robot));
       ends[side].step(*teams[side]);
     }
   }
-  for (int i = 0; i < 6; ++i) {
-    EXPECT_EQ(ends[Side::kWest].robot(i).position_m, ends[Side::kEast].robot(i).position_m) << i;
+  void frames(int count) {
+    for (int i = 0; i < count; ++i) frame();
   }
+
+  PerSide<std::unique_ptr<Squad>> teams{{std::make_unique<Squad>(TeamContext{}, TeamPlaybook{}),
+                                         std::make_unique<Squad>(TeamContext{}, TeamPlaybook{})}};
+  PerSide<StagedWorld> ends{{StagedWorld(Play::kRunning), StagedWorld(Play::kRunning)}};
+};
+
+std::vector<Vec2> positions_of(const TrackedRobots& robots) {
+  std::vector<Vec2> positions;
+  for (const TrackedRobot& robot : robots) positions.push_back(robot.position_m);
+  return positions;
+}
+
+TEST(Squad, PlaysSymmetricallyFromTheOtherEnd) {
+  SymmetricGame game;
+  game.frames(180);
+  EXPECT_EQ(positions_of(game.ends[Side::kWest].view.own),
+            positions_of(game.ends[Side::kEast].view.own));
 }
 
 }  // namespace

@@ -18,14 +18,17 @@ TEST(SteerFor, GoesStraightIfThePathIsFree) {
   EXPECT_EQ(steer_for(robot_at({0, 0}), {1, 0}, {}), Vec2(1, 0));
 }
 
+// How far left of a robot at that point, on the way to (1.5, 0), the other one steers.
+double steered_left_of_m(const Vec2& there_m) {
+  const Vec2 steer_m = steer_for(robot_at({0, 0}), {1.5, 0}, {{there_m, kClear_m}});
+  EXPECT_GE(distance_to_segment(there_m, {0, 0}, steer_m), kTouching_m);
+  EXPECT_GE((steer_m - there_m).norm(), kClear_m);
+  return steer_m.y();
+}
+
 TEST(SteerFor, PassesARobotOnTheNearerSideWithRoom) {
-  for (const double side : {1.0, -1.0}) {
-    const Vec2 there_m(0.7, 0.08 * side);
-    const Vec2 steer_m = steer_for(robot_at({0, 0}), {1.5, 0}, {{there_m, kClear_m}});
-    EXPECT_LT(steer_m.y() * side, 0);
-    EXPECT_GE(distance_to_segment(there_m, {0, 0}, steer_m), kTouching_m);
-    EXPECT_GE((steer_m - there_m).norm(), kClear_m);
-  }
+  EXPECT_LT(steered_left_of_m({0.7, 0.08}), 0);
+  EXPECT_GT(steered_left_of_m({0.7, -0.08}), 0);
 }
 
 TEST(SteerFor, ContinuesOnTheSideOnWhichTheRobotAlreadyMoves) {
@@ -50,9 +53,8 @@ TEST(SteerFor, NeverLeadsThroughALoneRobot) {
 }
 
 TEST(FindObstacles, FindsEveryOtherRobotNearThePath) {
-  const TrackedRobots own = {robot_at({0, 0}), {1, {1, 0.1}, {1, 0}, {0, 0}, 0}};
-  const TrackedRobots opponents = {{0, {0.5, 0}, {1, 0}, {0, 0}, 0},
-                                   {1, {0.5, 1.7}, {1, 0}, {0, 0}, 0}};
+  const TrackedRobots own = {robot_at({0, 0}), numbered(1, robot_at({1, 0.1}))};
+  const TrackedRobots opponents = {robot_at({0.5, 0}), numbered(1, robot_at({0.5, 1.7}))};
   Obstacles obstacles;
   find_obstacles({own, opponents}, own[0], {2, 0}, obstacles);
   EXPECT_EQ(obstacles.size(), 2U);
@@ -69,7 +71,7 @@ TEST(FindObstacles, KeepsTheRequestedDistanceFromHullToBall) {
 
 TEST(FindObstacles, ExtrapolatesAMovingRobot) {
   const TrackedRobots own = {robot_at({0, 0})};
-  const TrackedRobots opponents = {{0, {1, -0.5}, {1, 0}, {0, 2}, 0}};
+  const TrackedRobots opponents = {robot_at({1, -0.5}, {0, 2})};
   Obstacles obstacles;
   find_obstacles({own, opponents}, own[0], {2, 0}, obstacles);
   ASSERT_EQ(obstacles.size(), 1U);
@@ -100,10 +102,25 @@ Drive drive(const Vec2& from_m, const Vec2& target_m, const TrackedRobots& other
 }
 
 TEST(Schedule, LeadsPastTwoRobotsBesideEachOther) {
-  const TrackedRobots pair = {{0, {1, 0.1}, {1, 0}, {0, 0}, 0}, {1, {1, -0.1}, {1, 0}, {0, 0}, 0}};
+  const TrackedRobots pair = {robot_at({1, 0.1}), numbered(1, robot_at({1, -0.1}))};
   const Drive result = drive({0, 0}, {2, 0}, pair, 4);
   EXPECT_GT(result.nearest_m, kTouching_m);
   EXPECT_LT(result.left_m, 10_mm);
+}
+
+// Five robots at random positions, at least 0.6 m apart.
+TrackedRobots five_robots(RandomStream& random) {
+  TrackedRobots robots;
+  while (robots.size() < 5) {
+    const double x = -1.4 + 2.8 * random.uniform();
+    const double y = -1 + 2 * random.uniform();
+    const bool has_room = std::all_of(robots.begin(), robots.end(), [&](const auto& other) {
+      return (other.position_m - Vec2(x, y)).norm() > 0.6;
+    });
+    const int number = static_cast<int>(robots.size());
+    if (has_room) robots.push_back(numbered(number, robot_at({x, y})));
+  }
+  return robots;
 }
 
 // The robots are so far apart that there is a path between any two of them.
@@ -111,17 +128,7 @@ TEST(Schedule, ArrivesWithoutTouchingStationaryRobots) {
   RandomStream random(2);
   for (int run = 0; run < 200; ++run) {
     const Vec2 target_m(2, 2 * random.uniform() - 1);
-    TrackedRobots others;
-    while (others.size() < 5) {
-      const double x = -1.4 + 2.8 * random.uniform();
-      const double y = -1 + 2 * random.uniform();
-      const bool has_room = std::all_of(others.begin(), others.end(), [&](const auto& other) {
-        return (other.position_m - Vec2(x, y)).norm() > 0.6;
-      });
-      const int number = static_cast<int>(others.size());
-      if (has_room) others.push_back({number, {x, y}, {1, 0}, {0, 0}, 0});
-    }
-    const Drive result = drive({-2, 0}, target_m, others, 6);
+    const Drive result = drive({-2, 0}, target_m, five_robots(random), 6);
     ASSERT_GT(result.nearest_m, kTouching_m - 2_mm) << "run " << run;
     ASSERT_LT(result.left_m, 10_mm) << "run " << run;
   }

@@ -21,12 +21,18 @@ double trapezoid_s(double distance_m, double braking_share) {
 }
 
 // A team may choose the fraction of braking that it plans with: more than half, at most all.
+void expect_trapezoidal_time(double distance_m) {
+  const double time_s = time_to_s(robot_at({1, 1}), Vec2(1, 1 - distance_m), Abilities{});
+  EXPECT_GE(time_s, trapezoid_s(distance_m, 1.0) - 1e-9) << distance_m;
+  EXPECT_LE(time_s, trapezoid_s(distance_m, 0.5)) << distance_m;
+}
+
 TEST(TimeTo, IsTheTimeOfATrapezoidalProfileFromRest) {
-  for (const double distance_m : {0.1, 0.5, 1.0, 3.0, 8.0}) {
-    const double time_s = time_to_s(robot_at({1, 1}), Vec2(1, 1 - distance_m), Abilities{});
-    EXPECT_GE(time_s, trapezoid_s(distance_m, 1.0) - 1e-9) << distance_m;
-    EXPECT_LE(time_s, trapezoid_s(distance_m, 0.5)) << distance_m;
-  }
+  expect_trapezoidal_time(0.1);
+  expect_trapezoidal_time(0.5);
+  expect_trapezoidal_time(1.0);
+  expect_trapezoidal_time(3.0);
+  expect_trapezoidal_time(8.0);
 }
 
 TEST(TimeTo, IsZeroForARobotAtRestThere) {
@@ -64,17 +70,20 @@ TEST(InterceptBall, IsImmediateForARobotThatHasTheBall) {
   EXPECT_NEAR(interception.time_s, 0, 0.02);
 }
 
-TEST(InterceptBall, IsWhereTheRobotArrivesNoLaterThanARollingBall) {
+class InterceptRollingBallFrom : public testing::TestWithParam<Vec2> {};
+
+TEST_P(InterceptRollingBallFrom, IsWhereTheRobotArrivesNoLaterThanTheBall) {
   const CarpetBall ball{{-2, 0}, {1, 0}, 3};
-  const BallPath path = path_of(ball.at(0));
-  for (const Vec2& from_m : {Vec2(0, 1), Vec2(-1, -1), Vec2(1, 0.3)}) {
-    const BallInterception interception = intercept(robot_at(from_m), path, Abilities{}, Field{});
-    EXPECT_NEAR(interception.point_m.y(), 0, 1e-6);
-    EXPECT_NEAR(ball.at(interception.time_s).position_m.x(), interception.point_m.x(), 0.1);
-    const double touch_m = (interception.point_m - from_m).norm() - kHeldBall_m;
-    EXPECT_LE(trapezoid_s(std::max(0.0, touch_m), 1.0), interception.time_s + 0.1);
-  }
+  const BallInterception interception =
+      intercept(robot_at(GetParam()), path_of(ball.at(0)), Abilities{}, Field{});
+  EXPECT_NEAR(interception.point_m.y(), 0, 1e-6);
+  EXPECT_NEAR(ball.at(interception.time_s).position_m.x(), interception.point_m.x(), 0.1);
+  const double touch_m = (interception.point_m - GetParam()).norm() - kHeldBall_m;
+  EXPECT_LE(trapezoid_s(std::max(0.0, touch_m), 1.0), interception.time_s + 0.1);
 }
+
+INSTANTIATE_TEST_SUITE_P(Robot, InterceptRollingBallFrom,
+                         testing::Values(Vec2(0, 1), Vec2(-1, -1), Vec2(1, 0.3)), name_of_place);
 
 // The first step at which the robot is no later than the ball, found without any shortcut.
 int first_step_in_time(const TrackedRobot& robot, const BallPath& path) {
@@ -126,15 +135,16 @@ TEST(InterceptBall, IsNotOutsideTheField) {
   EXPECT_LT(interception.point_m.x(), field.half_length_m() + 0.2);
 }
 
+double time_to_ball_s(const Abilities& abilities, const Vec2& ball_mps) {
+  return intercept(robot_at({0, 1.5}), path_of({{-2, 0}, ball_mps}), abilities, Field{}).time_s;
+}
+
 TEST(InterceptBall, IsLaterForSlowerRobots) {
   Abilities slow;
   slow.speed_mps /= 2;
   slow.acceleration_mps2 /= 2;
-  for (const Vec2& velocity_mps : {Vec2(0, 0), Vec2(1.5, 0)}) {
-    const BallPath path = path_of({{-2, 0}, velocity_mps});
-    const double usual_s = intercept(robot_at({0, 1.5}), path, Abilities{}, Field{}).time_s;
-    EXPECT_GT(intercept(robot_at({0, 1.5}), path, slow, Field{}).time_s, usual_s + 0.1);
-  }
+  EXPECT_GT(time_to_ball_s(slow, {0, 0}), time_to_ball_s({}, {0, 0}) + 0.1);
+  EXPECT_GT(time_to_ball_s(slow, {1.5, 0}), time_to_ball_s({}, {1.5, 0}) + 0.1);
 }
 
 }  // namespace

@@ -6,20 +6,18 @@
 #include "strategies/skills/motion.hpp"
 #include "strategies/skills/prediction.hpp"
 #include "strategies/skills/shot.hpp"
-#include "tests/strategies/staged_world.hpp"
+#include "tests/strategies/skills/staged_bodies.hpp"
 
 namespace autoref::strategies {
 namespace {
 
+void drive_for_three_seconds(TrackedRobot& robot, const Waypoint& waypoint) {
+  for (int i = 0; i < 180; ++i) obey(robot, drive_to(robot, waypoint, {}, {}));
+}
+
 TEST(DriveTo, StopsAtItsGoalWithTheRequestedHeading) {
-  StagedWorld world(Play::kRunning);
-  world.own(0, {0, 0});
-  TrackedRobot& robot = world.view.own[0];
-  for (int i = 0; i < 180; ++i) {
-    const RobotCommand command = drive_to(robot, {{1, -0.5}, {0, 1}}, {}, {});
-    robot.position_m += to_world(command.velocity_mps, robot.heading) / 60;
-    robot.heading = heading_of(angle_of(robot.heading) + command.angular_velocity_radps / 60);
-  }
+  TrackedRobot robot = robot_at({0, 0});
+  drive_for_three_seconds(robot, {{1, -0.5}, {0, 1}});
   EXPECT_NEAR((robot.position_m - Vec2(1, -0.5)).norm(), 0, 10_mm);
   EXPECT_GT(robot.heading.y(), 0.999);
 }
@@ -43,8 +41,7 @@ TEST(BallAfter, SlowsDownAndStops) {
 }
 
 TEST(Intercept, MeetsARollingBallAheadOfItsPosition) {
-  const TrackedRobot robot{0, {2, 1}, {1, 0}, {0, 0}, 0};
-  const Interception interception = intercept(robot, {{0, 0}, {2, 0}, 0});
+  const Interception interception = intercept(robot_at({2, 1}), {{0, 0}, {2, 0}, 0});
   EXPECT_GT(interception.point_m.x(), 0.5);
   EXPECT_LT(interception.point_m.x(), 2.5);
 }
@@ -67,17 +64,16 @@ TEST(Lane, FindsNoPointBeyondADistanceThatIsNearer) {
 }
 
 TEST(LaneClearance, IsTheDistanceOfTheNearestRobotFromTheSegment) {
-  TrackedRobots robots;
-  for (const Vec2& position_m : {Vec2(1, 0.6), Vec2(2, -0.4), Vec2(3.5, 0), Vec2(-2, 0.1)})
-    robots.push_back({0, position_m, {-1, 0}, {0, 0}, 0});
-  EXPECT_NEAR(lane_clearance_m({0, 0}, {3, 0}, robots), 0.4, 1e-12);
-  EXPECT_NEAR(lane_clearance_m({0, 0}, {3.2, 0}, robots), 0.3, 1e-12);
+  StagedWorld world(Play::kRunning);
+  world.own(0, {1, 0.6}).own(1, {2, -0.4}).own(2, {3.5, 0}).own(3, {-2, 0.1});
+  EXPECT_NEAR(lane_clearance_m({0, 0}, {3, 0}, world.view.own), 0.4, 1e-12);
+  EXPECT_NEAR(lane_clearance_m({0, 0}, {3.2, 0}, world.view.own), 0.3, 1e-12);
 }
 
 TEST(BestShot, AimsAtTheSideThatTheKeeperLeavesOpen) {
-  TrackedRobots opponents;
-  opponents.push_back({0, {2.9, 0.2}, {-1, 0}, {0, 0}, 0});
-  const Aim aim = best_shot(Field{}, {1, 0}, opponents);
+  StagedWorld world(Play::kRunning);
+  world.opponent(0, {2.9, 0.2});
+  const Aim aim = best_shot(Field{}, {1, 0}, world.view.opponents);
   EXPECT_LT(aim.target_m.y(), 0);
   EXPECT_GT(aim.clearance_m, kRobotRadius_m + kBallRadius_m);
 }

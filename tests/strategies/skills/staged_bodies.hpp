@@ -11,6 +11,11 @@ inline TrackedRobot robot_at(const Vec2& position_m, const Vec2& velocity_mps = 
   return {0, position_m, Vec2(1, 0), velocity_mps, 0};
 }
 
+inline TrackedRobot numbered(int number, TrackedRobot robot) {
+  robot.number = number;
+  return robot;
+}
+
 inline BallPath path_of(const TrackedBall& ball) {
   BallPath path;
   path.follow(ball, 0);

@@ -17,57 +17,61 @@ StagedPrediction staged(const Vec2& ball_m, const TeamContext& context = {}) {
   return stage;
 }
 
-TEST(WallPosition, OfOneRobotIsOnTheLineFromTheBallToTheGoalsCentre) {
-  for (const Vec2& ball_m : kAttackedFrom_m) {
-    const Vec2 position_m = wall_position(staged(ball_m).predicted, 0, 1).position_m;
-    EXPECT_LT(distance_to_segment(position_m, ball_m, Field{}.goal_centre_m(Side::kWest)), 20_mm)
-        << ball_m.transpose();
+class WallAgainst : public testing::TestWithParam<Vec2> {
+ protected:
+  Vec2 position_m(int index, int count) const {
+    return wall_position(stage.predicted, index, count).position_m;
   }
+  // The distance between neighbours of that wall.
+  double apart_m(int index, int count) const {
+    return (position_m(index, count) - position_m(index - 1, count)).norm();
+  }
+
+  StagedPrediction stage = staged(GetParam());
+  Vec2 goal_m = Field{}.goal_centre_m(Side::kWest);
+};
+
+TEST_P(WallAgainst, OfOneRobotIsOnTheLineFromTheBallToTheGoalsCentre) {
+  EXPECT_LT(distance_to_segment(position_m(0, 1), GetParam(), goal_m), 20_mm);
 }
 
-TEST(WallPosition, OfTwoRobotsIsOnBothSidesOfThatLine) {
-  for (const Vec2& ball_m : kAttackedFrom_m) {
-    const StagedPrediction stage = staged(ball_m);
-    const Vec2 goal_m = Field{}.goal_centre_m(Side::kWest);
-    const double first =
-        cross(ball_m - goal_m, wall_position(stage.predicted, 0, 2).position_m - goal_m);
-    const double second =
-        cross(ball_m - goal_m, wall_position(stage.predicted, 1, 2).position_m - goal_m);
-    EXPECT_LT(first * second, 0) << ball_m.transpose();
-  }
+TEST_P(WallAgainst, OfTwoRobotsIsOnBothSidesOfThatLine) {
+  const double first = cross(GetParam() - goal_m, position_m(0, 2) - goal_m);
+  const double second = cross(GetParam() - goal_m, position_m(1, 2) - goal_m);
+  EXPECT_LT(first * second, 0);
 }
 
-TEST(WallPosition, LetsNoBallThroughBetweenNeighboursThatDoNotTouch) {
+TEST_P(WallAgainst, LetsNoBallThroughBetweenNeighboursThatDoNotTouch) {
+  const auto [least_m, most_m] = std::minmax({apart_m(1, 2), apart_m(1, 3), apart_m(2, 3)});
+  EXPECT_GE(least_m, 2 * kRobotRadius_m - 1_mm);
+  EXPECT_LE(most_m, 2 * (kRobotRadius_m + kBallRadius_m));
+}
+
+INSTANTIATE_TEST_SUITE_P(BallAt, WallAgainst, testing::ValuesIn(kAttackedFrom_m), name_of_place);
+
+class WallUnder : public testing::TestWithParam<const char*> {};
+
+void expect_wall_just_outside_area(const TeamContext& context, int count) {
   for (const Vec2& ball_m : kAttackedFrom_m) {
-    const StagedPrediction stage = staged(ball_m);
-    for (const int count : {2, 3}) {
-      for (int i = 1; i < count; ++i) {
-        const double apart_m = (wall_position(stage.predicted, i, count).position_m -
-                                wall_position(stage.predicted, i - 1, count).position_m)
-                                   .norm();
-        EXPECT_GE(apart_m, 2 * kRobotRadius_m - 1_mm) << count << ", " << ball_m.transpose();
-        EXPECT_LE(apart_m, 2 * (kRobotRadius_m + kBallRadius_m)) << ball_m.transpose();
-      }
+    const StagedPrediction stage = staged(ball_m, context);
+    for (int i = 0; i < count; ++i) {
+      const Vec2 position_m = wall_position(stage.predicted, i, count).position_m;
+      const double off_m = distance_to_defence_area(context.field, Side::kWest, position_m);
+      EXPECT_GE(off_m, kRobotRadius_m) << "ball at " << ball_m.transpose();
+      EXPECT_LE(off_m, 0.5) << "ball at " << ball_m.transpose();
     }
   }
 }
 
-TEST(WallPosition, IsJustOutsideTheAreaOfEveryRuleBook) {
-  for (const char* rules : {"paper", "2014-double", "2026-b", "2026-a"}) {
-    const TeamContext context = team_context_of(rules);
-    for (const Vec2& ball_m : kAttackedFrom_m) {
-      const StagedPrediction stage = staged(ball_m, context);
-      for (const int count : {1, 2, 3}) {
-        for (int i = 0; i < count; ++i) {
-          const Vec2 position_m = wall_position(stage.predicted, i, count).position_m;
-          const double off_m = distance_to_defence_area(context.field, Side::kWest, position_m);
-          EXPECT_GE(off_m, kRobotRadius_m) << rules << ", ball at " << ball_m.transpose();
-          EXPECT_LE(off_m, 0.5) << rules << ", ball at " << ball_m.transpose();
-        }
-      }
-    }
-  }
+TEST_P(WallUnder, IsJustOutsideTheArea) {
+  expect_wall_just_outside_area(team_context_of(GetParam()), 1);
+  expect_wall_just_outside_area(team_context_of(GetParam()), 2);
+  expect_wall_just_outside_area(team_context_of(GetParam()), 3);
 }
+
+INSTANTIATE_TEST_SUITE_P(Books, WallUnder,
+                         testing::Values("paper", "2014-double", "2026-b", "2026-a"),
+                         name_of_rule_book);
 
 TEST(WallPosition, FacesTheBall) {
   const Waypoint waypoint = wall_position(staged({0, 1}).predicted, 0, 1);

@@ -35,12 +35,15 @@ double nearest_to_area_m(StagedPlay& stage, const Vec2& target_m) {
 }
 
 // The area of Division B is 1 m deep and 2 m wide.
+double nearest_to_box_in_stop_m(const Vec2& target_m) {
+  StagedPlay stage = staged_2026(Play::kStop);
+  stage.world.own(0, {-4, 0}).own(1, {2.5, 0.2}).ball({-2, 0});
+  return nearest_to_area_m(stage, target_m);
+}
+
 TEST(AvoidingFouls, RobotsKeepTheirDistanceFromTheCornersOfABoxDuringAStop) {
-  for (const Vec2& target_m : {Vec2(4.2, 1.6), Vec2(3, -1.8)}) {
-    StagedPlay stage = staged_2026(Play::kStop);
-    stage.world.own(0, {-4, 0}).own(1, {2.5, 0.2}).ball({-2, 0});
-    EXPECT_GE(nearest_to_area_m(stage, target_m), 0.2) << target_m.transpose();
-  }
+  EXPECT_GE(nearest_to_box_in_stop_m({4.2, 1.6}), 0.2);
+  EXPECT_GE(nearest_to_box_in_stop_m({3, -1.8}), 0.2);
 }
 
 TEST(AvoidingFouls, ARobotInTheOpponentsAreaLeavesItTheShortestWayDuringAStop) {
@@ -81,17 +84,22 @@ TEST(AvoidingFouls, ARobotInContactDoesNotPressAgainstAnOpponent) {
   EXPECT_NEAR(command.velocity_mps.y(), 0.4, 0.01);
 }
 
+// What is left of a velocity of 3 m/s towards the area on that side (1: the opponents').
+Vec2 permitted_before_area_mps(double side) {
+  StagedPlay stage = staged_2026(Play::kRunning);
+  stage.world.own(0, {-4, 0}).own(1, {side * 3.3, 0}).opponent(0, {0, 2}).ball({0, 1});
+  stage.look();
+  RobotCommand command;
+  command.velocity_mps = {side * 3, 0.5};
+  stay_out_of_areas(stage.predicted, 1, command);
+  return command.velocity_mps;
+}
+
 TEST(AvoidingFouls, AFieldPlayerStopsBeforeBothAreas) {
-  for (const double side : {1.0, -1.0}) {
-    StagedPlay stage = staged_2026(Play::kRunning);
-    stage.world.own(0, {-4, 0}).own(1, {side * 3.3, 0}).opponent(0, {0, 2}).ball({0, 1});
-    stage.look();
-    RobotCommand command;
-    command.velocity_mps = {side * 3, 0.5};
-    stay_out_of_areas(stage.predicted, 1, command);
-    EXPECT_LT(std::abs(command.velocity_mps.x()), 1.0) << side;
-    EXPECT_NEAR(command.velocity_mps.y(), 0.5, 0.01);
-  }
+  EXPECT_LT(std::abs(permitted_before_area_mps(1).x()), 1.0);
+  EXPECT_LT(std::abs(permitted_before_area_mps(-1).x()), 1.0);
+  EXPECT_NEAR(permitted_before_area_mps(1).y(), 0.5, 0.01);
+  EXPECT_NEAR(permitted_before_area_mps(-1).y(), 0.5, 0.01);
 }
 
 TEST(AvoidingFouls, TheKeeperAwaitsAPenaltyKickOnItsLine) {

@@ -30,6 +30,22 @@ struct StagedHandling : StagedPrediction {
     }
     return command;
   }
+  // Does the same until the robot kicks the ball; returns whether it did.
+  bool drive_until_kick(int index, double seconds) {
+    for (int i = 0; i < seconds * 60; ++i) {
+      const RobotCommand command = drive(index, kStagedFrame_s);
+      const TrackedRobot& robot = world.view.own[static_cast<std::size_t>(index)];
+      if (command.kick_mps > 0 && has_ball(robot, world.view.ball.position_m)) return true;
+    }
+    return false;
+  }
+  // Only observes.
+  void watch(double seconds) {
+    for (int i = 0; i < seconds * 60; ++i) {
+      look(1);
+      handler.update();
+    }
+  }
 
   BallHandler handler{predicted};
 };
@@ -93,9 +109,7 @@ TEST(BallHandler, ChipsOverARobotInTheLane) {
 }
 
 TEST(BallHandler, DoesNotChipWithRobotsThatCannotChip) {
-  TeamContext context;
-  for (Abilities& robot : context.robots) robot.chip_mps = 0;
-  StagedHandling stage(Play::kRunning, false, context);
+  StagedHandling stage(Play::kRunning, false, context_without_chips());
   stage_a_chip(stage.world);
   const RobotCommand command = stage.play(1);
   EXPECT_NE(stage.handler.choice().kind, Choice::Kind::kChip);
@@ -128,10 +142,7 @@ TEST(BallHandler, ForgetsTheReceiverOnceThePassMustHaveArrived) {
   stage_a_pass(stage.world);
   stage.play(1);
   ASSERT_TRUE(stage.handler.receiver().has_value());
-  for (int i = 0; i < 240; ++i) {
-    stage.look(1);
-    stage.handler.update();
-  }
+  stage.watch(4);
   EXPECT_FALSE(stage.handler.receiver().has_value());
 }
 
@@ -182,13 +193,7 @@ TEST(BallHandler, LeavesAFaceOffSideways) {
 TEST(BallHandler, FetchesABallAtRestAndKicksItAtTheGoal) {
   StagedHandling stage(Play::kRunning);
   stage.world.own(0, {-2.9, 0}).own(1, {0.9, 0.9}).ball({0.5, 0});
-  RobotCommand command;
-  bool is_kicked = false;
-  for (int i = 0; i < 240 && !is_kicked; ++i) {
-    command = stage.drive(1, kStagedFrame_s);
-    is_kicked = command.kick_mps > 0 && has_ball(stage.world.view.own[1], {0.5, 0});
-  }
-  ASSERT_TRUE(is_kicked);
+  ASSERT_TRUE(stage.drive_until_kick(1, 4));
   const Vec2& ray = stage.world.view.own[1].heading;
   EXPECT_LT(std::abs(ray.y() / ray.x() * (3.025 - 0.5)), 0.35);
 }

@@ -11,14 +11,21 @@ constexpr double kGoal_m = 3.025;    // x of the opponents' goal line
 constexpr double kSomeChance = 0.3;  // scoring chance of a team-mate's shot
 constexpr double kWorthNothing = -1;
 
+// The target of a shot past a keeper at that y.
+Vec2 target_past_keeper_m(double keeper_y_m) {
+  StagedPrediction stage(Play::kRunning);
+  stage.world.own(1, {1.5, 0}).opponent(0, {2.9, keeper_y_m});
+  return shot_from(stage.look(), 1, {1.6, 0}).strike.target_m;
+}
+
 TEST(ShotFrom, AimsAtTheLargerOpeningBesideTheKeeper) {
-  for (const double side : {1.0, -1.0}) {
-    StagedPrediction stage(Play::kRunning);
-    stage.world.own(1, {1.5, 0}).opponent(0, {2.9, side * 0.12});
-    const Choice shot = shot_from(stage.look(), 1, {1.6, 0});
-    EXPECT_LT(shot.strike.target_m.y() * side, -0.05);
-    EXPECT_EQ(shot.strike.target_m.x(), kGoal_m);
-  }
+  EXPECT_LT(target_past_keeper_m(0.12).y(), -0.05);
+  EXPECT_GT(target_past_keeper_m(-0.12).y(), 0.05);
+}
+
+TEST(ShotFrom, AimsAtAPointOnTheGoalLine) {
+  EXPECT_EQ(target_past_keeper_m(0.12).x(), kGoal_m);
+  EXPECT_EQ(target_past_keeper_m(-0.12).x(), kGoal_m);
 }
 
 TEST(ShotFrom, HasANegativeValueIfTheGoalIsBlocked) {
@@ -65,11 +72,12 @@ TEST(PassTo, ArrivesWithTheStylesSpeed) {
 }
 
 TEST(PassTo, IsRejectedForAMateThatMustNotTouchTheBallThere) {
-  for (const double x_m : {-4.0, 4.0}) {  // in the defence areas of that rule book
-    PassOver stage({x_m, 0.5}, team_context_of("2026-b"));
-    EXPECT_EQ(stage.pass_worth(), kWorthNothing) << x_m;
-    EXPECT_EQ(stage.chip_worth(), kWorthNothing) << x_m;
-  }
+  PassOver own_area({-4, 0.5}, team_context_of("2026-b"));
+  EXPECT_EQ(own_area.pass_worth(), kWorthNothing);
+  EXPECT_EQ(own_area.chip_worth(), kWorthNothing);
+  PassOver their_area({4, 0.5}, team_context_of("2026-b"));
+  EXPECT_EQ(their_area.pass_worth(), kWorthNothing);
+  EXPECT_EQ(their_area.chip_worth(), kWorthNothing);
 }
 
 TEST(ChipTo, FliesOverARobotThatStopsAPass) {
@@ -79,12 +87,15 @@ TEST(ChipTo, FliesOverARobotThatStopsAPass) {
   EXPECT_GT(stage.chip_worth(), 0);
 }
 
+double chip_worth_over(const Vec2& opponent_m) {
+  PassOver stage({2.2, 0});
+  stage.world.opponent(1, opponent_m);
+  return stage.chip_worth();
+}
+
 TEST(ChipTo, DoesNotFlyOverARobotAtTheBallOrWhereItLands) {
-  for (const double x_m : {0.25, 1.2}) {  // the mate is 1 m behind the landing point
-    PassOver stage({2.2, 0});
-    stage.world.opponent(1, {x_m, 0});
-    EXPECT_LT(stage.chip_worth(), 0) << x_m;
-  }
+  EXPECT_LT(chip_worth_over({0.25, 0}), 0);
+  EXPECT_LT(chip_worth_over({1.2, 0}), 0);  // the mate is 1 m behind the landing point
 }
 
 // At 45 degrees the chip lands after v^2/g, which should be 1 m before the mate.
@@ -96,34 +107,36 @@ TEST(ChipTo, LandsAMetreBeforeTheMate) {
 }
 
 TEST(ChipTo, IsRejectedIfTheRobotsCannotChipThatFarOrAtAll) {
-  TeamContext weak;
-  for (Abilities& robot : weak.robots) robot.chip_mps = 0;
-  PassOver with_weak_robots({2.2, 0}, weak);
+  PassOver with_weak_robots({2.2, 0}, context_without_chips());
   EXPECT_EQ(with_weak_robots.chip_worth(), kWorthNothing);
   PassOver far({5, 0});  // a 5.5 m/s chip lands after 3.1 m
   EXPECT_EQ(far.chip_worth(), kWorthNothing);
 }
 
+double carry_worth_before(double opponent_x_m) {
+  StagedPrediction stage(Play::kRunning);
+  stage.world.own(1, {-0.1, 0}).opponent(1, {opponent_x_m, 0});
+  return carry_from(stage.look(), {0, 0}).worth;
+}
+
 TEST(CarryFrom, IsWorthLessTheNearerAnOpponentIs) {
-  double former = 1;
-  for (const double gap_m : {0.55, 0.4, 0.25}) {
-    StagedPrediction stage(Play::kRunning);
-    stage.world.own(1, {-0.1, 0}).opponent(1, {gap_m, 0});
-    const double worth = carry_from(stage.look(), {0, 0}).worth;
-    EXPECT_LT(worth, former) << gap_m;
-    former = worth;
-  }
+  EXPECT_LT(carry_worth_before(0.55), 1);
+  EXPECT_LT(carry_worth_before(0.4), carry_worth_before(0.55));
+  EXPECT_LT(carry_worth_before(0.25), carry_worth_before(0.4));
+}
+
+// The target of a robot at (-1, 0), pressed from the front and by an opponent at that y.
+Vec2 cleared_to_m(double presser_y_m) {
+  StagedPrediction stage(Play::kRunning);
+  stage.world.own(1, {-1.1, 0}).opponent(1, {-0.4, 0}).opponent(2, {-0.5, presser_y_m});
+  return clear_from(stage.look(), {-1, 0}, {1, 0}).strike.target_m;
 }
 
 TEST(ClearFrom, GoesWhereThereIsRoomButNeverBack) {
-  for (const double side : {1.0, -1.0}) {
-    StagedPrediction stage(Play::kRunning);
-    stage.world.own(1, {-1.1, 0}).opponent(1, {-0.4, 0}).opponent(2, {-0.5, side * 0.6});
-    const Vec2 from_m(-1, 0);
-    const Choice clear = clear_from(stage.look(), from_m, {1, 0});
-    EXPECT_LT(clear.strike.target_m.y() * side, -0.2);
-    EXPECT_GT(clear.strike.target_m.x(), from_m.x());
-  }
+  EXPECT_LT(cleared_to_m(0.6).y(), -0.2);
+  EXPECT_GT(cleared_to_m(-0.6).y(), 0.2);
+  EXPECT_GT(cleared_to_m(0.6).x(), -1);
+  EXPECT_GT(cleared_to_m(-0.6).x(), -1);
 }
 
 }  // namespace

@@ -46,9 +46,7 @@ auto ahead_of(const StagedWorld& world, double x_m) {
 // Number of the team-mate to which a robot with that playbook passes: robot 2 is safe beside it;
 // robot 3 is far ahead, with an opponent near the lane. No robot can chip.
 int passes_to(const TeamPlaybook& playbook) {
-  TeamContext context;
-  for (Abilities& robot : context.robots) robot.chip_mps = 0;
-  StagedPrediction stage(Play::kRunning, false, context, playbook.style);
+  StagedPrediction stage(Play::kRunning, false, context_without_chips(), playbook.style);
   BallHandler handler(stage.predicted);
   stage.world.own(0, {-2.9, 0}).own(1, {-1, 0}).own(2, {-0.9, 1.3}).own(3, {1.6, -0.9});
   stage.world.view.own[1].heading = {0.8, 0.6};
@@ -80,13 +78,28 @@ StagedWorld four_to_mark() {
   return world.opponent(5, {1.4, -1.0});
 }
 
+// Those of the given opponents that no robot stands beside.
+Numbers unmarked(const StagedWorld& world, Numbers opponents) {
+  std::erase_if(opponents, [&](int number) {
+    const Vec2& opponent_m = world.view.opponents[static_cast<std::size_t>(number)].position_m;
+    return distance_m(world.robot(nearest_to(world, opponent_m)), opponent_m) < kBeside_m;
+  });
+  return opponents;
+}
+
 TEST(Shadow, MarksEveryOpponentWithoutTheBallAllOverTheField) {
   const auto team = make("shadow");
   StagedWorld world = four_to_mark();
   world.run(*team, 4);
-  for (std::size_t i = 2; i < 6; ++i) {
-    const Vec2& opponent_m = world.view.opponents[i].position_m;
-    EXPECT_LT(distance_m(world.robot(nearest_to(world, opponent_m)), opponent_m), kBeside_m) << i;
+  EXPECT_EQ(unmarked(world, {2, 3, 4, 5}), kNobody);
+}
+
+// Opponents 2 and 3 swap positions in 3 s, 100 mm apart.
+void swap_opponents(StagedWorld& world, Strategy& team) {
+  for (int f = 0; f < 180; ++f) {
+    world.view.opponents[2].position_m += Vec2(0.9, -2.1) / 180;
+    world.view.opponents[3].position_m += Vec2(-0.9, 2.1) / 180;
+    world.step(team);
   }
 }
 
@@ -94,29 +107,31 @@ TEST(Shadow, FollowsItsOwnOpponentsWhenTheyCrossEachOther) {
   const auto team = make("shadow");
   StagedWorld world = four_to_mark();
   world.run(*team, 4);
-  TrackedRobots& opponents = world.view.opponents;
+  const TrackedRobots& opponents = world.view.opponents;
   const int second = nearest_to(world, opponents[2].position_m);
   const int third = nearest_to(world, opponents[3].position_m);
-  for (int f = 0; f < 180; ++f) {  // opponents swap positions, 100 mm apart, and return
-    opponents[2].position_m += Vec2(0.9, -2.1) / 180;
-    opponents[3].position_m += Vec2(-0.9, 2.1) / 180;
-    world.step(*team);
-  }
+  swap_opponents(world, *team);
   world.run(*team, 1);
   EXPECT_LT(distance_m(world.robot(second), opponents[2].position_m), kBeside_m);
   EXPECT_LT(distance_m(world.robot(third), opponents[3].position_m), kBeside_m);
+}
+
+// Those of the given opponents that have no robot 150 mm or more nearer to the team's goal.
+Numbers unshadowed(const StagedWorld& world, Numbers opponents) {
+  const Vec2 goal_m = Field{}.goal_centre_m(Side::kWest);
+  std::erase_if(opponents, [&](int number) {
+    const Vec2& opponent_m = world.view.opponents[static_cast<std::size_t>(number)].position_m;
+    const TrackedRobot& marker = world.robot(nearest_to(world, opponent_m));
+    return distance_m(marker, goal_m) < (opponent_m - goal_m).norm() - 0.15;
+  });
+  return opponents;
 }
 
 TEST(Shadow, StandsBetweenItsOpponentsAndItsGoal) {
   const auto team = make("shadow");
   StagedWorld world = four_to_mark();
   world.run(*team, 4);
-  const Vec2 goal_m = Field{}.goal_centre_m(Side::kWest);
-  for (std::size_t i = 2; i < 6; ++i) {
-    const Vec2& opponent_m = world.view.opponents[i].position_m;
-    const TrackedRobot& marker = world.robot(nearest_to(world, opponent_m));
-    EXPECT_LT(distance_m(marker, goal_m), (opponent_m - goal_m).norm() - 0.15) << i;
-  }
+  EXPECT_EQ(unshadowed(world, {2, 3, 4, 5}), kNobody);
 }
 
 TEST(Shadow, AlsoMarksInAStop) {
@@ -125,10 +140,17 @@ TEST(Shadow, AlsoMarksInAStop) {
   world.view.play = Play::kStop;
   world.view.ball.position_m = {2.9, 1.9};  // far from all of them
   world.run(*team, 5);
-  for (std::size_t i = 1; i < 5; ++i) {  // the fifth robot blocks the ball
-    const Vec2& opponent_m = world.view.opponents[i].position_m;
-    EXPECT_LT(distance_m(world.robot(nearest_to(world, opponent_m)), opponent_m), kBeside_m) << i;
+  EXPECT_EQ(unmarked(world, {1, 2, 3, 4}), kNobody);  // the fifth robot blocks the ball
+}
+
+// The number of robots, other than the first two, beside an opponent, counted once for each.
+int robots_beside_opponents(const StagedWorld& world) {
+  int beside = 0;
+  for (int i = 2; i < 6; ++i) {
+    for (const TrackedRobot& opponent : world.view.opponents)
+      beside += distance_m(world.robot(i), opponent.position_m) < kBeside_m ? 1 : 0;
   }
+  return beside;
 }
 
 TEST(Shadow, ReleasesTwoMarkersInPossession) {
@@ -137,29 +159,30 @@ TEST(Shadow, ReleasesTwoMarkersInPossession) {
   world.ball({-0.5, 0});
   world.view.own[1].position_m = {-0.5 - kHeldBall_m, 0};
   world.run(*team, 4);
-  int beside = 0;
+  EXPECT_EQ(robots_beside_opponents(world), 2);
+}
+
+// Robots 2 to 5, which form the zone, must have moved by `shift_m`, to within 20 mm.
+void expect_zone_shifted_by(const Vec2& shift_m, const StagedWorld& before,
+                            const StagedWorld& after) {
   for (int i = 2; i < 6; ++i) {
-    for (const TrackedRobot& opponent : world.view.opponents)
-      beside += distance_m(world.robot(i), opponent.position_m) < kBeside_m ? 1 : 0;
+    const Vec2 moved_m = after.robot(i).position_m - before.robot(i).position_m;
+    EXPECT_NEAR(moved_m.x(), shift_m.x(), 0.02) << i;
+    EXPECT_NEAR(moved_m.y(), shift_m.y(), 0.02) << i;
   }
-  EXPECT_EQ(beside, 2);
 }
 
 TEST(Zone, KeepsItsShapeAndShiftsWithTheBall) {
   const auto team = make("zone");
   StagedWorld world = theirs_at({0, 0});
   world.run(*team, 4);
-  const TeamView before = world.view;
+  const StagedWorld before = world;
   const Vec2 moved_m(0.8, 0.6);
   world.view.ball.position_m += moved_m;
   world.view.own[1].position_m += moved_m;  // stays at the ball, as does the opponents' robot
   world.view.opponents[1].position_m += moved_m;
   world.run(*team, 4);
-  for (std::size_t i = 2; i < 6; ++i) {
-    const Vec2 shift_m = world.view.own[i].position_m - before.own[i].position_m;
-    EXPECT_NEAR(shift_m.x(), 0.36, 0.02) << i;  // 0.45 of the ball's displacement
-    EXPECT_NEAR(shift_m.y(), 0.21, 0.02) << i;  // 0.35 of it
-  }
+  expect_zone_shifted_by({0.36, 0.21}, before, world);  // 0.45 and 0.35 of the ball's displacement
 }
 
 TEST(Zone, SendsOnlyTheFastestToTheBall) {
@@ -167,7 +190,7 @@ TEST(Zone, SendsOnlyTheFastestToTheBall) {
   StagedWorld world = theirs_at({0, 0});
   world.run(*team, 4);
   EXPECT_EQ(nearest_to(world, {0, 0}), 1);
-  for (int i = 2; i < 6; ++i) EXPECT_GT(distance_m(world.robot(i), {0, 0}), 0.5) << i;
+  EXPECT_EQ(robots_within(world, {0, 0}, 0.5), Numbers({1}));
 }
 
 TEST(Zone, MovesUpInPossession) {
@@ -177,11 +200,7 @@ TEST(Zone, MovesUpInPossession) {
   StagedWorld ours = ours_at({0, 0});
   theirs.run(*without, 4);
   ours.run(*with, 4);
-  for (int i = 2; i < 6; ++i) {
-    const Vec2 up_m = ours.robot(i).position_m - theirs.robot(i).position_m;
-    EXPECT_NEAR(up_m.x(), 0.12 * 3.025, 0.02) << i;  // of half the field's length
-    EXPECT_NEAR(up_m.y(), 0, 0.02) << i;
-  }
+  expect_zone_shifted_by({0.12 * 3.025, 0}, theirs, ours);  // of half the field's length
 }
 
 TEST(Zone, HoldsItsZonesInAStop) {
@@ -192,21 +211,23 @@ TEST(Zone, HoldsItsZonesInAStop) {
   const TeamView before = world.view;
   world.view.play = Play::kStop;
   world.run(*team, 4);
-  for (std::size_t i = 2; i < 6; ++i)
-    EXPECT_LT(distance_m(world.view.own[i], before.own[i].position_m), 0.05) << i;
+  world.view.own.erase(world.view.own.begin(), world.view.own.begin() + 2);
+  EXPECT_EQ(moved_since(before, world, 0.05), kNobody);
+}
+
+// The number of robots behind the opponents' ball after 4 s.
+std::size_t behind_their_ball(const Vec2& ball_m) {
+  const auto team = make("counter");
+  StagedWorld world = theirs_at(ball_m);
+  world.run(*team, 4);
+  const auto is_behind = [&](const auto& robot) { return robot.position_m.x() < ball_m.x(); };
+  return numbers_of(world.view.own, is_behind).size();
 }
 
 TEST(Counter, KeepsAllButOneBehindTheBallOutOfPossession) {
-  for (const Vec2& ball_m : {Vec2(0.3, 0), Vec2(-0.6, 1.2), Vec2(1.2, -1.5)}) {
-    const auto team = make("counter");
-    StagedWorld world = theirs_at(ball_m);
-    world.run(*team, 4);
-    const auto& own = world.view.own;
-    EXPECT_EQ(std::count_if(own.begin(), own.end(),
-                            [&](const auto& r) { return r.position_m.x() < ball_m.x(); }),
-              ball_m.x() > 1 ? 6 : 5)
-        << ball_m.transpose();
-  }
+  EXPECT_EQ(behind_their_ball({0.3, 0}), 5U);
+  EXPECT_EQ(behind_their_ball({-0.6, 1.2}), 5U);
+  EXPECT_EQ(behind_their_ball({1.2, -1.5}), 6U);
 }
 
 TEST(Counter, LeavesOneOrTwoInTheOpponentsHalf) {

@@ -53,14 +53,17 @@ TEST(FreeKick, NearTheOpponentsAreaIsMovedTo700MillimetresFromIt) {
   EXPECT_EQ(position_m.y(), 0.6);
 }
 
+void expect_neutral_position_off_areas(const Vec2& stuck_m) {
+  const Vec2 position_m = neutral_position(kPaperField, kRules, stuck_m);
+  EXPECT_GE(distance_to_defence_area(kPaperField, Side::kWest, position_m), 0.7 - 1e-12);
+  EXPECT_GE(distance_to_defence_area(kPaperField, Side::kEast, position_m), 0.7 - 1e-12);
+  EXPECT_TRUE(is_on_field(kPaperField, position_m)) << position_m.transpose();
+}
+
 TEST(NeutralPosition, Is700MillimetresFromBothAreas) {
-  for (const Vec2& stuck_m : {Vec2(2.9, 0.1), Vec2(-2.0, -0.8), Vec2(3.0, 2.0)}) {
-    const Vec2 position_m = neutral_position(kPaperField, kRules, stuck_m);
-    for (Side side : kSides) {
-      EXPECT_GE(distance_to_defence_area(kPaperField, side, position_m), 0.7 - 1e-12);
-    }
-    EXPECT_TRUE(is_on_field(kPaperField, position_m));
-  }
+  expect_neutral_position_off_areas({2.9, 0.1});
+  expect_neutral_position_off_areas({-2.0, -0.8});
+  expect_neutral_position_off_areas({3.0, 2.0});
 }
 
 TEST(NeutralPosition, IsTheBallsPositionIfThatIsNeutral) {
