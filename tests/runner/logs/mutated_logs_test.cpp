@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "league/log_contents.hpp"
 #include "league/messages/tracker.pb.h"
 #include "league/tracker_message.hpp"
 #include "league/units.hpp"
