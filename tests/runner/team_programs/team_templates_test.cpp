@@ -127,8 +127,8 @@ TEST_P(TeamTemplates, PlayTheSameGamesAsCompiledIn) {
   const std::string tool = language.build.substr(0, language.build.find(' '));
   const std::string needed = tool.empty() ? language.command[0] : tool;
   if (!runs("command -v " + needed)) {
-    std::printf("skipped: needs %s\n", needed.c_str());
-    GTEST_SKIP();
+    GTEST_SKIP() << "skipped: missing Debian packages: " << (needed == "node" ? "nodejs" : needed)
+                 << " (scripts/setup --checks installs them)";
   }
   ASSERT_TRUE(language.build.empty() ||
               runs("cd " + folder_.path().string() + " && " + language.build));
