@@ -41,7 +41,15 @@ void make_few(Tuning& tuning) {
   tuning.iterations = tuning.pairs = 1;
   tuning.test.min_pairs = tuning.test.max_pairs = 2;
 }
-void make_few(Knockout& /*knockout*/) {}
+// The two best and the two worst teams: their games are seldom drawn, and need few shoot-outs and
+// replays.
+void make_few(Knockout& knockout) {
+  std::vector<std::string>& order = knockout.order;
+  if (order.size() > 4) order.erase(order.begin() + 2, order.end() - 2);
+  std::erase_if(knockout.teams, [&](const auto& team) {
+    return std::find(order.begin(), order.end(), team.first) == order.end();
+  });
+}
 void make_few(GameSettings& /*game*/) {}
 void make_few(JudgeSchedule& schedule) {
   schedule.games = 2;
