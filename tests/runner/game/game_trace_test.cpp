@@ -39,10 +39,10 @@ class Watch final : public Observer {
   double waiting_since_s_ = 0;
 };
 
-TEST(GameTrace, AHundredGamesEndWithAResultAndStayWithinBounds) {
+TEST(GameTrace, GamesEndWithAResultAndStayWithinBounds) {
   Watch watch;
   int goals = 0;
-  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+  for (std::uint64_t seed = 1; seed <= AUTOREF_TRACED_GAMES; ++seed) {
     const GameRecord record = play(short_game(20, seed), &watch);
     ASSERT_EQ(record.status, Status::kOk) << "seed " << seed << ": " << record.void_reason;
     goals += record.goals_a + record.goals_b;

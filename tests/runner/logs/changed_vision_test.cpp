@@ -13,7 +13,7 @@ namespace autoref::runner {
 namespace {
 
 constexpr double kHalf_s = 60;
-constexpr int kGames = 3;  // of each rule book
+constexpr int kGames = AUTOREF_CHANGED_GAMES;  // of each rule book
 
 struct Counts {
   int calls = 0;  // with the unchanged vision
