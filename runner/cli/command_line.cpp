@@ -57,7 +57,7 @@ int run_command_line(int argc, const char* const* argv) {
   app.require_subcommand(1);
   app.footer(
       "`autoref help VERB` explains a verb.\n\n"
-      "Example, an experiment of 72 games:\n  autoref run scenarios/first-look.yaml\n\n"
+      "Example, an experiment of 36 games:\n  autoref run scenarios/first-look.yaml\n\n"
       "A scenario that is not in the current folder is looked up among the installed ones, in\n"
       "share/autoref beside the program's folder bin.\n\n"
       "Exit codes: 0 done; 2 bad input; 3 too many void games; 4 a replayed game differs;\n"
