@@ -1,5 +1,5 @@
 # Adds a library of all sources below the given folders. The folders are globbed at each build, so new files need not be
-# listed. With AUTOREF_UNITY twelve sources at a time are compiled as one, which compiles their common headers and templates
+# listed. With AUTOREF_UNITY 28 sources at a time are compiled as one, which compiles their common headers and templates
 # only once; names in unnamed namespaces must therefore be unique within a target. HEADERS is the library whose precompiled
 # headers it uses (default: autoref_headers).
 #   autoref_room(TARGET FOLDER ... [HEADERS LIBRARY])
@@ -14,7 +14,7 @@ function(autoref_room target)
   list(FILTER sources EXCLUDE REGEX "/main\\.cpp$|/templates/")
   add_library(${target} STATIC ${sources})
   target_precompile_headers(${target} REUSE_FROM ${with_HEADERS})
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${AUTOREF_UNITY} UNITY_BUILD_BATCH_SIZE 12)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${AUTOREF_UNITY} UNITY_BUILD_BATCH_SIZE 28)
 endfunction()
 
 # Installs a room's library and headers, so that other projects can link it as autoref::ROOM (docs/packages.md).

@@ -11,7 +11,6 @@ namespace autoref::league {
 namespace {
 
 constexpr double kLongestFrame_s = 0.1;
-constexpr std::size_t kMostCameras = 64;
 
 constexpr float kFarthest_mm = 1e5F;
 constexpr float kWidest_rad = 100;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <set>
@@ -15,6 +16,9 @@
 #include "soccer/frame.hpp"
 
 namespace autoref::league {
+
+// Packets of more cameras are ignored.
+inline constexpr std::size_t kMostCameras = 64;
 
 // A frame consists of one packet per camera. The next frame begins when a camera sends another
 // packet, or after a gap of 0.1 s. A robot that several cameras see stays with its camera, and

@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include "league/units.hpp"
+
 namespace autoref::league {
 namespace {
 
@@ -20,8 +22,6 @@ using google::protobuf::Reflection;
 constexpr std::size_t kLongestText = 1000;
 constexpr int kMostEvents = 100;
 constexpr int kUnknownTeam = 0;
-constexpr int kYellowTeam = 1;
-constexpr int kBlueTeam = 2;
 
 std::string mapped(std::string_view text, int (*map)(int)) {
   std::string result(text);

@@ -1,4 +1,5 @@
-// Conversion to the league's units: millimetres as float, times as integer micro- or nanoseconds.
+// The league's units (millimetres as float, times as integer micro- or nanoseconds) and its numbers
+// of the teams.
 #pragma once
 
 #include <cmath>
@@ -7,6 +8,10 @@
 #include "soccer/geometry.hpp"
 
 namespace autoref::league {
+
+// Team in the league's messages; 0 is unknown.
+inline constexpr int kYellowTeam = 1;
+inline constexpr int kBlueTeam = 2;
 
 inline float to_mm(double metres) { return static_cast<float>(metres * 1000.0); }
 inline double to_m(float mm) { return static_cast<double>(mm) / 1000.0; }

@@ -8,13 +8,12 @@
 #include "league/field_message.hpp"
 #include "league/partial_parse.hpp"
 #include "league/simulator/packet_errors.hpp"
+#include "league/units.hpp"
 #include "soccer/colour.hpp"
 
 namespace autoref::league {
 namespace {
 
-constexpr int kYellowTeam = 1;
-constexpr int kBlueTeam = 2;
 constexpr double kFarthest = 100;  // m, m/s or rad/s of a teleport
 constexpr double kLargestSpec = 1000;
 constexpr double kFastestSimulation = 1000;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "league/detection_merger.hpp"
 #include "league/field_message.hpp"
 #include "league/frame_message.hpp"
 
@@ -9,7 +10,6 @@ namespace autoref::league {
 namespace {
 
 constexpr double kGeometryOfTeamsEvery_s = 1.0;
-constexpr std::size_t kMostCameras = 16;
 
 Frame seen_by_a_perfect_camera(const TeamView& view) {
   Frame frame;

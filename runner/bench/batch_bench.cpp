@@ -20,6 +20,8 @@
 namespace autoref::runner {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr BenchBatch kFullGames{.pairs = 6};
 constexpr BenchBatch kShortGames{.pairs = 150, .half_s = 10, .halves = 1};
 constexpr BenchBatch kCrowdedGames{.pairs = 48, .half_s = 20, .with_memory = true};
@@ -139,7 +141,6 @@ class BatchRounds {
 }  // namespace
 
 BatchCosts costs_of(const BenchBatch& batch) {
-  using Clock = std::chrono::steady_clock;
   const WorkingFolder folder;
   const WorkerMeter meter;
   ExperimentOptions options;

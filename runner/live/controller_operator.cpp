@@ -17,7 +17,7 @@ constexpr double kReady_s = 3_s;          // robots go to their positions for a 
 constexpr double kLongestReady_s = 10_s;  // then play starts even if the ball is elsewhere
 constexpr double kLongestStop_s = 40_s;   // longer than the controller waits for a ball placement
 constexpr double kBallInPosition_m = 0.1_m;
-constexpr int kMostAttempts = 3;
+constexpr int kMostHalts = 3;
 constexpr int kFriendly = 3;  // the league's number for this type of match
 constexpr int kDivisionA = 1;
 constexpr int kDivisionB = 2;
@@ -141,7 +141,7 @@ std::optional<ContinueAction::Type> ControllerOperator::next_action(
 std::optional<ContinueAction::Type> ControllerOperator::in_halt(
     const league::RefereePacket& packet) {
   const std::string goal = possible_goal_in(packet);
-  const bool is_open = goal != decided_goal_ || halted_ >= kMostAttempts;
+  const bool is_open = goal != decided_goal_ || halted_ >= kMostHalts;
   if (goal.empty() || !is_open) {
     ++halted_;
     return Action::RESUME_FROM_HALT;

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
+#include "league/detection_merger.hpp"
 #include "league/units.hpp"
 
 namespace autoref::runner {
 namespace {
 
-constexpr std::size_t kMostCameras = 16;
 constexpr std::size_t kMostKept = 20'000;  // of each list
 constexpr double kSameFrame_s = 0.008;     // between detections of two cameras
 constexpr double kOtherRobot_m = 0.5;      // farther apart, one of two numbers is misread
@@ -31,7 +31,7 @@ void VisionQuality::take(double time_s, const league::VisionPacket& packet) {
   if (!packet.has_detection()) return;
   const league::DetectionFrame& detection = packet.detection();
   const std::uint32_t camera = detection.camera_id();
-  if (!packets_.contains(camera) && packets_.size() == kMostCameras) return;
+  if (!packets_.contains(camera) && packets_.size() == league::kMostCameras) return;
   packets_[camera].push_back(time_s);
   for (auto& [number, times] : packets_) forget(times, time_s, [](double one_s) { return one_s; });
   for (const Side side : kSides) compare(time_s, side, detection);

@@ -52,7 +52,7 @@ StagedGame::StagedGame(const Case& it, bool turned)
       turned_(turned),
       field_(configuration_of(it, turned).field),
       referee_(configuration_of(it, turned)),
-      stage_(it.ball_deceleration_mps2),
+      bodies_(it.ball_deceleration_mps2),
       random_(it.seed) {
   for (const Side side : kSides) requests_[seen_side(side, turned)].keeper = it.keepers[side];
 }
@@ -77,19 +77,19 @@ void StagedGame::obey(const Cue& cue) {
   if (cue.kind == Cue::Kind::kRequest) {
     requests_[seen_side(cue.robot.side, turned_)].timeout = cue.on;
   } else {
-    stage_.obey(cue);
+    bodies_.obey(cue);
   }
 }
 
 void StagedGame::step() {
-  Frame frame = stage_.look();
+  Frame frame = bodies_.look();
   frame.number = frame_number_;
   frame.time_s = static_cast<double>(frame_number_) / kRate_hz;
   ++frame_number_;
   look(frame);
   signal_ = referee_.update(turned_ ? mirrored(frame) : frame, requests_);
   hear();
-  stage_.advance(1 / kRate_hz);
+  bodies_.advance(1 / kRate_hz);
   place_ball();
 }
 
@@ -111,7 +111,7 @@ void StagedGame::place_ball() {
   if (!signal_.placement) return;
   const bool at_once = case_.placement_mps == 0 || signal_.placement->at_once;
   const Vec2 target_m = turned_ ? Vec2(-signal_.placement->target_m) : signal_.placement->target_m;
-  stage_.place_ball(target_m, at_once ? 1e3 : case_.placement_mps / kRate_hz);
+  bodies_.place_ball(target_m, at_once ? 1e3 : case_.placement_mps / kRate_hz);
 }
 
 void StagedGame::hear() {

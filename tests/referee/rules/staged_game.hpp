@@ -8,7 +8,7 @@
 #include "referee/referee.hpp"
 #include "soccer/random.hpp"
 #include "tests/referee/rules/case.hpp"
-#include "tests/referee/rules/stage.hpp"
+#include "tests/referee/rules/staged_bodies.hpp"
 
 namespace autoref::referee {
 
@@ -63,7 +63,7 @@ class StagedGame {
   Field field_;
   Referee referee_;
   PerSide<TeamRequests> requests_;
-  Stage stage_;
+  StagedBodies bodies_;
   RandomStream random_;
   RefereeSignal signal_;
   std::int64_t frame_number_ = 0;

@@ -31,16 +31,16 @@ void StagedGame::run_until(State state, double limit_s) {
 
 // Hides the ball and all robots for a while, as if somebody stood in front of the camera.
 void StagedGame::curtain(double seconds) {
-  stage_.clear_robots();
-  stage_.show_ball(false);
+  bodies_.clear_robots();
+  bodies_.show_ball(false);
   run(seconds);
-  stage_.show_ball(true);
+  bodies_.show_ball(true);
 }
 
 void StagedGame::open() {
   if (case_.opening == Opening::kKickoff) {
     show_robots();
-    stage_.put_ball({0, 0});
+    bodies_.put_ball({0, 0});
   } else {
     line_up_assignment();
   }
@@ -50,14 +50,14 @@ void StagedGame::open() {
   play_on_from_force_start();
   if (case_.opening == Opening::kRunning) {
     curtain(kUnseen_s);
-    stage_.put_ball(case_.ball_m);
+    bodies_.put_ball(case_.ball_m);
     show_robots();
     return;
   }
   play_to_the_stop();
   check_beginning();
-  stage_.clear_robots();
-  if (!case_.from_the_stop) stage_.put_ball(case_.ball_m);
+  bodies_.clear_robots();
+  if (!case_.from_the_stop) bodies_.put_ball(case_.ball_m);
   show_robots();
   if (!case_.from_the_stop) run_until(State::kRun, kLongest_s);
 }
@@ -66,7 +66,7 @@ void StagedGame::line_up_assignment() {
   for (const Side side : kSides) {
     for (const int number : {kCastNumber - 1, kCastNumber}) {
       const Vec2 position(goal_sign(side) * 1.5, goal_sign(side) * (number - 14.5));
-      stage_.put({side, number}, position, Vec2(-goal_sign(side), 0));
+      bodies_.put({side, number}, position, Vec2(-goal_sign(side), 0));
     }
   }
 }
@@ -75,16 +75,16 @@ void StagedGame::show_robots() {
   for (const StagedRobot& robot : case_.robots) {
     const Vec2 heading = heading_of(to_radians(robot.facing_deg));
     if (robot.at_m) {
-      stage_.put(robot.id, *robot.at_m, heading);
+      bodies_.put(robot.id, *robot.at_m, heading);
     } else {
-      stage_.put_behind_ball(robot.id, heading);
+      bodies_.put_behind_ball(robot.id, heading);
     }
   }
 }
 
 void StagedGame::play_on_from_force_start() {
   curtain(kUnseen_s);
-  stage_.put_ball({0, field_.half_width_m() + kOutside_m});
+  bodies_.put_ball({0, field_.half_width_m() + kOutside_m});
   line_up_assignment();
   run_until(State::kWaitStop, 1);
   if (all_.back().decision.finding.event != Event::kTouchLineUnknown) {
@@ -103,28 +103,28 @@ void StagedGame::score_goals() {
 // The ball first enters play in the middle, where nobody is near an area.
 void StagedGame::score_goal(Side scorer) {
   curtain(kUnseen_s);
-  stage_.put_ball({0.6, 0.6});
+  bodies_.put_ball({0.6, 0.6});
   run(0.2);
   const double sign = goal_sign(opponent_of(scorer));
   const double from_goal_m = field_.defence_area.depth_m + 0.5;
   kick_out({sign * (field_.half_length_m() - from_goal_m), 0}, {scorer, kCastNumber}, {sign, 0});
   run_until(State::kDelayWait, 5);
-  stage_.clear_robots();
+  bodies_.clear_robots();
   line_up_assignment();
   run_until(State::kRun, kLongest_s);
 }
 
 void StagedGame::kick_out(const Vec2& from_m, RobotId kicker, const Vec2& direction) {
   curtain(kUnseen_s);
-  stage_.put_ball(from_m);
-  stage_.put_behind_ball(kicker, direction);
+  bodies_.put_ball(from_m);
+  bodies_.put_behind_ball(kicker, direction);
   if (case_.from_the_stop) show_robots();  // the readiness check compares with their last positions
   run(0.2);
   Cue kick;
   kick.kind = Cue::Kind::kKick;
   kick.robot = kicker;
   kick.speed = 3;
-  stage_.obey(kick);
+  bodies_.obey(kick);
 }
 
 // A defender other than the keeper kicks the ball back from inside its own area.
@@ -132,7 +132,7 @@ void StagedGame::foul_for_penalty() {
   const double sign = goal_sign(opponent_of(case_.taken_by));
   const double goal_x_m = sign * field_.half_length_m();
   kick_out({goal_x_m - sign * 1.6, 0}, {case_.taken_by, kCastNumber}, {sign, 0});
-  stage_.put({opponent_of(case_.taken_by), kCastNumber}, {goal_x_m - sign * 0.3, 0}, {-sign, 0});
+  bodies_.put({opponent_of(case_.taken_by), kCastNumber}, {goal_x_m - sign * 0.3, 0}, {-sign, 0});
 }
 
 void StagedGame::play_to_the_stop() {

@@ -103,7 +103,7 @@ MutationOutcome outcome_of(const fs::path& log, const std::string& bytes) {
 }
 
 TEST(MutatedLogs, AreRefusedOrJudgedWithFiniteNumbersInTime) {
-  constexpr double kLongest_s = 20;  // of processor time; a fiftieth of a second is usual
+  constexpr double kLongestReading_s = 20;  // of processor time; a fiftieth of a second is usual
   const TemporaryFolder folder;
   const std::vector<LogRecord> records = game_records(folder);
   std::map<MutationOutcome, std::uint64_t> outcomes;
@@ -111,7 +111,7 @@ TEST(MutatedLogs, AreRefusedOrJudgedWithFiniteNumbersInTime) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     const double began_s = processor_s_of(RUSAGE_SELF);
     EXPECT_NO_THROW(++outcomes[outcome_of(folder / "mutated.log", mutated(records, seed))]);
-    EXPECT_LT(processor_s_of(RUSAGE_SELF) - began_s, kLongest_s);
+    EXPECT_LT(processor_s_of(RUSAGE_SELF) - began_s, kLongestReading_s);
   }
   fmt::print("{} mutated logs: {} judged, {} refused, {} not logs\n", kLogs,
              outcomes[MutationOutcome::kJudged], outcomes[MutationOutcome::kRefused],

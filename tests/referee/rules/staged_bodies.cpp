@@ -1,4 +1,4 @@
-#include "tests/referee/rules/stage.hpp"
+#include "tests/referee/rules/staged_bodies.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,29 +37,31 @@ Vec2 normal_at(const Vec2& point_m, const Vec2& centre_m, const Vec2& heading) {
 
 }  // namespace
 
-void Stage::put_behind_ball(const RobotId& id, const Vec2& heading) {
+void StagedBodies::put_behind_ball(const RobotId& id, const Vec2& heading) {
   put(id, ball_.at_m - heading * (kFrontDistance_m + kBallRadius_m + kGap_m), heading);
 }
 
-void Stage::put_ball(const Vec2& at_m) { ball_ = {at_m, Vec2(0, 0), 0, 0, ball_.is_seen, 0}; }
+void StagedBodies::put_ball(const Vec2& at_m) {
+  ball_ = {at_m, Vec2(0, 0), 0, 0, ball_.is_seen, 0};
+}
 
-void Stage::place_ball(const Vec2& to_m, double at_most_m) {
+void StagedBodies::place_ball(const Vec2& to_m, double at_most_m) {
   carriers_.clear();
   put_ball(ball_.at_m + clamp_norm(to_m - ball_.at_m, at_most_m));
 }
 
-Stage::Robot& Stage::robot(const RobotId& id) {
+StagedBodies::Robot& StagedBodies::robot(const RobotId& id) {
   const auto found = robots_.find(id);
   if (found != robots_.end()) return found->second;
   throw std::runtime_error("no robot " + std::string(name_of(id.side)) + " " +
                            std::to_string(id.number));
 }
 
-Vec2 Stage::plate_m(const Robot& robot, double gap_m) const {
+Vec2 StagedBodies::plate_m(const Robot& robot, double gap_m) const {
   return robot.at_m + robot.heading * (kFrontDistance_m + kBallRadius_m + gap_m);
 }
 
-void Stage::kick(const Cue& cue) {
+void StagedBodies::kick(const Cue& cue) {
   const Robot& kicker = robot(cue.robot);
   if ((ball_.at_m - plate_m(kicker, 0)).norm() > kReach_m) {
     throw std::runtime_error("the kicker is not at the ball");
@@ -71,7 +73,7 @@ void Stage::kick(const Cue& cue) {
   ball_.rolls_below_mps = cue.angle_deg == 0 ? cue.speed * kRollingShare : cue.speed;
 }
 
-void Stage::obey(const Cue& cue) {
+void StagedBodies::obey(const Cue& cue) {
   switch (cue.kind) {
     case Cue::Kind::kDrive:
       robot(cue.robot).to_m = cue.target;
@@ -102,17 +104,17 @@ void Stage::obey(const Cue& cue) {
   }
 }
 
-void Stage::advance(double duration_s) {
+void StagedBodies::advance(double duration_s) {
   for (int i = 0; i < kSubsteps; ++i) step(duration_s / kSubsteps);
 }
 
-void Stage::step(double duration_s) {
+void StagedBodies::step(double duration_s) {
   for (auto& [id, robot] : robots_) drive(robot, duration_s);
   fly(duration_s);
   for (const auto& [id, robot] : robots_) meet(id, robot);
 }
 
-void Stage::drive(Robot& robot, double duration_s) const {
+void StagedBodies::drive(Robot& robot, double duration_s) const {
   const Vec2 step = clamp_norm(robot.to_m - robot.at_m, robot.speed_mps * duration_s);
   robot.at_m += step;
   robot.velocity_mps = step / duration_s;
@@ -121,11 +123,11 @@ void Stage::drive(Robot& robot, double duration_s) const {
   robot.heading = rotated(robot.heading, std::clamp(left_rad, -most_rad, most_rad));
 }
 
-double Stage::carpet_mps2(double speed_mps) const {
+double StagedBodies::carpet_mps2(double speed_mps) const {
   return speed_mps > ball_.rolls_below_mps + 1e-9 ? kSliding_mps2 : deceleration_mps2_;
 }
 
-void Stage::fly(double duration_s) {
+void StagedBodies::fly(double duration_s) {
   const bool flies = ball_.height_m > 0 || ball_.upwards_mps > 0;
   const double speed_mps = ball_.velocity_mps.norm();
   const double loss_mps = flies ? 0 : carpet_mps2(speed_mps) * duration_s;
@@ -140,7 +142,7 @@ void Stage::fly(double duration_s) {
   if (ball_.upwards_mps < kRollsBelow_mps) ball_.upwards_mps = 0;
 }
 
-void Stage::meet(const RobotId& id, const Robot& robot) {
+void StagedBodies::meet(const RobotId& id, const Robot& robot) {
   if (ball_.height_m > kRobotHeight_m) return;
   const double gap_m = distance_to_hull(ball_.at_m, robot.at_m, robot.heading) - kBallRadius_m;
   if (carriers_.count(id) > 0) {
@@ -159,7 +161,7 @@ void Stage::meet(const RobotId& id, const Robot& robot) {
   ball_.rolls_below_mps = ball_.velocity_mps.norm();
 }
 
-Frame Stage::look() const {
+Frame StagedBodies::look() const {
   Frame frame;
   for (const auto& [id, robot] : robots_) {
     if (!robot.is_seen) continue;

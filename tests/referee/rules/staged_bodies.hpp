@@ -12,9 +12,9 @@
 
 namespace autoref::referee {
 
-class Stage {
+class StagedBodies {
  public:
-  explicit Stage(double deceleration_mps2 = 0.3) : deceleration_mps2_(deceleration_mps2) {}
+  explicit StagedBodies(double deceleration_mps2 = 0.3) : deceleration_mps2_(deceleration_mps2) {}
 
   void put(const RobotId& id, const Vec2& at_m, const Vec2& heading) {
     robots_[id] = {at_m, heading, at_m, 0, heading, 0, true, Vec2(0, 0)};
