@@ -48,7 +48,7 @@ TEST(Game, IsIdenticalForTheSameSeedAndDiffersForAnother) {
 
 TEST(Game, OfATeamAgainstItselfHasTheOppositeScoreWithEndsChanged) {
   int goals = 0;
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+  for (std::uint64_t seed = 1; seed <= AUTOREF_TURNED_GAMES; ++seed) {
     GameConfiguration game = short_game(120, seed);
     const GameRecord west = play(game);
     game.match.a_plays = Side::kEast;

@@ -20,7 +20,7 @@ TEST(RealisticGame, EndsWithAPlausibleScore) {
   int goals = 0;
   double in_play_s = 0;
   double played_s = 0;
-  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+  for (std::uint64_t seed = 1; seed <= AUTOREF_REALISTIC_GAMES; ++seed) {
     const GameRecord record = play(realistic_game(600, seed));
     ASSERT_EQ(record.status, Status::kOk) << record.void_reason;
     EXPECT_LE(record.goals_a + record.goals_b, 10) << seed;
