@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -40,12 +41,14 @@ Outcomes outcomes_of_records(const Scenario& scenario, const ExperimentOptions& 
       }};
 }
 
-// A game that throws is void at once: games are deterministic, so it would throw again.
+// A game that throws is void at once: games are deterministic, so it would throw again. What comes
+// from the machine is no result of a game.
 GameRow played(const Outcomes& outcomes, const ScheduledGame& game) {
   GameRow row = row_of(game);
   try {
     outcomes.play(resolved(game), row);
   } catch (const std::exception& error) {
+    if (trouble_of_machine(error)) throw;
     row.record = void_record(fmt::format("the game threw: {}", error.what()));
   }
   return row;
@@ -79,8 +82,8 @@ class Experiment {
     create_folder(options_.folder / kGamesFolder);
     // Lock the shard before reading the rows, so no other run of this shard can add rows
     // afterwards.
-    Shard shard(options_.folder / kGamesFolder / options_.shard.file_name(),
-                csv_line(format_.names()), options_.patience_s);
+    shard_.emplace(options_.folder / kGamesFolder / options_.shard.file_name(),
+                   csv_line(format_.names()), options_.patience_s);
     take_with_notes();
     set_killed_games_aside();
     is_decided_ = is_decided(scenario_, rows_);
@@ -89,7 +92,8 @@ class Experiment {
     replace_file(options_.folder / kEffectiveFile, effective_text(scenario_));
     progress_.expect(counts());
     ExperimentReport report;
-    report.is_interrupted = play_all(shard, report.played) == Ending::kInterrupted;
+    report.is_interrupted = play_all(report.played) == Ending::kInterrupted;
+    keep_file();
     if (report.is_interrupted) progress_.keep_tables();
     progress_.expect(counts());
     const RowsById rows = counted(schedule_, rows_);
@@ -118,9 +122,10 @@ class Experiment {
     RowInventory row_inventory = take(stored);
     schedule_ = std::move(row_inventory.schedule);
     rows_ = std::move(row_inventory.completed_games.done);
-    if (stored.damaged > 0) {
+    if (!stored.damaged.empty() && !missing_games().empty()) {
       progress_.say(fmt::format(
-          "{} rows are damaged and do not count; their games will be replayed", stored.damaged));
+          "damaged rows that do not count: {}, the first at {}; their games will be replayed",
+          stored.damaged.size(), stored.damaged.front().at));
     }
     note_other_games(row_inventory.completed_games.other_games, !stored.rows.empty());
     for (const auto& [build, count] : row_inventory.completed_games.other_builds) {
@@ -155,6 +160,7 @@ class Experiment {
 
   // Rereads the folder, since other shards may have played games in the meantime.
   void look_around() {
+    keep_file();
     const Clock::time_point began = Clock::now();
     rows_ = take(read_rows(options_.folder / kGamesFolder, format_)).completed_games.done;
     for (const std::string& id : again_) rows_.erase(id);
@@ -170,7 +176,7 @@ class Experiment {
 
   // Plays until every needed game of this shard that is already known has a row. Terminates because
   // every round except the last adds rows.
-  Ending play_all(Shard& shard, int& played_games) {
+  Ending play_all(int& played_games) {
     while (true) {
       const std::vector<std::size_t> missing = missing_games();
       if (missing.empty()) {
@@ -179,7 +185,7 @@ class Experiment {
         if (waited == Waited::kInVain) return Ending::kDone;
         continue;
       }
-      const Ending ending = play(missing, shard, played_games);
+      const Ending ending = play(missing, played_games);
       if (options_.shard.of > 1) look_around();
       if (follows_its_rows(scenario_)) schedule_ = schedule_of(scenario_, rows_);
       progress_.expect(counts());
@@ -261,27 +267,36 @@ class Experiment {
                     running));
   }
 
-  Ending play(const std::vector<std::size_t>& games, Shard& shard, int& played_games) {
+  Ending play(const std::vector<std::size_t>& games, int& played_games) {
     const WorkerOptions workers{options_.workers, options_.attempts, options_.longest_game_s};
     std::function<bool()> is_enough;
     if (follows_its_rows(scenario_)) is_enough = [this] { return is_decided_; };
-    const Ending ending = do_jobs(
-        games, workers,
-        {[this](std::size_t i) { return format_.line(played(outcomes_, schedule_.games[i])); },
-         [&](const JobResult& result) {
-           keep(shard, result);
-           ++played_games;
-         },
-         [&] {
-           if (Clock::now() >= next_sync_) count_written(shard);
-           progress_.tick();
-         },
-         is_enough, [this](int running) { announce_ending(running); },
-         [this](std::size_t i) {
-           if (options_.starting) options_.starting(schedule_.games[i]);
-         }});
-    count_written(shard);
-    return ending;
+    const WorkerCalls calls{
+        [this](std::size_t i) { return format_.line(played(outcomes_, schedule_.games[i])); },
+        [&](const JobResult& result) {
+          keep(result);
+          ++played_games;
+        },
+        [&] {
+          if (Clock::now() >= next_sync_) count_written();
+          progress_.tick();
+        },
+        is_enough,
+        [this](int running) { announce_ending(running); },
+        [this](std::size_t i) {
+          if (options_.starting) options_.starting(schedule_.games[i]);
+        }};
+    try {
+      const Ending ending = do_jobs(games, workers, calls);
+      count_written();
+      return ending;
+    } catch (const MachineTrouble& error) {
+      keep_file();
+      count_written();
+      throw InputOutputError(
+          fmt::format("{}; the games played so far are kept, and the same command plays the others",
+                      error.what()));
+    }
   }
 
   // Throws std::logic_error if the worker sent anything other than a row.
@@ -296,20 +311,40 @@ class Experiment {
     return std::move(*row);
   }
 
-  void keep(Shard& shard, const JobResult& result) {
+  void keep(const JobResult& result) {
     GameRow row = row_from(result);
     row.circumstances = {options_.build, host_,          cpu_,
                          result.wall_s,  result.attempt, options_.shard.name()};
-    shard.write(format_.line(row));
+    keep_file();
+    shard_->write(format_.line(row));
     written_.push_back(std::move(row));
     // The next games may depend on this one.
-    if (follows_its_rows(scenario_) || Clock::now() >= next_sync_) count_written(shard);
+    if (follows_its_rows(scenario_) || Clock::now() >= next_sync_) count_written();
+  }
+
+  // The file of the rows may have been replaced, moved or removed since the last look, and the
+  // folder with it.
+  void keep_file() {
+    if (shard_->is_intact()) return;
+    std::vector<std::string> lines;
+    for (const auto& [id, row] : rows_) {
+      if (row.circumstances.shard == options_.shard.name()) lines.push_back(format_.line(row));
+    }
+    for (const GameRow& row : written_) lines.push_back(format_.line(row));
+    shard_->restore(lines);
+    replace_file(options_.folder / kEffectiveFile, effective_text(scenario_));
+    progress_.say(
+        fmt::format("{} was replaced, moved, shortened or removed while this run was writing it; "
+                    "the rows of this experiment "
+                    "are there again",
+                    (options_.folder / kGamesFolder / options_.shard.file_name()).string()));
   }
 
   // Games count only once their rows are on the disk, so a game shown as done is never lost.
-  void count_written(Shard& shard) {
+  void count_written() {
     if (written_.empty()) return;
-    shard.sync();
+    keep_file();
+    shard_->sync();
     next_sync_ = Clock::now() + kBetweenSyncs;
     for (GameRow& row : written_) count(std::move(row));
     written_.clear();
@@ -338,6 +373,7 @@ class Experiment {
   const Outcomes outcomes_;
   const std::string host_ = host_name();
   const std::string cpu_ = cpu_name();
+  std::optional<Shard> shard_;   // locked during run()
   Schedule schedule_;            // unchanged while workers play
   RowsById rows_;                // of scheduled games, including those that are not needed
   std::set<std::string> again_;  // ids of killed games still to be replayed

@@ -34,6 +34,21 @@ std::string chosen_build(const StoredRows& stored, const std::string& wanted,
                                fmt::join(builds, ", ")));
 }
 
+// Ids of the games in results.csv that have no row.
+std::vector<std::string> lost_games(const fs::path& folder, const StoredRows& stored) {
+  std::vector<std::string> lost;
+  if (builds_of(stored).size() > 1) return lost;  // the build of results.csv is unknown
+  const std::string csv = read_file(folder / kResultsFile).value_or("");
+  std::set<std::string_view> played;
+  for (const GameRow& row : stored.rows) played.insert(row.game_id);
+  const std::vector<std::string_view> lines = complete_lines(csv);
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    std::string id = first_cell(lines[i]);
+    if (!id.empty() && !played.contains(id)) lost.push_back(std::move(id));
+  }
+  return lost;
+}
+
 }  // namespace
 
 Scenario scenario_in(const fs::path& folder) {
@@ -61,6 +76,26 @@ int ResultFolder::void_games() const {
                     [](const auto& entry) { return is_void(entry.second.record); }));
 }
 
+std::set<std::string> ResultFolder::faults() const {
+  constexpr std::size_t kNamed = 3;
+  std::set<std::string> faults;
+  std::vector<std::string> unexplained = lost;
+  for (const DamagedRow& row : damaged) {
+    faults.insert(
+        fmt::format("{}: the row of {} is damaged and does not count", row.at, row.game_id));
+    std::erase(unexplained, row.game_id);
+  }
+  if (unexplained.empty()) return faults;
+  const std::size_t count = unexplained.size();
+  if (count > kNamed) {
+    unexplained.resize(kNamed);
+    unexplained.push_back(fmt::format("and {} more", count - kNamed));
+  }
+  faults.insert(fmt::format("in {}, but without a row in {}/: {}", kResultsFile, kGamesFolder,
+                            fmt::join(unexplained, ", ")));
+  return faults;
+}
+
 std::set<std::string> builds_in(const fs::path& path) {
   return builds_of(read_rows(path / kGamesFolder, row_format(scenario_in(path))));
 }
@@ -84,7 +119,9 @@ ResultFolder open_results(const fs::path& path, const std::string& build) {
                       std::move(row_inventory.completed_games),
                       beyond,
                       stored.damaged,
+                      lost_games(path, stored),
                       {}};
+  if (folder.is_complete()) folder.damaged.clear();
   for (const auto& [id, row] : folder.completed_games.done)
     ++folder.by_shard[row.circumstances.shard];
   return folder;

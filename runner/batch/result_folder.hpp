@@ -20,16 +20,20 @@ struct ResultFolder {
   std::filesystem::path path;
   Scenario scenario;  // from effective.yaml
   RowFormat format;
-  std::vector<ScheduledGame> games;     // as in Schedule
-  std::size_t needed = 0;               // as in Schedule
-  std::string build;                    // only its rows count
-  CompletedGames completed_games;       // `done` has only rows that count
-  int beyond = 0;                       // number of rows of games that turned out not to be needed
-  int damaged = 0;                      // number of damaged rows, which do not count
+  std::vector<ScheduledGame> games;  // as in Schedule
+  std::size_t needed = 0;            // as in Schedule
+  std::string build;                 // only its rows count
+  CompletedGames completed_games;    // `done` has only rows that count
+  int beyond = 0;                    // number of rows of games that turned out not to be needed
+  std::vector<DamagedRow> damaged;   // do not count; empty if every game has a row
+  std::vector<std::string>
+      lost;  // ids of the games in results.csv without a row; none if there are several builds
   std::map<std::string, int> by_shard;  // games played by each shard, such as "0/1"
 
   int void_games() const;
   int killed_games() const;  // void games that the next run replays
+  // What is wrong with the stored rows, one line for each fault; empty if nothing is.
+  std::set<std::string> faults() const;
   bool is_complete() const { return completed_games.done.size() == needed; }
 };
 

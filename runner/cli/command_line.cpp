@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <exception>
-#include <system_error>
 
 #include "league/log_file.hpp"
 #include "runner/cli/mistyped.hpp"
@@ -35,15 +34,12 @@ int exit_code_of(const Chosen& work) {
     return code;
   } catch (const InputError& error) {
     return fail(kBadInput, error.what());
-  } catch (const InputOutputError& error) {
-    return fail(kInputOutput, error.what());
   } catch (const league::LogError& error) {
     return fail(kInputOutput, error.what());
   } catch (const Interrupted& error) {
     return fail(kInterrupted, error.what());
-  } catch (const std::system_error& error) {  // from printing or the file system
-    return fail(kInputOutput, error.what());
   } catch (const std::exception& error) {
+    if (const auto trouble = trouble_of_machine(error)) return fail(kInputOutput, *trouble);
     return fail(kInternal, fmt::format("internal error: {}", error.what()));
   }
 }

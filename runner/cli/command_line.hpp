@@ -84,6 +84,11 @@ struct FolderArguments {
   std::string build;  // only this build's rows count; empty: the folder's only build
 };
 
+// Arguments of `autoref report`.
+struct ReportArguments : FolderArguments {
+  bool allow_fewer = false;  // whether results.csv may lose games
+};
+
 // Arguments of `autoref verify`.
 struct VerifyArguments : FolderArguments {
   int sample = 5;
@@ -100,7 +105,8 @@ struct ReplayArguments : FolderArguments {
 struct ExportArguments : FolderArguments {
   std::string sqlite;
   bool is_without_events = false;
-  int workers = 0;  // 0: one per processor
+  bool replaces = false;  // an existing file
+  int workers = 0;        // 0: one per processor
 };
 
 // Arguments of `autoref judge`.
@@ -213,7 +219,7 @@ int run_verb(const RunArguments& arguments);
 int tune_verb(const RunArguments& arguments);
 int submit_verb(const SubmitArguments& arguments);
 int check_verb(const CheckArguments& arguments);
-int report_verb(const FolderArguments& arguments);
+int report_verb(const ReportArguments& arguments);
 int status_verb(const FolderArguments& arguments);
 int verify_verb(const VerifyArguments& arguments);
 int export_verb(const ExportArguments& arguments);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -17,6 +18,10 @@ int export_verb(const ExportArguments& arguments) {
   check_outputs({{"--sqlite", arguments.sqlite}}, files_of_results(arguments.folder));
   const ResultFolder folder = open_results(arguments.folder, arguments.build);
   std::optional<PendingFile> file;
+  if (std::filesystem::is_regular_file(arguments.sqlite) && !arguments.replaces) {
+    throw InputError({"--sqlite"}, "",
+                     fmt::format("{} exists; replace it with --force", arguments.sqlite));
+  }
   open_output(file, "--sqlite", arguments.sqlite);
   ExportOptions options;
   options.has_events = !arguments.is_without_events;
@@ -39,6 +44,7 @@ void add_export_verb(CLI::App& app, Chosen& chosen) {
       ->required();
   verb->add_flag("--no-events", arguments->is_without_events,
                  "Leave out the table of events, for which each game is played again.");
+  verb->add_flag("--force", arguments->replaces, "Replace an existing file.");
   verb->add_option("-j,--workers", arguments->workers,
                    "Games played in parallel. Default: one per processor.")
       ->type_name("N")

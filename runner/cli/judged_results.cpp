@@ -32,8 +32,15 @@ void print_judged_files(const fs::path& folder) {
              (folder / kFaultsFile).string());
 }
 
-std::string report_judged(const ResultFolder& folder, const fs::path& into) {
+std::string report_judged(const ResultFolder& folder, const fs::path& into, LostGames lost) {
   const JudgeReport report = report_of(folder);
+  if (lost == LostGames::kKeep && !folder.damaged.empty()) {
+    fmt::print(
+        "{}\nnothing is written, since rows are damaged: let autoref judge play their games "
+        "again, or pass --allow-fewer\n",
+        markdown_of(report));
+    return scores_markdown_of(report);
+  }
   write_judged(into, report);
   const Document document = judge_document(folder, report, into == folder.path ? "." : "..");
   replace_file(into / kMarkdownReport, markdown_of(document));
@@ -48,24 +55,29 @@ std::string report_judged(const ResultFolder& folder, const fs::path& into) {
   return scores_markdown_of(report);
 }
 
-void report_judged_builds(const fs::path& path, const std::string& build) {
+std::set<std::string> report_judged_builds(const fs::path& path, const std::string& build,
+                                           LostGames lost) {
   const std::set<std::string> builds = builds_in(path);
   if (!build.empty() || builds.size() <= 1) {
-    report_judged(open_results(path, build), path);
-    return;
+    const ResultFolder folder = open_results(path, build);
+    report_judged(folder, path, lost);
+    return folder.faults();
   }
+  std::set<std::string> faults;
   std::vector<BuildReport> overview;
   for (const std::string& each : builds) {
     const fs::path into = build_folder(path, each);
     create_folder(into);
     fmt::print("build {}\n\n", each);
     const ResultFolder folder = open_results(path, each);
-    overview.push_back({folder, report_judged(folder, into)});
+    overview.push_back({folder, report_judged(folder, into, lost)});
+    faults.merge(folder.faults());
     fmt::print("\n");
   }
   write_overview(path, overview);
   fmt::print("{}   overview with links to each build's report\n",
              (path / kMarkdownReport).string());
+  return faults;
 }
 
 }  // namespace autoref::runner

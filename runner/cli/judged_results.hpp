@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 
 #include "runner/batch/result_folder.hpp"
 #include "runner/judge/judge_report.hpp"
+#include "runner/report/folder_report.hpp"
 
 namespace autoref::runner {
 
@@ -16,11 +18,14 @@ void write_judged(const std::filesystem::path& folder, const JudgeReport& report
 void print_judged_files(const std::filesystem::path& folder);
 
 // Writes judge.csv, faults.csv, report.md and report.html into `into`, and prints their paths and
-// the tables. Returns the table of scores.
-std::string report_judged(const ResultFolder& folder, const std::filesystem::path& into);
+// the tables. With kKeep, writes nothing if rows are damaged. Returns the table of scores.
+std::string report_judged(const ResultFolder& folder, const std::filesystem::path& into,
+                          LostGames lost);
 
 // Calls report_judged() for the rows of `build`. If `build` is empty, reports on the folder's only
 // build, or, if there are several builds, on each of them in its own folder, and adds an overview.
-void report_judged_builds(const std::filesystem::path& path, const std::string& build);
+// Returns ResultFolder::faults() of all of them.
+std::set<std::string> report_judged_builds(const std::filesystem::path& path,
+                                           const std::string& build, LostGames lost);
 
 }  // namespace autoref::runner

@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "runner/batch/result_folder.hpp"
@@ -35,39 +37,54 @@ void print_report(const FolderReport& written) {
     fmt::print("{} of {} games: do not stop early because of interim intervals\n",
                folder.completed_games.done.size(), folder.needed);
   }
-  print_files(written.results, written.report, written.into);
-  for (const std::string& trouble : written.report.troubles)
-    write_message(stderr, "autoref: " + trouble + "\n");
+  if (written.report) {
+    print_files(written.results, *written.report, written.into);
+    for (const std::string& trouble : written.report->troubles)
+      write_message(stderr, "autoref: " + trouble + "\n");
+  } else {
+    fmt::print(
+        "nothing is written, since {} would lose games: restore their rows, let autoref run play "
+        "them "
+        "again, or pass --allow-fewer to write it without them\n",
+        (written.into / kResultsFile).string());
+  }
+}
+
+ExitCode print_faults(const std::set<std::string>& faults) {
+  for (const std::string& fault : faults) write_message(stderr, "autoref: " + fault + "\n");
+  return faults.empty() ? kDone : kDifferent;
 }
 
 }  // namespace
 
-int report_verb(const FolderArguments& arguments) {
+int report_verb(const ReportArguments& arguments) {
   const fs::path path = arguments.folder;
+  const LostGames lost = arguments.allow_fewer ? LostGames::kDrop : LostGames::kKeep;
   if (is_judged(scenario_in(path))) {
-    report_judged_builds(path, arguments.build);
-    return kDone;
+    return print_faults(report_judged_builds(path, arguments.build, lost));
   }
-  const std::vector<FolderReport> reports = write_folder_reports(path, arguments.build);
-  if (reports.size() == 1) {
-    print_report(reports.front());
-    return kDone;
-  }
+  const std::vector<FolderReport> reports = write_folder_reports(path, arguments.build, lost);
+  std::set<std::string> faults;
   for (const FolderReport& report : reports) {
-    fmt::print("build {}\n\n", report.folder.build);
+    if (reports.size() > 1) fmt::print("build {}\n\n", report.folder.build);
     print_report(report);
-    fmt::print("\n");
+    if (reports.size() > 1) fmt::print("\n");
+    faults.merge(report.folder.faults());
   }
-  fmt::print("{}   overview with links to each build's report\n",
-             (path / kMarkdownReport).string());
-  return kDone;
+  if (reports.size() > 1) {
+    fmt::print("{}   overview with links to each build's report\n",
+               (path / kMarkdownReport).string());
+  }
+  return print_faults(faults);
 }
 
 void add_report_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb = app.add_subcommand(
       "report", "Merge the rows of all shards in a folder; write tables, report and plots.");
-  auto arguments = std::make_shared<FolderArguments>();
+  auto arguments = std::make_shared<ReportArguments>();
   add_folder_options(*verb, *arguments);
+  verb->add_flag("--allow-fewer", arguments->allow_fewer,
+                 "Write the results even if games of results.csv have no rows any more.");
   verb->footer(
       "Safe to use while a run is filling the folder; the same rows give the same files. Plots\n"
       "need gnuplot (apt-get install gnuplot-nox); DIR/plots always has their data and scripts.\n"

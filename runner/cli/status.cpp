@@ -37,7 +37,7 @@ void print_counts(const ResultFolder& folder) {
   }
   const std::string shortfall = report_shortfall(folder);
   if (!shortfall.empty()) fmt::print("  {}\n", shortfall);
-  if (folder.damaged > 0) fmt::print("  {} damaged rows, not counted\n", folder.damaged);
+  for (const std::string& fault : folder.faults()) fmt::print("  {}\n", fault);
 }
 
 }  // namespace

@@ -38,7 +38,9 @@ int verify_verb(const VerifyArguments& arguments) {
   const auto different = static_cast<int>(verification.differences.size());
   fmt::print("{} of {} games match their rows\n", verification.played - different,
              verification.played);
-  return different == 0 ? kDone : kDifferent;
+  const std::set<std::string> faults = folder.faults();
+  for (const std::string& fault : faults) fmt::print("{}\n", fault);
+  return different == 0 && faults.empty() ? kDone : kDifferent;
 }
 
 void add_verify_verb(CLI::App& app, Chosen& chosen) {

@@ -26,21 +26,26 @@ namespace {
 
 using Row = std::vector<SqliteValue>;
 
+constexpr const char* kInteger = "INTEGER";
+constexpr const char* kReal = "REAL";
+constexpr const char* kText = "TEXT";
+
 // A column of `events`, and where its value is in a line of the event log.
 struct EventColumn {
   const char* name;
   const char* pointer;  // RFC 6901
+  const char* type = kText;
 };
 
 constexpr EventColumn kEventColumns[] = {
-    {"time_s", "/time_s"},
+    {"time_s", "/time_s", kReal},
     {"stage", "/stage"},
-    {"clock_s", "/clock_s"},
-    {"clock_left_s", "/clock_left_s"},
-    {"score_yellow", "/score/yellow"},
-    {"score_blue", "/score/blue"},
-    {"shootout_yellow", "/shootout/yellow"},
-    {"shootout_blue", "/shootout/blue"},
+    {"clock_s", "/clock_s", kReal},
+    {"clock_left_s", "/clock_left_s", kReal},
+    {"score_yellow", "/score/yellow", kInteger},
+    {"score_blue", "/score/blue", kInteger},
+    {"shootout_yellow", "/shootout/yellow", kInteger},
+    {"shootout_blue", "/shootout/blue", kInteger},
     {"transition", "/transition"},
     {"from_state", "/from"},
     {"to_state", "/to"},
@@ -48,31 +53,46 @@ constexpr EventColumn kEventColumns[] = {
     {"event", "/event"},
     {"league_event", "/league_event"},
     {"rule", "/rule"},
-    {"value", "/value"},
-    {"threshold", "/threshold"},
+    {"value", "/value", kReal},
+    {"threshold", "/threshold", kReal},
     {"unit", "/unit"},
-    {"confidence", "/confidence"},
+    {"confidence", "/confidence", kReal},
     {"robots", "/robots"},
     {"offender", "/offender"},
     {"card", "/card"},
     {"card_reason", "/card_reason"},
-    {"position_x_m", "/position_m/0"},
-    {"position_y_m", "/position_m/1"},
+    {"position_x_m", "/position_m/0", kReal},
+    {"position_y_m", "/position_m/1", kReal},
     {"yellow_defends", "/yellow_defends"},
     {"restart", "/restart"},
     {"last_touch_colour", "/last_touch/colour"},
-    {"last_touch_robot", "/last_touch/robot"},
-    {"last_touch_time_s", "/last_touch/time_s"},
-    {"last_touch_gap_m", "/last_touch/gap_m"},
-    {"last_touch_speed_change_mps", "/last_touch/speed_change_mps"},
+    {"last_touch_robot", "/last_touch/robot", kInteger},
+    {"last_touch_time_s", "/last_touch/time_s", kReal},
+    {"last_touch_gap_m", "/last_touch/gap_m", kReal},
+    {"last_touch_speed_change_mps", "/last_touch/speed_change_mps", kReal},
     {"last_touch_runner_up", "/last_touch/runner_up"},
     {"evidence", "/evidence"},
     {"shootout_kicker", "/shootout_kick/kicker"},
-    {"shootout_kick", "/shootout_kick/number"},
-    {"shootout_scored", "/shootout_kick/scored"},
+    {"shootout_kick", "/shootout_kick/number", kInteger},
+    {"shootout_scored", "/shootout_kick/scored", kInteger},
     {"team_yellow", "/teams/yellow/team"},
     {"team_blue", "/teams/blue/team"},
 };
+
+const std::vector<SqliteColumn> kSettingsColumns = {{"setting", kText}, {"value"}};
+
+std::vector<SqliteColumn> columns_of_events() {
+  std::vector<SqliteColumn> columns = {{"game_id", kText}, {"number", kInteger}};
+  for (const EventColumn& column : kEventColumns) columns.push_back({column.name, column.type});
+  return columns;
+}
+
+std::vector<std::string> names_of(const std::vector<SqliteColumn>& columns) {
+  std::vector<std::string> names;
+  names.reserve(columns.size());
+  for (const SqliteColumn& column : columns) names.push_back(column.name);
+  return names;
+}
 
 // Columns of `games` whose cells are texts even if they look like numbers.
 bool is_text(std::string_view column) {
@@ -105,20 +125,30 @@ SqliteValue value_of(const Json& json) {
   return json_text(json);
 }
 
+// The type that holds both what the column has held so far and the value.
+const char* widened(const char* type, const SqliteValue& value) {
+  if (std::holds_alternative<std::monostate>(value)) return type;
+  if (std::holds_alternative<std::string>(value) || type == kText) return kText;
+  return std::holds_alternative<double>(value) || type == kReal ? kReal : kInteger;
+}
+
 void add_games(SqliteFile& file, const ResultFolder& folder) {
   const Cells names = folder.format.reproducible_names();
-  std::vector<std::string> columns(names.begin(), names.end());
-  columns.emplace_back("build");
-  SqliteTable table(file, "games", columns);
+  std::vector<SqliteColumn> columns;
+  for (const std::string& name : names) columns.push_back({name, is_text(name) ? kText : ""});
+  columns.push_back({"build", kText});
+  std::vector<Row> rows;
   for (const auto& [id, row] : folder.completed_games.done) {
-    Row values;
+    Row& values = rows.emplace_back();
     const Cells cells = folder.format.reproducible(row);
-    values.reserve(cells.size() + 1);
-    for (std::size_t i = 0; i < cells.size(); ++i)
+    for (std::size_t i = 0; i < cells.size(); ++i) {
       values.push_back(is_text(names[i]) ? SqliteValue(cells[i]) : value_of(cells[i]));
+      columns[i].type = widened(columns[i].type, values.back());
+    }
     values.emplace_back(row.circumstances.build);
-    table.add(values);
   }
+  SqliteTable table(file, "games", columns);
+  for (const Row& row : rows) table.add(row);
 }
 
 // Adds a row for each scalar below `node`. Lists are one scalar, as in the file.
@@ -139,7 +169,7 @@ void add_scalars(SqliteTable& table, const YAML::Node& node, const std::string& 
 }
 
 void add_settings(SqliteFile& file, const ResultFolder& folder) {
-  SqliteTable table(file, "settings", settings_columns());
+  SqliteTable table(file, "settings", kSettingsColumns);
   add_scalars(table, YAML::Load(effective_text(folder.scenario)), "");
 }
 
@@ -218,20 +248,16 @@ void add_events(SqliteFile& file, const ResultFolder& folder, const ExportOption
       games, pool,
       {[&](std::size_t game) { return replays.play_again(game); }, done, [&bar] { bar.tick(); }});
   if (ending == Ending::kInterrupted) throw Interrupted();
-  SqliteTable table(file, "events", events_columns());
+  SqliteTable table(file, "events", columns_of_events());
   for (const std::size_t game : games)
     add_events_of(table, folder.games[game].id, replays.events_of(game));
 }
 
 }  // namespace
 
-std::vector<std::string> settings_columns() { return {"setting", "value"}; }
+std::vector<std::string> settings_columns() { return names_of(kSettingsColumns); }
 
-std::vector<std::string> events_columns() {
-  std::vector<std::string> names = {"game_id", "number"};
-  for (const EventColumn& column : kEventColumns) names.emplace_back(column.name);
-  return names;
-}
+std::vector<std::string> events_columns() { return names_of(columns_of_events()); }
 
 std::string exported(const ResultFolder& folder, const ExportOptions& options) {
   SqliteFile file;

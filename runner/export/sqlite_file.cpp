@@ -64,12 +64,13 @@ std::string SqliteFile::bytes() const {
 }
 
 SqliteTable::SqliteTable(SqliteFile& file, std::string_view name,
-                         const std::vector<std::string>& columns)
+                         const std::vector<SqliteColumn>& columns)
     : file_(file), columns_(columns.size()) {
   std::string names;
   std::string marks;
-  for (const std::string& column : columns) {
-    names += (names.empty() ? "" : ", ") + quoted_name(column);
+  for (const SqliteColumn& column : columns) {
+    names += (names.empty() ? "" : ", ") + quoted_name(column.name);
+    if (*column.type != '\0') names += std::string(" ") + column.type;
     marks += marks.empty() ? "?" : ", ?";
   }
   const std::string table = quoted_name(name);

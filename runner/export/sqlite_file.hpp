@@ -35,12 +35,17 @@ class SqliteFile {
   sqlite3* database_ = nullptr;
 };
 
-// A new table. Columns have no declared type: each value keeps its own.
+struct SqliteColumn {
+  std::string name;
+  const char* type = "";  // INTEGER, REAL or TEXT; without one, each value keeps its own
+};
+
+// A new table.
 class SqliteTable {
  public:
   // `columns` must be different from each other, also in lower case. The file must outlive this
   // object.
-  SqliteTable(SqliteFile& file, std::string_view name, const std::vector<std::string>& columns);
+  SqliteTable(SqliteFile& file, std::string_view name, const std::vector<SqliteColumn>& columns);
   ~SqliteTable();
   SqliteTable(const SqliteTable&) = delete;
   SqliteTable& operator=(const SqliteTable&) = delete;

@@ -5,6 +5,7 @@
 #include <array>
 #include <exception>
 
+#include "runner/io/errors.hpp"
 #include "sim/world.hpp"
 #include "soccer/abilities.hpp"
 #include "soccer/random.hpp"
@@ -32,13 +33,16 @@ double latency_s(const sim::Configuration& c) {
   return (split.frames + static_cast<double>(split.substeps) / c.substeps) / c.frame_rate_hz;
 }
 
-// What `action` throws; empty if nothing.
+// What `action` throws; empty if nothing. An InputOutputError is no fault of the team, and is
+// thrown on.
 template <typename Action>
 std::string fault_of(const Action& action) {
   try {
     action();
   } catch (const strategies::StrategyFault& fault) {
     return fault.what();
+  } catch (const InputOutputError&) {
+    throw;
   } catch (const std::exception& error) {
     return fmt::format("threw: {}", error.what());
   } catch (...) {

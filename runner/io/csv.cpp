@@ -62,6 +62,11 @@ std::optional<Cells> csv_cells(std::string_view line) {
   }
 }
 
+std::string first_cell(std::string_view line) {
+  const std::optional<Cells> cells = csv_cells(line);
+  return cells && !cells->empty() ? cells->front() : std::string();
+}
+
 std::vector<std::string_view> complete_lines(std::string_view text) {
   std::vector<std::string_view> lines;
   for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {

@@ -18,6 +18,9 @@ std::string csv_line(const Cells& cells);
 // Returns the cells of one line, or nullopt if its quotes do not match.
 std::optional<Cells> csv_cells(std::string_view line);
 
+// Returns the first cell of a line; empty if its quotes do not match.
+std::string first_cell(std::string_view line);
+
 // Returns the complete lines of a text; anything after the last line end is dropped.
 std::vector<std::string_view> complete_lines(std::string_view text);
 

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <boost/system/system_error.hpp>
+#include <cerrno>
+#include <new>
 #include <system_error>
 
 namespace autoref::runner {
@@ -24,6 +27,29 @@ InputError::InputError(const FileLocation& location, std::string_view key, std::
 InputOutputError io_error(std::string_view what, int error_number) {
   return InputOutputError(
       fmt::format("{}: {}", what, std::generic_category().message(error_number)));
+}
+
+bool is_shortage(int error_number) {
+  switch (error_number) {
+    case EAGAIN:
+    case EDQUOT:
+    case EMFILE:
+    case ENFILE:
+    case ENOMEM:
+    case ENOSPC:
+      return true;
+    default:
+      return false;
+  }
+}
+
+std::optional<std::string> trouble_of_machine(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return "out of memory";
+  if (dynamic_cast<const InputOutputError*>(&error) != nullptr ||
+      dynamic_cast<const std::system_error*>(&error) != nullptr ||
+      dynamic_cast<const boost::system::system_error*>(&error) != nullptr)
+    return error.what();
+  return std::nullopt;
 }
 
 void write_message(std::FILE* stream, std::string_view text) {

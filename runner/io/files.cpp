@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -13,6 +12,7 @@
 #include <thread>
 
 #include "runner/io/errors.hpp"
+#include "runner/io/same_file.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -26,14 +26,6 @@ constexpr double kPatience_s = 60;  // many shards may write their results at on
 
 InputOutputError cannot_write(const fs::path& path) {
   return io_error(fmt::format("{} cannot be written", path.string()), errno);
-}
-
-// Returns whether `path` still names the open file.
-bool is_named(int descriptor, const fs::path& path) {
-  struct stat opened {};
-  struct stat named {};
-  return fstat(descriptor, &opened) == 0 && stat(path.c_str(), &named) == 0 &&
-         opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
 }
 
 // Returns the content. On failure, sets `error_number`; if there are more than `most` bytes (as in
@@ -114,7 +106,7 @@ bool PendingFile::take_part() {
   const bool is_locked = flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
   const bool is_busy = !is_locked && (errno == EWOULDBLOCK || errno == EINTR);
   // The previous holder of the lock may have renamed or removed the file in the meantime.
-  const bool is_gone = is_locked && !is_named(descriptor_, part_);
+  const bool is_gone = is_locked && !is_open_as(part_, descriptor_);
   if (is_locked && !is_gone && ftruncate(descriptor_, 0) == 0) return true;
   const int error_number = errno;
   close(descriptor_);

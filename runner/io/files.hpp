@@ -30,7 +30,10 @@ class PendingFile {
   PendingFile(const PendingFile&) = delete;
   PendingFile& operator=(const PendingFile&) = delete;
 
-  void commit(std::string_view text);
+  // For content that is not written at once. Valid until commit().
+  int descriptor() const { return descriptor_; }
+
+  void commit(std::string_view text = {});
 
  private:
   bool is_direct() const { return part_ == path_; }

@@ -12,6 +12,8 @@
 #include <charconv>
 #include <cstdint>
 #include <cstring>
+#include <exception>
+#include <utility>
 
 #include "runner/io/errors.hpp"
 #include "runner/processes/workers.hpp"
@@ -22,6 +24,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr ssize_t kLongestMessage = 128 * 1024;
+constexpr char kTrouble = '\0';  // before the message of a job that the machine has failed
+constexpr std::size_t kLongestMessageOfTrouble = 10'000;
 
 // Main loop of a worker: reads jobs and writes results until the other end closes. Ctrl-C reaches
 // the whole process group; only the parent decides what to do about it.
@@ -41,6 +45,10 @@ constexpr ssize_t kLongestMessage = 128 * 1024;
     std::string payload;
     try {
       payload = work(job);
+    } catch (const std::exception& error) {
+      const std::optional<std::string> trouble = trouble_of_machine(error);
+      if (!trouble) _exit(1);
+      payload = kTrouble + trouble->substr(0, kLongestMessageOfTrouble);
     } catch (...) {
       _exit(1);
     }
@@ -125,14 +133,15 @@ void WorkerProcess::give(const Job& job) {
   [[maybe_unused]] const ssize_t ignored = send(socket_, &number, sizeof number, MSG_NOSIGNAL);
 }
 
-std::optional<std::string> WorkerProcess::answer() {
+std::optional<WorkerAnswer> WorkerProcess::answer() {
   // Asks for the size first: a buffer for the longest answer would take longer to clear than a row
   // takes to read.
   const ssize_t size = recv(socket_, nullptr, 0, MSG_PEEK | MSG_TRUNC);
   if (size <= 0 || size > kLongestMessage) return std::nullopt;
   std::string payload(static_cast<std::size_t>(size), '\0');
   if (recv(socket_, payload.data(), payload.size(), 0) != size) return std::nullopt;
-  return payload;
+  if (payload.front() == kTrouble) return WorkerAnswer{"", payload.substr(1)};
+  return WorkerAnswer{std::move(payload), ""};
 }
 
 std::string WorkerProcess::end() {

@@ -36,6 +36,11 @@ struct Job {
   int attempt = 1;
 };
 
+struct WorkerAnswer {
+  std::string payload;
+  std::string trouble;  // of the machine, if there is no payload
+};
+
 // A process, or an empty slot for one. Destroying the object kills the process.
 class WorkerProcess {
  public:
@@ -60,7 +65,7 @@ class WorkerProcess {
   void give(const Job& job);
 
   // Returns the answer to the job, or nullopt if the worker is dead.
-  std::optional<std::string> answer();
+  std::optional<WorkerAnswer> answer();
 
   void be_free() { job_.reset(); }
 

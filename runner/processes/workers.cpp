@@ -8,6 +8,7 @@
 #include <deque>
 #include <optional>
 
+#include "runner/io/errors.hpp"
 #include "runner/processes/worker_process.hpp"
 
 namespace autoref::runner {
@@ -26,10 +27,11 @@ class Pool {
 
   Ending run() {
     while (true) {
-      if (signals_.count() == 0 && !is_enough()) hand_out();
+      if (goes_on() && !is_enough()) hand_out();
       const auto running =
           std::count_if(workers_.begin(), workers_.end(),
                         [](const WorkerProcess& worker) { return worker.is_busy(); });
+      if (running == 0 && !trouble_.empty()) throw MachineTrouble(trouble_);
       if (running == 0) return signals_.count() == 0 ? Ending::kDone : Ending::kInterrupted;
       wait();
       // The first signal lets running jobs finish; the second abandons them. Their workers are
@@ -42,6 +44,8 @@ class Pool {
   }
 
  private:
+  bool goes_on() { return signals_.count() == 0 && trouble_.empty(); }
+
   bool is_enough() const { return calls_.is_enough && calls_.is_enough(); }
 
   void announce_ending(int running) {
@@ -53,7 +57,12 @@ class Pool {
     for (WorkerProcess& worker : workers_) {
       if (worker.is_busy() || queue_.empty()) continue;
       if (calls_.starting) calls_.starting(queue_.front().number);
-      worker.start(signals_, calls_.work);
+      try {
+        worker.start(signals_, calls_.work);
+      } catch (const InputOutputError& error) {
+        trouble_ = error.what();
+        return;
+      }
       worker.give(queue_.front());
       queue_.pop_front();
     }
@@ -77,15 +86,16 @@ class Pool {
   void receive(WorkerProcess& worker) {
     const Job job = worker.job();
     const double wall_s = worker.busy_s();
-    std::optional<std::string> payload = worker.answer();
-    if (payload) {
-      worker.be_free();
-      // The worker plays on while the result is written to disk.
-      if (!calls_.is_enough && signals_.count() == 0) hand_out();
-      calls_.done({job.number, std::move(*payload), "", job.attempt, wall_s});
-    } else {
-      lose(job, worker.end(), wall_s);
+    std::optional<WorkerAnswer> answer = worker.answer();
+    if (!answer) return lose(job, worker.end(), wall_s);
+    worker.be_free();
+    if (!answer->trouble.empty()) {
+      trouble_ = answer->trouble;
+      return;
     }
+    // The worker plays on while the result is written to disk.
+    if (!calls_.is_enough && goes_on()) hand_out();
+    calls_.done({job.number, std::move(answer->payload), "", job.attempt, wall_s});
   }
 
   void check_time(WorkerProcess& worker) {
@@ -117,6 +127,7 @@ class Pool {
   std::deque<Job> queue_;
   std::vector<WorkerProcess> workers_;
   bool is_ending_ = false;
+  std::string trouble_;  // of the machine with a job; no more are started
 };
 
 }  // namespace

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "runner/io/errors.hpp"
+
 namespace autoref::runner {
 
 struct WorkerOptions {
@@ -49,10 +51,17 @@ enum class Ending { kDone, kInterrupted };
 // Number of processors available to this process.
 int processors();
 
+// A job cannot be done, or no process can be started for it, because of the machine; the running
+// jobs have ended.
+class MachineTrouble : public InputOutputError {
+ public:
+  using InputOutputError::InputOutputError;
+};
+
 // Runs `jobs` in order, as workers become free. After SIGINT, SIGTERM or SIGHUP no more jobs are
 // started; a second signal kills the workers at once. Returns kInterrupted after a signal, whether
-// or not jobs are left. Throws what `done` throws, and InputOutputError if no process can be
-// started.
+// or not jobs are left. Throws what `done` throws, and MachineTrouble if no process can be started
+// or `work` throws what comes from the machine (trouble_of_machine()); the job has no result then.
 Ending do_jobs(const std::vector<std::size_t>& jobs, const WorkerOptions& options,
                const WorkerCalls& calls);
 

@@ -15,7 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-FolderReport write_one(ResultFolder folder, const fs::path& into) {
+FolderReport write_one(ResultFolder folder, const fs::path& into, LostGames lost) {
+  if (lost == LostGames::kKeep && !folder.lost.empty()) {
+    ExperimentResults results = results_of(folder.scenario, folder.completed_games.done);
+    return {std::move(folder), into, std::move(results), std::nullopt};
+  }
   create_folder(into);
   ExperimentResults results =
       write_results(into, folder.scenario, folder.format, folder.completed_games.done);
@@ -62,16 +66,17 @@ bool is_stale(const ReportState& state, const ResultFolder& folder) {
 
 }  // namespace
 
-std::vector<FolderReport> write_folder_reports(const fs::path& path, const std::string& build) {
+std::vector<FolderReport> write_folder_reports(const fs::path& path, const std::string& build,
+                                               LostGames lost) {
   std::vector<FolderReport> reports;
   const std::set<std::string> builds = builds_in(path);
   if (!build.empty() || builds.size() <= 1) {
-    reports.push_back(write_one(open_results(path, build), path));
+    reports.push_back(write_one(open_results(path, build), path, lost));
     return reports;
   }
   std::vector<BuildReport> overview;
   for (const std::string& each : builds) {
-    reports.push_back(write_one(open_results(path, each), build_folder(path, each)));
+    reports.push_back(write_one(open_results(path, each), build_folder(path, each), lost));
     overview.push_back({reports.back().folder, reports.back().results.table});
   }
   write_overview(path, overview);
@@ -94,8 +99,9 @@ std::string report_shortfall(const ResultFolder& folder) {
 fs::path refresh_report(const ResultFolder& folder) {
   const std::optional<ReportState> state = state_of_report(folder);
   if (!state || !is_stale(*state, folder)) return {};
-  write_folder_reports(folder.path, state->into == folder.path ? folder.build : "");
-  return state->into / kHtmlReport;
+  const std::vector<FolderReport> reports =
+      write_folder_reports(folder.path, state->into == folder.path ? folder.build : "");
+  return reports.front().report ? state->into / kHtmlReport : fs::path();
 }
 
 }  // namespace autoref::runner

@@ -2,7 +2,9 @@
 // are up to date.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,13 +18,18 @@ struct FolderReport {
   ResultFolder folder;
   std::filesystem::path into;  // the results folder, or a subfolder
   ExperimentResults results;
-  WrittenReport report;
+  std::optional<WrittenReport> report;  // nullopt if nothing was written
 };
 
+// Whether results.csv may be replaced by one that lacks games whose rows are lost.
+enum class LostGames : std::uint8_t { kKeep, kDrop };
+
 // Writes the report of `build`. If `build` is empty: the report of the only build, or one for each
-// of several builds in its own subfolder, with an overview.
+// of several builds in its own subfolder, with an overview. With kKeep, writes nothing for a build
+// if games of results.csv have no rows any more (ResultFolder::lost).
 std::vector<FolderReport> write_folder_reports(const std::filesystem::path& path,
-                                               const std::string& build);
+                                               const std::string& build,
+                                               LostGames lost = LostGames::kKeep);
 
 // "report.html lacks 3 of the 12 games; update it with: autoref report DIR". Empty if this build
 // has no report, or one that covers the rows that count.

@@ -34,8 +34,8 @@ std::size_t pairs_of(const std::vector<Group>& groups) {
 
 // Adds a table row for each kind of rows that do not count, if there are any.
 void add_rows_that_do_not_count(Table& table, const ResultFolder& folder) {
-  if (folder.damaged > 0) {
-    table.rows.push_back({"damaged rows (not counted)", std::to_string(folder.damaged)});
+  if (!folder.damaged.empty()) {
+    table.rows.push_back({"damaged rows (not counted)", std::to_string(folder.damaged.size())});
   }
   if (folder.completed_games.other_games > 0) {
     table.rows.push_back({"rows that belong to no game of the experiment",

@@ -9,12 +9,16 @@
 #include <cerrno>
 #include <charconv>
 #include <chrono>
+#include <map>
+#include <set>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include "runner/io/csv.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
+#include "runner/io/same_file.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -24,6 +28,20 @@ using Clock = std::chrono::steady_clock;
 
 InputOutputError cannot_write(const fs::path& path) {
   return io_error(fmt::format("{} cannot be written", path.string()), errno);
+}
+
+// The complete lines of an open file, whatever its name is now.
+std::vector<std::string> lines_of(int descriptor) {
+  std::string text(static_cast<std::size_t>(std::max<off_t>(lseek(descriptor, 0, SEEK_END), 0)),
+                   '\0');
+  std::size_t size = 0;
+  ssize_t count = 0;
+  while (size < text.size() && (count = pread(descriptor, text.data() + size, text.size() - size,
+                                              static_cast<off_t>(size))) > 0)
+    size += static_cast<std::size_t>(count);
+  text.resize(size);
+  const std::vector<std::string_view> lines = complete_lines(text);
+  return {lines.begin(), lines.end()};
 }
 
 }  // namespace
@@ -50,7 +68,14 @@ ShardIndex shard_index_of(const std::string& text) {
       fmt::format("expected I/N, such as 0/4 to 3/4, with N up to {}; found '{}'", kMost, text));
 }
 
-Shard::Shard(fs::path path, const std::string& header, double patience_s) : path_(std::move(path)) {
+Shard::Shard(fs::path path, const std::string& header, double patience_s)
+    : path_(std::move(path)), header_(header), patience_s_(patience_s) {
+  open_file();
+}
+
+Shard::~Shard() { close(descriptor_); }
+
+void Shard::open_file() {
   // O_APPEND: every write goes to the end, wherever a torn line was cut off.
   descriptor_ = open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (descriptor_ < 0) throw cannot_write(path_);
@@ -58,21 +83,20 @@ Shard::Shard(fs::path path, const std::string& header, double patience_s) : path
     if (!fs::is_regular_file(path_)) {
       throw InputOutputError(fmt::format("{} is not a regular file", path_.string()));
     }
-    lock(patience_s);
+    lock();
     cut_torn_line();
-    synced_bytes_ = lseek(descriptor_, 0, SEEK_END);
-    if (synced_bytes_ == 0) append(header);
+    bytes_ = synced_bytes_ = lseek(descriptor_, 0, SEEK_END);
+    if (bytes_ == 0) append(header_);
   } catch (...) {
     close(descriptor_);
+    descriptor_ = -1;
     throw;
   }
 }
 
-Shard::~Shard() { close(descriptor_); }
-
 // Retries, since the lock of a run that was just killed may take a moment to be released.
-void Shard::lock(double patience_s) {
-  const auto until = Clock::now() + std::chrono::duration<double>(patience_s);
+void Shard::lock() {
+  const auto until = Clock::now() + std::chrono::duration<double>(patience_s_);
   while (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
     if (errno != EWOULDBLOCK && errno != EINTR) throw cannot_write(path_);
     if (Clock::now() > until) {
@@ -99,6 +123,7 @@ void Shard::write(const std::string& line) {
   const std::string text = line + "\n";
   // One write() per row, so a crash can tear only the last one.
   const ssize_t count = ::write(descriptor_, text.data(), text.size());
+  bytes_ = end + std::max<off_t>(count, 0);
   if (count == static_cast<ssize_t>(text.size())) return;
   fail(count >= 0 ? ENOSPC : errno, end);
 }
@@ -113,9 +138,43 @@ void Shard::append(const std::string& line) {
   sync();
 }
 
+bool Shard::is_intact() const {
+  return is_open_as(path_, descriptor_) && lseek(descriptor_, 0, SEEK_END) >= bytes_;
+}
+
+void Shard::restore(const std::vector<std::string>& lines) {
+  std::vector<std::string> wanted = lines_of(descriptor_);
+  wanted.insert(wanted.end(), lines.begin(), lines.end());
+  if (!is_open_as(path_, descriptor_)) {
+    create_folder(path_.parent_path());
+    const int former = descriptor_;
+    try {
+      open_file();
+    } catch (...) {
+      descriptor_ = former;
+      throw;
+    }
+    close(former);
+  }
+  std::vector<std::string> present = lines_of(descriptor_);
+  if (present.empty() || present.front() != header_) {
+    // Rows without their header belong to nothing.
+    if (ftruncate(descriptor_, 0) != 0) throw cannot_write(path_);
+    write(header_);
+    present = {header_};
+  }
+  std::set<std::string> known(present.begin(), present.end());
+  for (const std::string& line : wanted) {
+    if (known.insert(line).second) write(line);
+  }
+  sync();
+  bytes_ = synced_bytes_;
+}
+
 void Shard::fail(int error_number, std::int64_t end) {
   // If this fails too, the next run truncates the incomplete line.
   [[maybe_unused]] const int ignored = ftruncate(descriptor_, static_cast<off_t>(end));
+  bytes_ = end;
   throw io_error(fmt::format("{} cannot be written", path_.string()), error_number);
 }
 
@@ -148,10 +207,22 @@ StoredRows read_rows(const fs::path& games_folder, const RowFormat& format) {
       if (row) {
         stored.rows.push_back(std::move(*row));
       } else {
-        ++stored.damaged;
+        stored.damaged.push_back(
+            {fmt::format("{}/{}:{}", kGamesFolder, file.filename().string(), i + 1),
+             first_cell(lines[i])});
       }
     }
   }
+  std::set<std::string_view> builds;
+  std::map<std::string_view, std::set<std::string_view>> played;
+  for (const GameRow& row : stored.rows) {
+    builds.insert(row.circumstances.build);
+    played[row.game_id].insert(row.circumstances.build);
+  }
+  // The build of a damaged row is unknown.
+  std::erase_if(stored.damaged, [&](const DamagedRow& row) {
+    return !builds.empty() && played[row.game_id].size() == builds.size();
+  });
   return stored;
 }
 

@@ -30,7 +30,8 @@ struct ShardIndex {
 // invalid.
 ShardIndex shard_index_of(const std::string& text);
 
-// An append-only file of lines, locked by one process at a time.
+// An append-only file of lines, locked by one process at a time. Other programs do not heed the
+// lock: editors, for example, replace a file by a new one of the same name.
 class Shard {
  public:
   // Creates the file if it does not exist, locks it, and truncates an incomplete last line, which a
@@ -52,19 +53,38 @@ class Shard {
   // Adds a line and returns once it is on the disk. Throws as the two above.
   void append(const std::string& line);
 
+  // Whether the path still names the file and all lines are in it. False once another program has
+  // replaced, removed, moved or shortened the file: what is written then is lost.
+  bool is_intact() const;
+
+  // Continues in the file that the path names now, or in a new one in a new folder. Adds those of
+  // `lines`, and of the former file's, that are not there, and returns once they are on the disk.
+  // Throws like the constructor and sync().
+  void restore(const std::vector<std::string>& lines);
+
  private:
-  void lock(double patience_s);
+  void open_file();
+  void lock();
   void cut_torn_line();
   [[noreturn]] void fail(int error_number, std::int64_t end);
 
   std::filesystem::path path_;
+  std::string header_;
+  double patience_s_;
   int descriptor_ = -1;
+  std::int64_t bytes_ = 0;  // of all lines
   std::int64_t synced_bytes_ = 0;
+};
+
+// A line that RowFormat::read() rejects; its game counts as not played.
+struct DamagedRow {
+  std::string at;       // "games/shard-0-of-1.csv:5"
+  std::string game_id;  // its first cell, which may be damaged, too
 };
 
 struct StoredRows {
   std::vector<GameRow> rows;
-  int damaged = 0;  // lines rejected by RowFormat::read(); their games count as not played
+  std::vector<DamagedRow> damaged;  // without those of games that have another row
 };
 
 // Reads every .csv file in the folder, in order of file name. Throws InputError if a file's columns

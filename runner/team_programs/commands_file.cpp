@@ -1,6 +1,8 @@
 #include "runner/team_programs/commands_file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -143,25 +145,30 @@ bool is_same(const TeamEntry& a, const TeamEntry& b) {
                     [](const RobotCommand& c, const RobotCommand& d) { return is_same(c, d); });
 }
 
-CommandsWriter::CommandsWriter(std::filesystem::path path)
-    : path_(std::move(path)), part_(path_.string() + ".part"), bytes_(kHeader) {
+CommandsWriter::CommandsWriter(const std::filesystem::path& path)
+    : path_(path), pending_(path), bytes_(kHeader) {
   errno = 0;
-  file_ = gzopen(part_.c_str(), "wb6");
-  if (file_ == nullptr) throw io_error(fmt::format("cannot write {}", part_.string()), errno);
-  write();
+  const int descriptor = fcntl(pending_.descriptor(), F_DUPFD_CLOEXEC, 0);
+  if (descriptor < 0) fail();
+  file_ = gzdopen(descriptor, "wb6");
+  if (file_ == nullptr) {
+    ::close(descriptor);
+    fail();
+  }
 }
 
 CommandsWriter::~CommandsWriter() {
-  if (file_ == nullptr) return;
-  gzclose(gz_file(file_));
-  std::error_code ignored;
-  std::filesystem::remove(part_, ignored);
+  if (file_ != nullptr) gzclose(gz_file(file_));
+}
+
+void CommandsWriter::fail() const {
+  throw io_error(fmt::format("{} cannot be written", path_.string()), errno);
 }
 
 void CommandsWriter::write() {
   errno = 0;
   const int written = gzwrite(gz_file(file_), bytes_.data(), static_cast<unsigned>(bytes_.size()));
-  if (written <= 0) throw io_error(fmt::format("cannot write {}", part_.string()), errno);
+  if (written <= 0) fail();
   bytes_.clear();
 }
 
@@ -203,11 +210,8 @@ void CommandsWriter::close(std::uint64_t final_state) {
   put(final_state, bytes_);
   write();
   errno = 0;
-  if (gzclose(gz_file(std::exchange(file_, nullptr))) != Z_OK)
-    throw io_error(fmt::format("cannot write {}", part_.string()), errno);
-  std::error_code error;
-  std::filesystem::rename(part_, path_, error);
-  if (error) throw io_error(fmt::format("cannot write {}", path_.string()), error.value());
+  if (gzclose(gz_file(std::exchange(file_, nullptr))) != Z_OK) fail();
+  pending_.commit();
 }
 
 CommandsReader::CommandsReader(std::filesystem::path path) : path_(std::move(path)) {

@@ -25,6 +25,7 @@
 #include <optional>
 #include <string>
 
+#include "runner/io/files.hpp"
 #include "runner/team_programs/changed_robot.hpp"
 #include "runner/team_programs/world_change.hpp"
 #include "soccer/robot_command.hpp"
@@ -44,9 +45,9 @@ bool is_same(const TeamEntry& a, const TeamEntry& b);
 
 class CommandsWriter {
  public:
-  // Writes PATH.part, which close() renames. Throws InputOutputError.
-  explicit CommandsWriter(std::filesystem::path path);
-  ~CommandsWriter();  // removes the file unless it is closed
+  // The file appears at close(), like every PendingFile. Throws InputOutputError.
+  explicit CommandsWriter(const std::filesystem::path& path);
+  ~CommandsWriter();
   CommandsWriter(const CommandsWriter&) = delete;
   CommandsWriter& operator=(const CommandsWriter&) = delete;
 
@@ -64,10 +65,11 @@ class CommandsWriter {
 
  private:
   void write();
+  [[noreturn]] void fail() const;
 
   std::filesystem::path path_;
-  std::filesystem::path part_;
-  void* file_ = nullptr;  // a gzFile
+  PendingFile pending_;
+  void* file_ = nullptr;  // a gzFile that writes to it
   std::array<TeamEntry, 2> last_;
   std::string bytes_;
 };

@@ -130,6 +130,7 @@ void ProgramProcess::wait_for_start(int started) {
   }
   if (size != sizeof failure) return;
   end(0.0);
+  if (is_shortage(failure.value)) throw InputOutputError(start_failure(spec_, failure));
   throw ProgramError(start_failure(spec_, failure));
 }
 

@@ -42,7 +42,7 @@ TEST(ResultFolder, CanBeReadBeforeItIsComplete) {
   const ResultFolder folder = open_results(filled.folder.path());
   EXPECT_FALSE(folder.is_complete());
   EXPECT_GT(folder.completed_games.done.size(), 4U);
-  EXPECT_EQ(folder.damaged, 0);
+  EXPECT_TRUE(folder.damaged.empty());
 }
 
 TEST(ResultFolder, IsRewrittenIdentically) {

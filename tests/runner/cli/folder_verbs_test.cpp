@@ -75,6 +75,74 @@ TEST_F(FolderVerbs, VerifyAndReplayPlayGamesAgain) {
   EXPECT_NE(replayed.out.find("dummy, east"), std::string::npos) << replayed.out;
 }
 
+// With four games, whose rows are changed by hand.
+class ChangedFolder : public FolderVerbs {
+ protected:
+  void SetUp() override {
+    FolderVerbs::SetUp();
+    run("0/1");
+    rows_ = content_of(shard_);
+    results_csv_ = content_of(folder_ / "results/results.csv");
+  }
+  void change_a_score() const {
+    std::string rows = rows_;
+    const std::size_t line = rows.find("\nb.robots=5-p0001-1,");
+    const std::size_t score = rows.find(",0,0,0,", line);
+    rows.at(score + 1) = '9';
+    write_content(shard_, rows);
+  }
+  void remove_last_row() const {
+    write_content(shard_, rows_.substr(0, rows_.rfind('\n', rows_.size() - 2) + 1));
+  }
+  Answer report() const { return answer_to({"report", results_.c_str()}); }
+
+  std::string shard_ = (folder_ / "results/games/shard-0-of-1.csv").string();
+  std::string rows_;
+  std::string results_csv_;
+};
+
+constexpr const char* kDamagedRow = "the row of b.robots=5-p0001-1 is damaged and does not count";
+
+TEST_F(ChangedFolder, IsNoticedByVerify) {
+  change_a_score();
+  const Answer verified = answer_to({"verify", results_.c_str(), "--sample", "9", "-j", "1"});
+  EXPECT_EQ(verified.code, kDifferent);
+  EXPECT_NE(verified.out.find(kDamagedRow), std::string::npos) << verified.out;
+}
+
+TEST_F(ChangedFolder, IsNoticedByReportWhichKeepsTheResults) {
+  change_a_score();
+  const Answer reported = report();
+  EXPECT_EQ(reported.code, kDifferent);
+  EXPECT_NE(reported.err.find(kDamagedRow), std::string::npos) << reported.err;
+  EXPECT_EQ(content_of(folder_ / "results/results.csv"), results_csv_);
+}
+
+TEST_F(ChangedFolder, IsMendedByTheNextRunOnce) {
+  change_a_score();
+  EXPECT_NE(run("0/1").err.find("damaged rows that do not count: 1"), std::string::npos);
+  EXPECT_EQ(run("0/1").err.find("damaged"), std::string::npos);
+  EXPECT_EQ(report().code, kDone);
+  EXPECT_EQ(content_of(folder_ / "results/results.csv"), results_csv_);
+}
+
+TEST_F(ChangedFolder, KeepsItsResultsIfARowIsGone) {
+  remove_last_row();
+  const Answer reported = report();
+  EXPECT_EQ(reported.code, kDifferent);
+  EXPECT_NE(reported.err.find("in results.csv, but without a row in games/: b.robots="),
+            std::string::npos)
+      << reported.err;
+  EXPECT_EQ(content_of(folder_ / "results/results.csv"), results_csv_);
+}
+
+TEST_F(ChangedFolder, LosesResultsOnlyOnRequest) {
+  remove_last_row();
+  EXPECT_EQ(answer_to({"report", results_.c_str(), "--allow-fewer"}).code, kDifferent);
+  EXPECT_LT(content_of(folder_ / "results/results.csv").size(), results_csv_.size());
+  EXPECT_EQ(report().code, kDone);
+}
+
 TEST_F(FolderVerbs, ReplaySuggestsTheClosestGame) {
   run("0/1");
   const Answer answer = answer_to({"replay", results_.c_str(), "b.robots=5-p001-2"});

@@ -109,6 +109,33 @@ TEST_F(Export, RepeatsByteForByte) {
   EXPECT_EQ(content_of(database_), content_of(again));
 }
 
+TEST_F(Export, DeclaresTheTypesOfColumns) {
+  answer_to({"export", results_.c_str(), "--sqlite", database_.c_str()});
+  EXPECT_EQ(rows_of(database_,
+                    "SELECT name, type FROM pragma_table_info('games') WHERE name IN "
+                    "('game_id', 'goals_a', 'sim_s', 'state_hash') ORDER BY 1"),
+            (std::vector<std::string>{"game_id|TEXT", "goals_a|INTEGER", "sim_s|REAL",
+                                      "state_hash|TEXT"}));
+  EXPECT_EQ(rows_of(database_,
+                    "SELECT name, type FROM pragma_table_info('events') WHERE name IN "
+                    "('event', 'score_blue', 'time_s') ORDER BY 1"),
+            (std::vector<std::string>{"event|TEXT", "score_blue|INTEGER", "time_s|REAL"}));
+}
+
+TEST_F(Export, ReplacesAnExistingFileOnlyOnRequest) {
+  write_content(database_, "precious");
+  const Answer refused =
+      answer_to({"export", results_.c_str(), "--sqlite", database_.c_str(), "--no-events"});
+  EXPECT_EQ(refused.code, kBadInput);
+  EXPECT_NE(refused.err.find("--force"), std::string::npos) << refused.err;
+  EXPECT_EQ(content_of(database_), "precious");
+  EXPECT_EQ(answer_to({"export", results_.c_str(), "--sqlite", database_.c_str(), "--no-events",
+                       "--force"})
+                .code,
+            kDone);
+  EXPECT_EQ(rows_of(database_, "SELECT count(*) FROM games"), std::vector<std::string>{"4"});
+}
+
 TEST_F(Export, LeavesAnExistingFileAloneIfItFails) {
   write_content(database_, "precious");
   const Answer answer =
@@ -120,7 +147,7 @@ TEST_F(Export, LeavesAnExistingFileAloneIfItFails) {
 TEST(SqliteFile, KeepsNamesAndTextsWithQuotes) {
   const TemporaryFolder folder;
   SqliteFile file;
-  SqliteTable table(file, "a \"b\"", {"it's", "b.robots=\"x\""});
+  SqliteTable table(file, "a \"b\"", {{"it's"}, {"b.robots=\"x\""}});
   table.add({std::string("'; DROP TABLE"), std::monostate()});
   write_content(folder / "quoted.sqlite", file.bytes());
   EXPECT_EQ(rows_of(folder / "quoted.sqlite", "SELECT * FROM \"a \"\"b\"\"\""),

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "runner/io/errors.hpp"
 #include "tests/runner/support/short_game.hpp"
 
 namespace autoref::runner {
@@ -71,6 +72,13 @@ class Thrower final : public strategies::Strategy {
   }
 };
 
+class Recorder final : public strategies::Strategy {
+ public:
+  void decide(const TeamView& view, TeamCommands& /*commands*/) override {
+    if (view.time_s > 1) throw InputOutputError("no space left");
+  }
+};
+
 class NotANumber final : public strategies::Strategy {
  public:
   void decide(const TeamView& view, TeamCommands& commands) override {
@@ -96,6 +104,10 @@ TEST(Game, IsVoidAndNamesTheTeamIfAStrategyThrows) {
   EXPECT_EQ(record.end_reason, EndReason::kVoid);
   EXPECT_NE(record.void_reason.find("team b threw: no plan"), std::string::npos)
       << record.void_reason;
+}
+
+TEST(Game, HasNoResultIfAFileOfATeamCannotBeWritten) {
+  EXPECT_THROW(play_with_faulty_b<Recorder>(), InputOutputError);
 }
 
 TEST(Game, IsVoidAndNamesTheRobotIfACommandIsNotFinite) {

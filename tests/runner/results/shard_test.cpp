@@ -128,7 +128,8 @@ TEST(ReadRows, CountsDamagedLinesAndKeepsTheOthers) {
   const StoredRows stored = read_rows(folder.path(), kShardFormat);
   ASSERT_EQ(stored.rows.size(), 1U);
   EXPECT_TRUE(row_line().starts_with(stored.rows[0].game_id + ","));
-  EXPECT_EQ(stored.damaged, 2);
+  ASSERT_EQ(stored.damaged.size(), 2U);
+  EXPECT_EQ(stored.damaged[0].at, "games/shard-0-of-1.csv:2");
 }
 
 TEST(ReadRows, RefusesAPipeThatNobodyWritesTo) {
@@ -154,7 +155,7 @@ TEST(ReadRows, CountsALineAsDamagedIfACellIsInvalid) {
     const TemporaryFolder folder;
     write_content(folder / "shard-0-of-1.csv",
                   csv_line(kShardFormat.names()) + "\n" + line_with(column, "many") + "\n");
-    EXPECT_EQ(read_rows(folder.path(), kShardFormat).damaged, 1) << column;
+    EXPECT_EQ(read_rows(folder.path(), kShardFormat).damaged.size(), 1U) << column;
   }
 }
 

@@ -1,7 +1,11 @@
 #include "runner/team_programs/commands_file.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -151,6 +155,19 @@ TEST_F(CommandsFile, AppearsOnlyWhenItIsClosed) {
     EXPECT_FALSE(fs::exists(file_));
   }
   EXPECT_TRUE(fs::is_empty(folder_.path()));
+}
+
+// As all outputs: what is no file is written to, not replaced.
+TEST_F(CommandsFile, GoesThroughAPipeOfThatName) {
+  ASSERT_EQ(mkfifo(file_.c_str(), 0600), 0);
+  const int reader = open(file_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  CommandsWriter writer(file_);
+  writer.close(kState);
+  EXPECT_TRUE(fs::is_fifo(file_));
+  std::array<unsigned char, 2> magic{};
+  EXPECT_EQ(read(reader, magic.data(), magic.size()), 2);
+  EXPECT_EQ(magic, (std::array<unsigned char, 2>{0x1f, 0x8b}));
+  close(reader);
 }
 
 TEST_F(CommandsFile, OfAnotherGameIsRefused) {
