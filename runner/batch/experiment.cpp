@@ -41,14 +41,14 @@ Outcomes outcomes_of_records(const Scenario& scenario, const ExperimentOptions& 
       }};
 }
 
-// A game that throws is void at once: games are deterministic, so it would throw again. What comes
-// from the machine is no result of a game.
+// A game that throws is void at once: games are deterministic, so it would throw again. A failure
+// of the environment is not a result of the game.
 GameRow played(const Outcomes& outcomes, const ScheduledGame& game) {
   GameRow row = row_of(game);
   try {
     outcomes.play(resolved(game), row);
   } catch (const std::exception& error) {
-    if (trouble_of_machine(error)) throw;
+    if (environment_failure(error)) throw;
     row.record = void_record(fmt::format("the game threw: {}", error.what()));
   }
   return row;
@@ -290,7 +290,7 @@ class Experiment {
       const Ending ending = do_jobs(games, workers, calls);
       count_written();
       return ending;
-    } catch (const MachineTrouble& error) {
+    } catch (const EnvironmentError& error) {
       keep_file();
       count_written();
       throw InputOutputError(
@@ -322,8 +322,7 @@ class Experiment {
     if (follows_its_rows(scenario_) || Clock::now() >= next_sync_) count_written();
   }
 
-  // The file of the rows may have been replaced, moved or removed since the last look, and the
-  // folder with it.
+  // Another program may have replaced, moved, shortened or removed the file or its folder.
   void keep_file() {
     if (shard_->is_intact()) return;
     std::vector<std::string> lines;

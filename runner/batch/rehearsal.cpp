@@ -126,7 +126,7 @@ class Rehearsals {
           options_.play(resolved(part_of(part.game->configuration, part.share)));
       return record.void_reason.empty() ? kWell : "void: " + record.void_reason;
     } catch (const std::exception& error) {
-      if (trouble_of_machine(error)) throw;
+      if (environment_failure(error)) throw;
       return std::string("void: ") + error.what();
     }
   }

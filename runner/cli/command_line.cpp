@@ -39,7 +39,7 @@ int exit_code_of(const Chosen& work) {
   } catch (const Interrupted& error) {
     return fail(kInterrupted, error.what());
   } catch (const std::exception& error) {
-    if (const auto trouble = trouble_of_machine(error)) return fail(kInputOutput, *trouble);
+    if (const auto failure = environment_failure(error)) return fail(kInputOutput, *failure);
     return fail(kInternal, fmt::format("internal error: {}", error.what()));
   }
 }

@@ -33,8 +33,8 @@ double latency_s(const sim::Configuration& c) {
   return (split.frames + static_cast<double>(split.substeps) / c.substeps) / c.frame_rate_hz;
 }
 
-// What `action` throws; empty if nothing. An InputOutputError is no fault of the team, and is
-// thrown on.
+// What `action` throws; empty if nothing. An InputOutputError is not the team's fault and
+// is rethrown.
 template <typename Action>
 std::string fault_of(const Action& action) {
   try {

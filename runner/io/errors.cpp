@@ -43,7 +43,7 @@ bool is_shortage(int error_number) {
   }
 }
 
-std::optional<std::string> trouble_of_machine(const std::exception& error) {
+std::optional<std::string> environment_failure(const std::exception& error) {
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return "out of memory";
   if (dynamic_cast<const InputOutputError*>(&error) != nullptr ||
       dynamic_cast<const std::system_error*>(&error) != nullptr ||

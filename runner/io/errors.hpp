@@ -16,8 +16,7 @@ enum ExitCode : int {
   kTooManyVoid = 3,  // more than one game in twenty failed
   kDifferent = 4,  // a replayed game differs from the original, or stored rows are damaged or lost
   kInternal = 70,  // internal error
-  kInputOutput = 74,  // files cannot be written, another run uses the folder, or the machine is
-                      // short of something
+  kInputOutput = 74,  // a failure of the environment, or another run uses the folder
   kInterrupted = 75,  // repeat the command to continue
 };
 
@@ -53,14 +52,13 @@ class InputOutputError : public std::runtime_error {
 // "cannot write results.csv: No space left on device": `what` and the reason for `error_number`.
 InputOutputError io_error(std::string_view what, int error_number);
 
-// Whether the error number means that the machine has too little of something: space, memory,
-// processes or descriptors.
+// Whether the error number means that space, memory, processes or descriptors have run out.
 bool is_shortage(int error_number);
 
-// The message of an exception that comes from the machine (an InputOutputError, or one of the
-// standard library or Boost about memory or the operating system) and not from what was to be done;
-// nullopt for all others.
-std::optional<std::string> trouble_of_machine(const std::exception& error);
+// The message if the exception is a failure of the environment: an InputOutputError, or an
+// exception of the standard library or Boost about memory or the operating system. Otherwise
+// nullopt.
+std::optional<std::string> environment_failure(const std::exception& error);
 
 // Writes a message for the user to `stream`, usually stderr. Errors while writing are ignored (if
 // the terminal is gone or the disk is full, for example): results and exit code are still valid.

@@ -24,8 +24,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr ssize_t kLongestMessage = 128 * 1024;
-constexpr char kTrouble = '\0';  // before the message of a job that the machine has failed
-constexpr std::size_t kLongestMessageOfTrouble = 10'000;
+constexpr char kFailed = '\0';  // before the message if the environment has failed
+constexpr std::size_t kLongestFailure = 10'000;
 
 // Main loop of a worker: reads jobs and writes results until the other end closes. Ctrl-C reaches
 // the whole process group; only the parent decides what to do about it.
@@ -46,9 +46,9 @@ constexpr std::size_t kLongestMessageOfTrouble = 10'000;
     try {
       payload = work(job);
     } catch (const std::exception& error) {
-      const std::optional<std::string> trouble = trouble_of_machine(error);
-      if (!trouble) _exit(1);
-      payload = kTrouble + trouble->substr(0, kLongestMessageOfTrouble);
+      const std::optional<std::string> failure = environment_failure(error);
+      if (!failure) _exit(1);
+      payload = kFailed + failure->substr(0, kLongestFailure);
     } catch (...) {
       _exit(1);
     }
@@ -140,7 +140,7 @@ std::optional<WorkerAnswer> WorkerProcess::answer() {
   if (size <= 0 || size > kLongestMessage) return std::nullopt;
   std::string payload(static_cast<std::size_t>(size), '\0');
   if (recv(socket_, payload.data(), payload.size(), 0) != size) return std::nullopt;
-  if (payload.front() == kTrouble) return WorkerAnswer{"", payload.substr(1)};
+  if (payload.front() == kFailed) return WorkerAnswer{"", payload.substr(1)};
   return WorkerAnswer{std::move(payload), ""};
 }
 

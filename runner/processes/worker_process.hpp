@@ -38,7 +38,7 @@ struct Job {
 
 struct WorkerAnswer {
   std::string payload;
-  std::string trouble;  // of the machine, if there is no payload
+  std::string failure;  // of the environment; empty if the job was done
 };
 
 // A process, or an empty slot for one. Destroying the object kills the process.

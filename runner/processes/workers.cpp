@@ -31,7 +31,7 @@ class Pool {
       const auto running =
           std::count_if(workers_.begin(), workers_.end(),
                         [](const WorkerProcess& worker) { return worker.is_busy(); });
-      if (running == 0 && !trouble_.empty()) throw MachineTrouble(trouble_);
+      if (running == 0 && !failure_.empty()) throw EnvironmentError(failure_);
       if (running == 0) return signals_.count() == 0 ? Ending::kDone : Ending::kInterrupted;
       wait();
       // The first signal lets running jobs finish; the second abandons them. Their workers are
@@ -44,7 +44,7 @@ class Pool {
   }
 
  private:
-  bool goes_on() { return signals_.count() == 0 && trouble_.empty(); }
+  bool goes_on() { return signals_.count() == 0 && failure_.empty(); }
 
   bool is_enough() const { return calls_.is_enough && calls_.is_enough(); }
 
@@ -60,7 +60,7 @@ class Pool {
       try {
         worker.start(signals_, calls_.work);
       } catch (const InputOutputError& error) {
-        trouble_ = error.what();
+        failure_ = error.what();
         return;
       }
       worker.give(queue_.front());
@@ -89,8 +89,8 @@ class Pool {
     std::optional<WorkerAnswer> answer = worker.answer();
     if (!answer) return lose(job, worker.end(), wall_s);
     worker.be_free();
-    if (!answer->trouble.empty()) {
-      trouble_ = answer->trouble;
+    if (!answer->failure.empty()) {
+      failure_ = answer->failure;
       return;
     }
     // The worker plays on while the result is written to disk.
@@ -127,7 +127,7 @@ class Pool {
   std::deque<Job> queue_;
   std::vector<WorkerProcess> workers_;
   bool is_ending_ = false;
-  std::string trouble_;  // of the machine with a job; no more are started
+  std::string failure_;  // of the machine with a job; no more are started
 };
 
 }  // namespace

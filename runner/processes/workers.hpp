@@ -51,17 +51,17 @@ enum class Ending { kDone, kInterrupted };
 // Number of processors available to this process.
 int processors();
 
-// A job cannot be done, or no process can be started for it, because of the machine; the running
-// jobs have ended.
-class MachineTrouble : public InputOutputError {
+// The environment has failed: a job threw such an error (environment_failure()), or no process can
+// be started for it. Thrown once the running jobs have ended.
+class EnvironmentError : public InputOutputError {
  public:
   using InputOutputError::InputOutputError;
 };
 
 // Runs `jobs` in order, as workers become free. After SIGINT, SIGTERM or SIGHUP no more jobs are
 // started; a second signal kills the workers at once. Returns kInterrupted after a signal, whether
-// or not jobs are left. Throws what `done` throws, and MachineTrouble if no process can be started
-// or `work` throws what comes from the machine (trouble_of_machine()); the job has no result then.
+// or not jobs are left. Throws what `done` throws, and EnvironmentError if no process can be
+// started or `work` reports a failure of the environment; the job then has no result.
 Ending do_jobs(const std::vector<std::size_t>& jobs, const WorkerOptions& options,
                const WorkerCalls& calls);
 

@@ -1,4 +1,4 @@
-// Runs whose folder other programs change meanwhile, and whose machine is short of something.
+// Runs while other programs change their folder, and while space, memory or descriptors run out.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -157,7 +157,7 @@ TEST_F(CommandsFile, AppearsOnlyWhenItIsClosed) {
   EXPECT_TRUE(fs::is_empty(folder_.path()));
 }
 
-// As all outputs: what is no file is written to, not replaced.
+// Like all outputs: pipes and devices are written to, not replaced.
 TEST_F(CommandsFile, GoesThroughAPipeOfThatName) {
   ASSERT_EQ(mkfifo(file_.c_str(), 0600), 0);
   const int reader = open(file_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
