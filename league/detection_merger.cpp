@@ -14,12 +14,10 @@ constexpr double kLongestFrame_s = 0.1;
 
 constexpr float kFarthest_mm = 1e5F;
 constexpr float kWidest_rad = 100;
-constexpr double kLongestGame_s = 1e6;
-constexpr double kLate_s = 1;            // maximum delay of a packet on the same clock
+constexpr double kLongestShare = 0.9;    // of a camera's interval: cameras may take turns
 constexpr std::size_t kMostBalls = 256;  // in one frame
 constexpr double kForgetRobot_s = 0.5;   // unseen for that long, it may be anywhere
 constexpr float kClearlyBetter = 0.3F;   // difference of confidences
-constexpr int kStrays = 20;              // number of consecutive strays that establish a new clock
 
 bool is_position(float x, float y) {
   return std::abs(x) <= kFarthest_mm && std::abs(y) <= kFarthest_mm;
@@ -36,12 +34,22 @@ const Frame* DetectionMerger::add(const VisionPacket& packet, double received_s)
   if (packet.has_geometry()) read_geometry(packet.geometry());
   if (!packet.has_detection()) return nullptr;
   const DetectionFrame& detection = packet.detection();
-  if (!is_usable(detection) && !restarts_clock(detection, received_s)) {
+  const std::uint32_t camera = detection.camera_id();
+  if (!std::isfinite(detection.t_capture()) || !clocks_.has_room_for(camera)) {
     ++unusable_;
     return nullptr;
   }
-  const Frame* done = restarts_clock(detection) ? complete() : nullptr;
-  collect(detection);
+  const auto time_s = clocks_.time_s(camera, detection.t_capture(), received_s, last_time_s_);
+  if (!time_s) {
+    ++late_;
+    return nullptr;
+  }
+  const Frame* done = begins_frame(camera, *time_s) ? complete() : nullptr;
+  if (*time_s > last_time_s_) {
+    collect(detection, *time_s);
+  } else {
+    ++late_;
+  }
   return done;
 }
 
@@ -61,50 +69,19 @@ void DetectionMerger::read_geometry(const Geometry& geometry) {
   }
 }
 
-bool DetectionMerger::is_usable(const DetectionFrame& detection) const {
-  const bool is_known = cameras_.contains(detection.camera_id());
-  if (!std::isfinite(detection.t_capture()) || (!is_known && cameras_.size() >= kMostCameras))
-    return false;
-  if (!first_capture_s_) return true;
-  const double time_s = detection.t_capture() - *first_capture_s_;
-  return time_s > last_time_s_ && time_s <= kLongestGame_s;
-}
-
-// Called for unusable packets. A packet far in the past or future is a stray; many consecutive
-// strays with similar times mean that the clock restarted.
-bool DetectionMerger::restarts_clock(const DetectionFrame& detection, double received_s) {
-  const double capture_s = detection.t_capture();
-  if (!std::isfinite(capture_s) || !first_capture_s_) return false;
-  const double time_s = capture_s - *first_capture_s_;
-  if (time_s > last_time_s_ - kLate_s && time_s <= kLongestGame_s) return false;
-  const bool follows = strays_ > 0 && std::abs(capture_s - stray_capture_s_) < kLate_s;
-  strays_ = follows ? strays_ + 1 : 1;
-  stray_capture_s_ = capture_s;
-  if (strays_ < kStrays) return false;
-  // The new clock continues at the arrival time, but clearly after the last frame.
-  const double earliest_s = std::max(last_time_s_, time_s_) + 2 * kLongestFrame_s;
-  const double now_s = received_s <= kLongestGame_s ? std::max(earliest_s, received_s) : earliest_s;
-  if (now_s > kLongestGame_s) return false;
-  first_capture_s_ = capture_s - now_s;
-  strays_ = 0;
-  ++clock_restarts_;
-  return is_usable(detection);
-}
-
-// Whether the packet begins the next frame.
-bool DetectionMerger::restarts_clock(const DetectionFrame& detection) const {
+bool DetectionMerger::begins_frame(std::uint32_t camera, double time_s) const {
   if (in_frame_.empty()) return false;
-  return in_frame_.contains(detection.camera_id()) ||
-         detection.t_capture() - *first_capture_s_ - time_s_ > kLongestFrame_s;
+  return in_frame_.contains(camera) || time_s - time_s_ > kLongestFrame_s ||
+         (interval_s_ > 0 && time_s - begun_s_ > kLongestShare * interval_s_);
 }
 
-void DetectionMerger::collect(const DetectionFrame& detection) {
-  if (!first_capture_s_) first_capture_s_ = detection.t_capture();
-  const double time_s = detection.t_capture() - *first_capture_s_;
-  time_s_ = in_frame_.empty() ? time_s : std::max(time_s_, time_s);
-  cameras_.insert(detection.camera_id());
+void DetectionMerger::collect(const DetectionFrame& detection, double time_s) {
+  if (in_frame_.empty()) {
+    begun_s_ = time_s_ = time_s;
+    interval_s_ = clocks_.interval_s(detection.camera_id());
+  }
+  time_s_ = std::max(time_s_, time_s);
   in_frame_.insert(detection.camera_id());
-  strays_ = 0;
   for (const Side side : kSides) collect_robots(detection, side);
   for (const DetectionBall& ball : detection.balls()) collect_ball(ball, detection.camera_id());
 }

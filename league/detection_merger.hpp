@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "league/ball_choice.hpp"
+#include "league/camera_clocks.hpp"
 #include "league/field_message.hpp"
 #include "league/followed_body.hpp"
 #include "league/messages/vision.pb.h"
@@ -17,26 +18,21 @@
 
 namespace autoref::league {
 
-// Packets of more cameras are ignored.
-inline constexpr std::size_t kMostCameras = 64;
-
 // A frame consists of one packet per camera. The next frame begins when a camera sends another
-// packet, or after a gap of 0.1 s. A robot that several cameras see stays with its camera, and
-// changes to another without a jump (followed_body.hpp). If it appears twice, the detection nearest
-// to where it is expected is used, unless another is clearly more confident. Of several balls, one
-// is followed (ball_choice.hpp). Ignores robots
-// with a number outside the league's range, detections that are not finite or more than 100 m away,
-// and frames more than a million seconds after the first. If the cameras' clock restarts within a
-// log, times continue from the previous ones once enough consecutive packets agree on the new
-// clock.
+// packet, or nine tenths of a camera's interval after the first packet, so that a lost packet costs
+// nothing else; or after a gap of 0.1 s. Clocks that differ or
+// restart are adjusted (camera_clocks.hpp). A robot that several cameras see stays with its camera,
+// and changes to another without a jump (followed_body.hpp). If it appears twice, the detection
+// nearest to where it is expected is used, unless another is clearly more confident. Of several
+// balls, one is followed (ball_choice.hpp). Ignores robots with a number outside the league's
+// range, detections that are not finite or more than 100 m away, and frames more than a million
+// seconds after the first.
 class DetectionMerger {
  public:
-  // Adds the next packet. Returns the frame that it completes, or nullptr; the frame is valid until
-  // the next call. Frames are numbered from 0 in order of arrival. Their times are in seconds since
-  // the first frame and increase: packets older than the last frame are ignored. `received_s` is
-  // the packet's arrival time on the frames' clock, from which times continue if the cameras' clock
-  // restarts.
-  const Frame* add(const VisionPacket& packet, double received_s = 0);
+  // Adds the next packet, which arrived at `received_s` on the frames' clock. Returns the frame
+  // that it completes, or nullptr; the frame is valid until the next call. Frames are numbered from
+  // 0 in order of arrival. Their times are in seconds since the first frame and increase.
+  const Frame* add(const VisionPacket& packet, double received_s);
 
   // Completes the last frame; nullptr if there is none.
   const Frame* finish();
@@ -48,16 +44,16 @@ class DetectionMerger {
   const FieldGaps& field_gaps() const { return field_gaps_; }
   // How often the field changed after the first geometry.
   int field_changes() const { return field_changes_; }
-  // How often the cameras' clock restarted.
-  int clock_restarts() const { return clock_restarts_; }
   // Detections of robots with a number outside the league's range.
   std::int64_t unnumbered() const { return unnumbered_; }
 
-  // The Unix time of the first frame, by the cameras' clock; nullopt before it.
-  const std::optional<double>& first_capture_s() const { return first_capture_s_; }
+  const CameraClocks& clocks() const { return clocks_; }
 
-  int cameras() const { return static_cast<int>(cameras_.size()); }
-  std::int64_t unusable() const { return unusable_; }  // packets that were ignored
+  // Packets that were ignored: they are not newer than those already used, or dated by a clock that
+  // is not known yet.
+  std::int64_t late() const { return late_; }
+  // Packets that were ignored for another reason.
+  std::int64_t unusable() const { return unusable_; }
 
  private:
   struct Robot {
@@ -66,10 +62,8 @@ class DetectionMerger {
   };
 
   void read_geometry(const Geometry& geometry);
-  bool is_usable(const DetectionFrame& detection) const;
-  bool restarts_clock(const DetectionFrame& detection, double received_s);
-  bool restarts_clock(const DetectionFrame& detection) const;
-  void collect(const DetectionFrame& detection);
+  bool begins_frame(std::uint32_t camera, double time_s) const;
+  void collect(const DetectionFrame& detection, double time_s);
   void collect_robots(const DetectionFrame& detection, Side side);
   void collect_ball(const DetectionBall& ball, std::uint32_t camera);
   std::optional<RobotObservation> robot_seen(int number, Robot& robot);
@@ -80,20 +74,19 @@ class DetectionMerger {
   FieldGaps field_gaps_;
   int field_changes_ = 0;
   Geometry geometry_;
-  std::set<std::uint32_t> cameras_;   // seen so far
+  CameraClocks clocks_;
   std::set<std::uint32_t> in_frame_;  // cameras that contributed to the current frame
   PerSide<std::array<Robot, kMaxRobots>> robots_;
   BallChoice ball_choice_;
   std::vector<Detected> balls_;                        // in the current frame
   std::vector<std::optional<double>> ball_heights_m_;  // of each
-  std::optional<double> first_capture_s_;
   double last_time_s_ = -1;
-  int strays_ = 0;  // consecutive packets that agree on another clock
-  double stray_capture_s_ = 0;
-  int clock_restarts_ = 0;
   std::int64_t unnumbered_ = 0;
-  double time_s_ = 0;  // time of the current frame
+  double begun_s_ = 0;     // the first packet of the current frame
+  double time_s_ = 0;      // the latest one
+  double interval_s_ = 0;  // of the camera that sent the first
   std::int64_t frames_ = 0;
+  std::int64_t late_ = 0;
   std::int64_t unusable_ = 0;
   Frame frame_;
 };

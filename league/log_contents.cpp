@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "league/messages/tracker.pb.h"
 #include "league/messages/vision.pb.h"
 #include "league/partial_parse.hpp"
 #include "league/record_reader.hpp"
@@ -13,7 +14,25 @@ namespace {
 constexpr double kOutOfOrder_s = 1;  // maximum step back in time within one log
 constexpr double kLongestPause_s = 1e6;
 
+// The kind of a message whose log does not say it. A message is of a kind if it has all that
+// messages of that kind must have.
+MessageKind guessed_kind(const std::string& bytes) {
+  VisionPacket vision;
+  if (parse(bytes, vision) && (vision.has_detection() || vision.has_geometry()))
+    return MessageKind::kVision2014;
+  RefereePacket referee;
+  if (parse(bytes, referee)) return MessageKind::kReferee2013;
+  VisionPacket2010 old;
+  if (parse(bytes, old) && (old.has_detection() || old.has_geometry()))
+    return MessageKind::kVision2010;
+  TrackerPacket tracker;
+  if (parse(bytes, tracker) && tracker.has_tracked_frame()) return MessageKind::kTracker2020;
+  return MessageKind::kUnknown;
+}
+
 MessageKind kind_of(const LogRecord& record) {
+  if (record.kind == static_cast<std::int32_t>(MessageKind::kUnknown))
+    return guessed_kind(record.message);
   const bool is_known = record.kind >= static_cast<std::int32_t>(MessageKind::kUnknown) &&
                         record.kind <= static_cast<std::int32_t>(MessageKind::kIndex2021);
   return is_known ? static_cast<MessageKind>(record.kind) : MessageKind::kUnknown;
@@ -22,10 +41,10 @@ MessageKind kind_of(const LogRecord& record) {
 bool has_detection(const LogRecord& record) {
   VisionPacket packet;
   VisionPacket2010 old;
-  return (kind_of(record) == MessageKind::kVision2014 && parse(record.message, packet) &&
+  const MessageKind kind = kind_of(record);
+  return (kind == MessageKind::kVision2014 && parse(record.message, packet) &&
           packet.has_detection()) ||
-         (kind_of(record) == MessageKind::kVision2010 && parse(record.message, old) &&
-          old.has_detection());
+         (kind == MessageKind::kVision2010 && parse(record.message, old) && old.has_detection());
 }
 
 // Whether the log's first records contain tracker packets, but no vision.
@@ -54,11 +73,14 @@ class Walk {
 
   LogSummary summary() {
     while (!beyond() && log_.read(record_)) {
-      ++summary_.records[kind_of(record_)];
-      if (kind_of(record_) == MessageKind::kIndex2021) continue;  // it has no time
+      const MessageKind kind = kind_of(record_);
+      ++summary_.records[kind];
+      if (kind == MessageKind::kIndex2021) continue;  // it has no time
       if (records_++ == 0) first_ns_ = record_.time_ns;
       take_time();
-      if (!reader_.take(kind_of(record_), record_.message, now_s_)) note_unreadable();
+      const bool is_first = !has_unreadable_;
+      has_unreadable_ |= reader_.take(kind, record_.message, now_s_) == Taken::kUnreadable;
+      if (is_first && has_unreadable_) summary_.unreadable_at = log_.offset();
     }
     reader_.finish();
     const DetectionMerger& merger = reader_.merger();
@@ -71,7 +93,7 @@ class Walk {
     summary_.trackers = reader_.trackers();
     summary_.frames_are_tracked = frames_are_tracked_;
     summary_.source = source_;
-    summary_.clock_restarts = merger.clock_restarts();
+    summary_.faults = reader_.faults();
     summary_.unnumbered = merger.unnumbered();
     const std::optional<std::string> too_much = beyond();
     summary_.damage = too_much ? LogDamage{log_.offset(), *too_much} : log_.damage();
@@ -97,10 +119,6 @@ class Walk {
     return fmt::format("more than {} bytes once decompressed", limits_.bytes);
   }
 
-  void note_unreadable() {
-    if (summary_.unreadable++ == 0) summary_.unreadable_at = log_.offset();
-  }
-
   LogReader log_;
   LogLimits limits_;
   LogRecord record_;
@@ -108,6 +126,7 @@ class Walk {
   bool frames_are_tracked_;
   RecordReader reader_;
   LogSummary summary_;
+  bool has_unreadable_ = false;
   std::int64_t records_ = 0;
   std::int64_t first_ns_ = 0;
   double leaps_s_ = 0;  // total shift of the times

@@ -39,6 +39,24 @@ class LogVisitor {
   virtual void on_vision(double /*time_s*/, const VisionPacket& /*packet*/) {}
 };
 
+// What became of a message.
+enum class Taken : std::uint8_t { kUsed, kUnreadable, kLate, kCopy, kOtherReferee };
+
+// Messages that nobody sees, and what had to be put right in the others.
+struct MessageFaults {
+  std::int64_t unreadable = 0;  // cannot be parsed or used
+  // Not newer than what has been used of the camera or the referee, or dated by a clock that is not
+  // known yet.
+  std::int64_t late = 0;
+  std::int64_t copies = 0;            // of messages received just before
+  std::int64_t of_other_referee = 0;  // packets of a referee that is not followed
+  // What the referee calls itself that is followed, and the first other one. Any bytes.
+  std::string referee;
+  std::string other_referee;
+  std::map<std::uint32_t, double> clocks_ahead_s;  // CameraClocks::ahead_s()
+  int clock_restarts = 0;                          // of the cameras
+};
+
 // Summary of a log, in addition to what visitors receive.
 struct LogSummary {
   // Indexed by MessageKind; unknown numbers count as kUnknown.
@@ -49,14 +67,13 @@ struct LogSummary {
   std::optional<Field> field;                // from the last geometry; nullopt if the log has none
   FieldGaps field_gaps;                      // what that geometry omits
   int field_changes = 0;                     // changes after the first geometry
-  int clock_restarts = 0;                    // restarts of the cameras' clock
   int trackers = 0;                          // programs that sent tracker packets, at most 64
   bool frames_are_tracked = false;           // frames from a tracker
   FrameSource source = FrameSource::kFirst;  // as asked for
   std::int64_t unnumbered = 0;               // detections of robots numbered 16 and above
-  std::int64_t unreadable = 0;               // messages that cannot be parsed or used
-  std::int64_t unreadable_at = 0;            // offset of the first such record
-  std::optional<LogDamage> damage;           // set if the log ends prematurely
+  MessageFaults faults;
+  std::int64_t unreadable_at = 0;   // offset of the first unreadable message
+  std::optional<LogDamage> damage;  // set if the log ends prematurely
 };
 
 // Bounds the time and memory spent on a log. The limits allow nine hours of eight cameras at 60

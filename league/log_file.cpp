@@ -15,8 +15,9 @@ namespace {
 
 constexpr std::string_view kSignature = "SSL_LOG_FILE";
 constexpr std::uint32_t kVersion = 1;
-constexpr std::size_t kHeaderSize = 16;     // bytes, for both a record and the file
-constexpr std::size_t kBuffer = 1U << 16;   // zlib's buffer size
+constexpr std::size_t kHeaderSize = 16;    // bytes, for both a record and the file
+constexpr std::size_t kBuffer = 1U << 16;  // zlib's buffer size
+constexpr std::int64_t kFlushEvery_ns = 1'000'000'000;
 constexpr std::size_t kPortion = 1U << 16;  // step by which a message grows while it is read
 
 gzFile zlib_file(void* file) { return static_cast<gzFile>(file); }
@@ -36,6 +37,16 @@ Number number_at(const char* bytes) {
   return number;
 }
 
+using Header = std::array<char, kHeaderSize>;
+
+bool has_signature(const Header& header) {
+  return std::equal(kSignature.begin(), kSignature.end(), header.begin());
+}
+
+std::uint32_t version_of(const Header& header) {
+  return number_at<std::uint32_t>(header.data() + kSignature.size());
+}
+
 std::string reason_of(void* file) {
   int code = Z_OK;
   const char* text = gzerror(zlib_file(file), &code);
@@ -50,7 +61,7 @@ LogWriter::LogWriter(const std::filesystem::path& path) : name_(path.string()) {
   file_ = gzopen(name_.c_str(), is_compressed ? "wb1" : "wbT");
   if (file_ == nullptr) throw LogError(fmt::format("{}: {}", name_, std::strerror(errno)));
   gzbuffer(zlib_file(file_), kBuffer);
-  std::array<char, kHeaderSize> header{};
+  Header header{};
   std::copy(kSignature.begin(), kSignature.end(), header.begin());
   put_number(header.data() + kSignature.size(), kVersion);
   put({header.data(), header.size()});
@@ -63,17 +74,23 @@ LogWriter::~LogWriter() {
 
 void LogWriter::put(std::string_view bytes) {
   if (bytes.empty()) return;
-  if (gzwrite(zlib_file(file_), bytes.data(), static_cast<unsigned>(bytes.size())) > 0) return;
+  if (gzwrite(zlib_file(file_), bytes.data(), static_cast<unsigned>(bytes.size())) <= 0) fail();
+}
+
+void LogWriter::fail() const {
   throw LogError(fmt::format("{}: cannot be written: {}", name_, reason_of(file_)));
 }
 
 void LogWriter::write(std::int64_t time_ns, MessageKind kind, std::string_view message) {
-  std::array<char, kHeaderSize> header{};
+  Header header{};
   put_number(header.data(), static_cast<std::uint64_t>(time_ns));
   put_number(header.data() + 8, static_cast<std::uint32_t>(kind));
   put_number(header.data() + 12, static_cast<std::uint32_t>(message.size()));
   put({header.data(), header.size()});
   put(message);
+  if (time_ns - flushed_ns_ < kFlushEvery_ns) return;
+  flushed_ns_ = time_ns;
+  if (gzflush(zlib_file(file_), Z_SYNC_FLUSH) != Z_OK) fail();
 }
 
 void LogWriter::close() {
@@ -88,18 +105,16 @@ LogReader::LogReader(const std::filesystem::path& path) : name_(path.string()) {
   file_ = gzopen(name_.c_str(), "rb");
   if (file_ == nullptr) throw LogError(fmt::format("{}: {}", name_, std::strerror(errno)));
   gzbuffer(zlib_file(file_), kBuffer);
-  std::array<char, kHeaderSize> header{};
+  Header header{};
   const std::size_t size = get(header.data(), header.size());
-  const char* version = header.data() + kSignature.size();
   std::string mistake;
   if (size == 0) {
     mistake = "is empty";
-  } else if (size < header.size() ||
-             !std::equal(kSignature.begin(), kSignature.end(), header.begin())) {
+  } else if (size < header.size() || !has_signature(header)) {
     mistake = fmt::format("is not an SSL log: the first bytes are not {}", kSignature);
-  } else if (number_at<std::uint32_t>(version) != kVersion) {
+  } else if (version_of(header) != kVersion) {
     mistake = fmt::format("has version {}, at byte {}; only version {} is supported",
-                          number_at<std::uint32_t>(version), kSignature.size(), kVersion);
+                          version_of(header), kSignature.size(), kVersion);
   }
   if (mistake.empty()) return;
   gzclose(zlib_file(file_));
@@ -132,8 +147,13 @@ void LogReader::skip_index(std::size_t length) {
 bool LogReader::read(LogRecord& record) {
   if (damage_ || is_over_) return false;
   offset_ = gztell(zlib_file(file_));
-  std::array<char, kHeaderSize> header{};
-  const std::size_t size = get(header.data(), header.size());
+  Header header{};
+  std::size_t size = get(header.data(), header.size());
+  // Another log, appended to this one, begins anew.
+  while (size == header.size() && has_signature(header) && version_of(header) == kVersion) {
+    offset_ = gztell(zlib_file(file_));
+    size = get(header.data(), header.size());
+  }
   int code = Z_OK;
   gzerror(zlib_file(file_), &code);
   if (size < header.size()) {

@@ -3,6 +3,7 @@
 // A file begins with the 12 bytes "SSL_LOG_FILE" and an int32 version, 1. Records follow: int64
 // time in ns, int32 kind, int32 size, and the message; all numbers are big-endian. Files whose
 // names end in .gz are written gzip-compressed; the reader detects compression from the content.
+// Logs appended to each other, compressed or not, are read as one.
 //
 // A log may end with an index, a record of kind 6 and time 0: the offset of each record before it
 // (int64), the size of the index record with its header (int64), and the 7 bytes "INDEXED".
@@ -19,7 +20,7 @@
 namespace autoref::league {
 
 enum class MessageKind : std::int32_t {
-  kUnknown = 1,
+  kUnknown = 1,  // "guess by parsing"
   kVision2010 = 2,
   kReferee2013 = 3,
   kVision2014 = 4,
@@ -47,7 +48,8 @@ class LogWriter {
   LogWriter(const LogWriter&) = delete;
   LogWriter& operator=(const LogWriter&) = delete;
 
-  // Throws LogError.
+  // Every second of the messages' time, what was written reaches the file, so that hardly more is
+  // lost if the program is killed. Throws LogError.
   void write(std::int64_t time_ns, MessageKind kind, std::string_view message);
 
   // Flushes and closes the file; nothing can be written afterwards. Throws LogError.
@@ -55,9 +57,11 @@ class LogWriter {
 
  private:
   void put(std::string_view bytes);
+  [[noreturn]] void fail() const;
 
   std::string name_;
   void* file_ = nullptr;  // a gzFile
+  std::int64_t flushed_ns_ = 0;
 };
 
 // Where a file becomes unreadable. Everything before it is valid.

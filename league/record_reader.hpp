@@ -1,10 +1,13 @@
 // Turns the league's messages, from a log or from the network, into frames and referee packets.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
 #include "league/detection_merger.hpp"
+#include "league/followed_source.hpp"
 #include "league/log_contents.hpp"
 #include "league/log_file.hpp"
 #include "league/messages/referee.pb.h"
@@ -22,20 +25,26 @@ class RecordReader {
   RecordReader(LogVisitor& visitor, bool frames_are_tracked)
       : visitor_(visitor), frames_are_tracked_(frames_are_tracked) {}
 
-  // Takes the next message; `now_s` is when it arrived, on the frames' clock. Returns false if it
-  // cannot be parsed or used. Other kinds of messages are ignored.
-  bool take(MessageKind kind, const std::string& bytes, double now_s);
+  // Takes the next message; `now_s` is when it arrived, on the frames' clock. Messages that are
+  // ignored reach nobody. `sender` tells referees apart that do not name themselves. Other kinds of
+  // messages than those of a game are used by nobody.
+  Taken take(MessageKind kind, const std::string& bytes, double now_s,
+             const std::string& sender = {});
 
   // Completes the last frame.
   void finish() { show(merger_.finish()); }
 
   std::int64_t frames() const { return frames_; }
   const DetectionMerger& merger() const { return merger_; }
-  int trackers() const { return follower_.sources(); }
+  int trackers() const { return follower_.source().sources(); }
+  MessageFaults faults() const;
 
  private:
-  bool take_vision();
-  bool take_tracker();
+  Taken taken(MessageKind kind, const std::string& bytes, const std::string& sender);
+  Taken take_vision(const std::string& bytes);
+  Taken take_tracker(const std::string& bytes);
+  Taken take_referee(const std::string& bytes, const std::string& sender);
+  bool is_copy(const std::string& bytes);
   void show(const Frame* frame);
   void count_and_show(const Frame& frame);
 
@@ -44,6 +53,12 @@ class RecordReader {
   double now_s_ = 0;
   DetectionMerger merger_;
   TrackFollower follower_;
+  FollowedSource referee_source_;
+  int referee_changes_ = 0;               // before the last packet
+  std::uint64_t referee_sent_us_ = 0;     // the last packet, on the referee's clock
+  std::array<std::size_t, 64> recent_{};  // hashes of the last messages
+  std::size_t compared_ = 0;
+  MessageFaults faults_;
   VisionPacket vision_;
   VisionPacket2010 vision_2010_;
   RefereePacket referee_;

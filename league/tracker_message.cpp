@@ -9,11 +9,8 @@ namespace autoref::league {
 namespace {
 
 constexpr int kDetectsFlyingBalls = 1;  // a capability
-constexpr std::size_t kMostSources = 64;
-constexpr std::size_t kLongestUuid = 64;
-constexpr double kSilence_s = 1;
-constexpr double kLeap_s = 1;     // larger steps of a tracker's clock are leaps
-constexpr double kStep_s = 1e-3;  // the shortest time between frames after a leap
+constexpr double kLeap_s = 1;           // larger steps of a tracker's clock are leaps
+constexpr double kStep_s = 1e-3;        // the shortest time between frames after a leap
 constexpr double kLongestTrack_s = 1e6;
 constexpr double kFarthest_m = 100;
 constexpr double kFastest = 1000;  // m/s or rad/s
@@ -105,24 +102,15 @@ void fill_tracker(const Tracks& tracks, const TrackerSource& source, double unix
   if (tracks.ball) fill_ball(*tracks.ball, *tracked.add_balls());
 }
 
-bool TrackFollower::follows(const std::string& uuid, double received_s) {
-  if (sources_.size() < kMostSources) sources_.insert(uuid);
-  if (frames_ > 0 && uuid == followed_) return true;
-  if (frames_ > 0 && std::abs(received_s - received_s_) <= kSilence_s) return false;
-  followed_ = uuid;
-  is_new_source_ = true;
-  return true;
-}
-
 double TrackFollower::time_of(double timestamp_s, double received_s) {
   const double step_s = timestamp_s + offset_s_ - frame_.time_s;
   const double elapsed_s = std::max(kStep_s, received_s - received_s_);
   if (frames_ == 0) {
     offset_s_ = -timestamp_s;
-  } else if (is_new_source_ || std::abs(step_s) > kLeap_s + elapsed_s) {
+  } else if (changes_ != source_.changes() || std::abs(step_s) > kLeap_s + elapsed_s) {
     offset_s_ = frame_.time_s + elapsed_s - timestamp_s;
   }
-  is_new_source_ = false;
+  changes_ = source_.changes();
   return timestamp_s + offset_s_;
 }
 
@@ -134,7 +122,7 @@ bool TrackFollower::add(const TrackerPacket& packet, double received_s) {
     ++unusable_;
     return false;
   }
-  if (!follows(packet.uuid().substr(0, kLongestUuid), received_s)) return false;
+  if (!source_.follows(packet.uuid(), received_s)) return false;
   const double time_s = time_of(tracked.timestamp(), received_s);
   if ((frames_ > 0 && time_s <= frame_.time_s) || time_s > kLongestTrack_s) return false;
   received_s_ = received_s;

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <set>
 #include <string>
 
+#include "league/followed_source.hpp"
 #include "league/messages/tracker.pb.h"
 #include "soccer/frame.hpp"
 #include "soccer/tracks.hpp"
@@ -23,10 +23,10 @@ struct TrackerSource {
 void fill_tracker(const Tracks& tracks, const TrackerSource& source, double unix_s,
                   TrackerPacket& packet);
 
-// Follows one of the trackers that send packets: the first, until it has been silent for 1 s; then
-// the next that sends. Of several balls, the most visible is used, and among equals the one nearest
-// to the previous position. Ignores robots with a number outside the league's range or without a
-// team, and objects whose position is not finite or more than 100 m away; such a velocity is 0.
+// Follows one of the trackers that send packets (followed_source.hpp). Of several balls, the most
+// visible is used, and among equals the one nearest to the previous position. Ignores robots with a
+// number outside the league's range or without a team, and objects whose position is not finite or
+// more than 100 m away; such a velocity is 0.
 class TrackFollower {
  public:
   // Takes the next packet; `received_s` is its arrival time on any clock. Returns whether it
@@ -40,20 +40,18 @@ class TrackFollower {
   const Frame& frame() const { return frame_; }
   const Tracks& tracks() const { return tracks_; }
 
-  int sources() const { return static_cast<int>(sources_.size()); }  // at most 64 are counted
-  std::int64_t unusable() const { return unusable_; }                // packets without a valid time
+  const FollowedSource& source() const { return source_; }  // named by their uuid
+  std::int64_t unusable() const { return unusable_; }       // packets without a valid time
 
  private:
-  bool follows(const std::string& uuid, double received_s);
   double time_of(double timestamp_s, double received_s);
   void take_robots(const TrackerFrame& tracked);
   void take_ball(const TrackerFrame& tracked);
 
-  std::set<std::string> sources_;
-  std::string followed_;       // uuid; meaningful once there is a frame
-  bool is_new_source_ = true;  // since the last frame
-  double offset_s_ = 0;        // from the tracker's clock to the frames'
-  double received_s_ = 0;      // the last frame
+  FollowedSource source_;
+  int changes_ = 0;        // of the source, before the last frame
+  double offset_s_ = 0;    // from the tracker's clock to the frames'
+  double received_s_ = 0;  // the last frame
   std::int64_t frames_ = 0;
   std::int64_t unusable_ = 0;
   Frame frame_;

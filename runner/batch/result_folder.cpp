@@ -41,7 +41,7 @@ std::vector<std::string> lost_games(const fs::path& folder, const StoredRows& st
   const std::string csv = read_file(folder / kResultsFile).value_or("");
   std::set<std::string_view> played;
   for (const GameRow& row : stored.rows) played.insert(row.game_id);
-  const std::vector<std::string_view> lines = complete_lines(csv);
+  const std::vector<std::string_view> lines = lines_as_written(csv);
   for (std::size_t i = 1; i < lines.size(); ++i) {
     std::string id = first_cell(lines[i]);
     if (!id.empty() && !played.contains(id)) lost.push_back(std::move(id));

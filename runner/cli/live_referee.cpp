@@ -72,7 +72,10 @@ class RefereeScreen {
   }
 
   void show(const LiveRefereeStatus& status) {
+    const bool is_other_new =
+        latest_.faults.of_other_referee == 0 && status.faults.of_other_referee > 0;
     latest_ = status;
+    if (is_other_new && !is_terminal_) say_faults();
     const auto now = std::chrono::steady_clock::now();
     if (!is_terminal_ || now < due_) return;
     due_ = now + kRedrawEvery;
@@ -82,12 +85,18 @@ class RefereeScreen {
   void end() const {
     write_message(stderr, fmt::format("autoref: {} frames, {} calls; {}\n", latest_.frames, calls_,
                                       text_of(latest_.vision)));
+    say_faults();
     if (latest_.controller)
       write_message(stderr, fmt::format("autoref: game controller: {}\n",
                                         controller_line(*latest_.controller)));
   }
 
  private:
+  void say_faults() const {
+    for (const std::string& fault : texts_of(latest_.faults))
+      write_message(stderr, fmt::format("autoref: {}\n", fault));
+  }
+
   static std::size_t columns() {
     winsize size{};
     const bool is_known = ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;

@@ -8,6 +8,7 @@
 #include "runner/io/words.hpp"
 #include "runner/logs/log_game.hpp"
 #include "runner/logs/logged_state.hpp"
+#include "runner/logs/user_log.hpp"
 #include "runner/settings/fields.hpp"
 #include "runner/settings/resolved.hpp"
 #include "soccer/robot_shape.hpp"
@@ -74,7 +75,7 @@ GameSettings game_from_log(const PlayArguments& arguments, const Assignments& as
   if (game.match.control != referee::Control::kAutoref)
     throw InputError({"--from"}, "", "only AutoRef can command such a game: match.control=autoref");
   blame("--from", [&] {
-    LoggedState logged = logged_state(instant.log, instant.at_s);
+    LoggedState logged = logged_state(rereadable(instant.log), instant.at_s);
     if (arguments.file.empty()) take_defaults(logged, game);
     check_game(game);
     check_same_field(logged, game.field);

@@ -84,7 +84,8 @@ int referee_verb(const RefereeArguments& arguments) {
   open_output(game_events, "--game-events", arguments.game_events);
   open_output(page, "--report", arguments.report);
   const std::vector<Call> annotated = annotated_calls(arguments);
-  RecordedFacts facts = read_facts(arguments.log, source_of(arguments));
+  const std::string log = rereadable(arguments.log);
+  RecordedFacts facts = read_facts(log, source_of(arguments));
   write_message(stderr, damage_text(arguments.log, facts));
   if (facts.log.frames == 0) {
     throw InputError({arguments.log}, "",
@@ -99,22 +100,22 @@ int referee_verb(const RefereeArguments& arguments) {
     if (games.empty()) say_gaps(arguments, assignments, facts, game, arguments.log);
     games.push_back(referee_configuration(resolved(game)));
   }
-  facts.teams = teams_in(arguments.log, games.front().field, games.front().rules.change_ends,
-                         facts.log.source);
+  facts.teams =
+      teams_in(log, games.front().field, games.front().rules.change_ends, facts.log.source);
   say_keepers(arguments, facts);
   std::vector<RecordedDecision> decisions;
   const auto keep = [&](const referee::Decision& decision) {
     if (page) decisions.push_back(recorded(decision));
   };
-  LogRefereeResult evaluation = referee_log(arguments.log, facts, games, keep);
+  LogRefereeResult evaluation = referee_log(log, facts, games, keep);
   const Comparison comparison{!arguments.annotations.empty(), arguments.report};
   if (comparison.is_annotated)
     evaluation.agreement = agreement_with_annotations(annotated, evaluation.calls);
   if (events) events->commit(evaluation.events);
   if (game_events) game_events->commit(game_event_lines(evaluation.game_events));
   if (page)
-    page->commit(log_page(arguments.log, games.front().field, decisions, evaluation.agreement,
-                          facts.log.source));
+    page->commit(
+        log_page(log, games.front().field, decisions, evaluation.agreement, facts.log.source));
   fmt::print("{}\n", arguments.json ? referee_log_json(evaluation, facts, comparison)
                                     : referee_log_text(evaluation, facts, comparison));
   return facts.log.damage ? kBadInput : kDone;

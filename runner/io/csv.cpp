@@ -76,4 +76,14 @@ std::vector<std::string_view> complete_lines(std::string_view text) {
   return lines;
 }
 
+std::vector<std::string_view> lines_as_written(std::string_view text) {
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  std::vector<std::string_view> lines = complete_lines(text);
+  for (std::string_view& line : lines) {
+    if (line.ends_with('\r')) line.remove_suffix(1);
+  }
+  return lines;
+}
+
 }  // namespace autoref::runner

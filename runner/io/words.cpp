@@ -76,6 +76,14 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& wo
   return fmt::format("; did you mean '{}'?", nearest);
 }
 
+std::string printable(std::string_view name) {
+  constexpr std::size_t kLongest = 64;
+  std::string text(name.substr(0, kLongest));
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return text;
+}
+
 std::string listed(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(words, ", "));
 }

@@ -30,6 +30,10 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
 // "; did you mean 'robots'?" if the word is close to a known one, otherwise empty.
 std::string suggestion(std::string_view word, const std::vector<std::string>& words);
 
+// A foreign name, safe for display: at most 64 bytes, with question marks for anything but
+// printable ASCII.
+std::string printable(std::string_view name);
+
 // "a, b, c".
 std::string listed(const std::vector<std::string>& words);
 

@@ -23,8 +23,9 @@ LiveJudge::LiveJudge(const referee::Configuration& configuration, const Recorded
 }
 
 void LiveJudge::take(const ReceivedRecord& record, double time_s) {
-  if (record.kind == league::MessageKind::kReferee2013) outputs_.note_referee(record.host);
-  if (!reader_.take(record.kind, record.bytes, time_s)) ++status_.unreadable;
+  const league::Taken taken = reader_.take(record.kind, record.bytes, time_s, record.host);
+  if (record.kind == league::MessageKind::kReferee2013 && taken == league::Taken::kUsed)
+    outputs_.note_referee(record.host);
 }
 
 void LiveJudge::idle() {
@@ -34,6 +35,7 @@ void LiveJudge::idle() {
   idle_due_ = now + kIdleEvery;
   status_.signal = referee_.signal();
   status_.vision = quality_.report();
+  status_.faults = reader_.faults();
   status_.controller = outputs_.controller_status();
   if (watch_.on_idle) watch_.on_idle(status_);
 }
@@ -43,7 +45,7 @@ void LiveJudge::on_frame(const Frame& frame) {
   status_.time_s = frame.time_s;
   ++status_.frames;
   judged_ = Clock::now();
-  outputs_.set_start(reader_.merger().first_capture_s());
+  outputs_.set_start(reader_.merger().clocks().start_capture_s());
   const Tracks& tracks = referee_.referee().tracks();
   outputs_.send_tracks(tracks, referee_.is_turned());
   outputs_.send_signal(referee_.signal(), frame.time_s);
@@ -64,7 +66,7 @@ void LiveJudge::on_referee(double /*time_s*/, const league::RefereePacket& packe
 
 void LiveJudge::report(const referee::Decision& decision) {
   const std::optional<GameEvent> event =
-      game_event_of(decision, reader_.merger().first_capture_s().value_or(0));
+      game_event_of(decision, reader_.merger().clocks().start_capture_s().value_or(0));
   outputs_.note(decision);
   if (watch_.on_decision) watch_.on_decision(decision);
   if (event) report(*event);

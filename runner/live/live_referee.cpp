@@ -63,7 +63,7 @@ class LiveReferee::Impl {
       check(static_cast<std::int64_t>(gathered_.size()));
       std::optional<ReceivedRecord> record = source_.take(Clock::now() + kIdle);
       if (!record || gathered_.size() == kMostGathered) continue;
-      reader.take(record->kind, record->bytes, time_s(*record));
+      reader.take(record->kind, record->bytes, time_s(*record), record->host);
       gathered_.push_back(*std::move(record));
       if (!first && reader.frames() > 0) first = Clock::now();
     }
@@ -112,7 +112,7 @@ class LiveReferee::Impl {
     EndFinder finder(field);
     league::RecordReader reader(finder, is_tracked());
     for (const ReceivedRecord& record : gathered_)
-      reader.take(record.kind, record.bytes, time_s(record));
+      reader.take(record.kind, record.bytes, time_s(record), record.host);
     return finder.end();
   }
 

@@ -38,8 +38,8 @@ struct LiveRefereeOptions {
 struct LiveRefereeStatus {
   double time_s = 0;  // of the last frame
   std::int64_t frames = 0;
-  std::int64_t unreadable = 0;  // packets
-  bool has_referee = false;     // packets of another referee arrive
+  league::MessageFaults faults;
+  bool has_referee = false;  // packets of another referee arrive
   RefereeSignal signal;
   PerSide<std::string> names;
   VisionReport vision;

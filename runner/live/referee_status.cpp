@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "runner/logs/user_log.hpp"
 #include "soccer/colour.hpp"
 
 namespace autoref::runner {
@@ -55,7 +56,7 @@ std::string status_text(const LiveRefereeStatus& status, const std::deque<std::s
   add(fmt::format("AutoRef  {}  {} frames", clock_of(status.time_s), status.frames));
   add("Game:    " + state_line(status));
   add("Vision:  " + text_of(status.vision));
-  if (status.unreadable > 0) add(fmt::format("         {} packets unreadable", status.unreadable));
+  for (const std::string& fault : texts_of(status.faults)) add("         " + fault);
   if (status.controller) add("Controller: " + controller_line(*status.controller));
   add("Calls:");
   for (const std::string& call : calls) add("  " + call);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "league/detection_merger.hpp"
+#include "league/camera_clocks.hpp"
 #include "league/units.hpp"
 
 namespace autoref::runner {
@@ -31,7 +31,7 @@ void VisionQuality::take(double time_s, const league::VisionPacket& packet) {
   if (!packet.has_detection()) return;
   const league::DetectionFrame& detection = packet.detection();
   const std::uint32_t camera = detection.camera_id();
-  if (!packets_.contains(camera) && packets_.size() == league::kMostCameras) return;
+  if (!packets_.contains(camera) && packets_.size() == league::CameraClocks::kMostCameras) return;
   packets_[camera].push_back(time_s);
   for (auto& [number, times] : packets_) forget(times, time_s, [](double one_s) { return one_s; });
   for (const Side side : kSides) compare(time_s, side, detection);

@@ -68,24 +68,13 @@ Call call_in(const Cells& cells, const std::string& file, int line) {
   return {*time_s, *time_s, {}, *event, side_in(cells[2], file, line)};
 }
 
-// The last line may lack its line end; lines may end in CR LF.
-std::vector<std::string_view> lines_of(std::string_view text) {
-  std::vector<std::string_view> lines = complete_lines(text);
-  const std::size_t end = text.rfind('\n');
-  const std::string_view rest = end == std::string_view::npos ? text : text.substr(end + 1);
-  if (!rest.empty()) lines.push_back(rest);
-  for (std::string_view& line : lines) {
-    if (line.ends_with('\r')) line.remove_suffix(1);
-  }
-  return lines;
-}
-
 }  // namespace
 
 std::vector<Call> annotations_in(std::string_view text, const std::string& file) {
-  const std::vector<std::string_view> lines = lines_of(text);
-  if (lines.empty() || lines[0] != kHead)
-    refuse(file, 1, fmt::format("the first line must be {}", kHead));
+  // The last line may lack its line end.
+  const std::string ended = fmt::format("{}\n", text);
+  const std::vector<std::string_view> lines = lines_as_written(ended);
+  if (lines[0] != kHead) refuse(file, 1, fmt::format("the first line must be {}", kHead));
   if (lines.size() > kMostAnnotations) refuse(file, 1, "too many lines");
   std::vector<Call> calls;
   calls.reserve(lines.size());

@@ -157,6 +157,13 @@ Json cameras_json(const RecordedFacts& facts) {
   return cameras;
 }
 
+Json clocks_json(const league::MessageFaults& faults) {
+  Json clocks = Json::object();
+  for (const auto& [camera, ahead_s] : faults.clocks_ahead_s)
+    clocks[std::to_string(camera)] = rounded(ahead_s, 4);
+  return clocks;
+}
+
 Json commands_json(const RecordedFacts& facts) {
   Json commands = Json::array();
   for (const RecordedCommand& command : facts.commands) {
@@ -193,7 +200,11 @@ std::string info_json(const RecordedFacts& facts) {
                     {"cameras", cameras_json(facts)},
                     {"noise", noise_json(facts.noise)},
                     {"commands", commands_json(facts)},
-                    {"unreadable", log.unreadable},
+                    {"unreadable", log.faults.unreadable},
+                    {"late", log.faults.late},
+                    {"copies", log.faults.copies},
+                    {"other_referee", log.faults.of_other_referee},
+                    {"clocks_ahead_s", clocks_json(log.faults)},
                     {"damaged_at", log.damage ? Json(log.damage->offset) : Json()}});
 }
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 #include "league/referee_message.hpp"
+#include "runner/io/words.hpp"
 #include "runner/logs/fact_finder.hpp"
 
 namespace autoref::runner {
@@ -26,15 +26,6 @@ int half_of(Stage stage) {
 
 bool is_after_a_draw(Stage stage) {
   return stage >= Stage::kExtraTimeBreak && stage <= Stage::kShootout;
-}
-
-// A name safe for display: at most 64 bytes, with question marks for anything but printable ASCII.
-std::string name_text(std::string_view bytes) {
-  constexpr std::size_t kLongest = 64;
-  std::string text(bytes.substr(0, kLongest));
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return text;
 }
 
 }  // namespace
@@ -85,7 +76,7 @@ void FactFinder::on_referee(double time_s, const league::RefereePacket& packet) 
   note_stage(signal->stage);
   // In overtime or without a clock, the packet does not reveal the length of the half.
   if (packet.stage_time_left() > 0) note_clock(signal->stage, signal->stage_time_left_s);
-  facts_.names = {{name_text(packet.yellow().name()), name_text(packet.blue().name())}};
+  facts_.names = {{printable(packet.yellow().name()), printable(packet.blue().name())}};
   facts_.last_signal = signal;
 }
 

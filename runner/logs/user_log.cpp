@@ -1,27 +1,110 @@
 #include "runner/logs/user_log.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
 
 #include "runner/io/errors.hpp"
 #include "runner/io/words.hpp"
 #include "soccer/rule_book.hpp"
 
 namespace autoref::runner {
+namespace {
+
+// "camera 2 is 0.030 s behind, camera 3 is 0.500 s ahead".
+std::string clocks_text(const std::map<std::uint32_t, double>& clocks_ahead_s) {
+  std::string text;
+  for (const auto& [camera, ahead_s] : clocks_ahead_s) {
+    text += fmt::format("{}camera {} is {:.3f} s {}", text.empty() ? "" : ", ", camera,
+                        std::abs(ahead_s), ahead_s < 0 ? "behind" : "ahead");
+  }
+  return text;
+}
+
+std::string named(const std::string& referee) {
+  return referee.empty() ? "without a name" : fmt::format("'{}'", printable(referee));
+}
+
+// Copies everything from one descriptor to another; returns whether that worked.
+bool copy_all(int from, int to) {
+  std::vector<char> buffer(std::size_t{1} << 16);
+  const std::int64_t most = league::LogLimits{}.bytes;
+  for (std::int64_t copied = 0; copied < most;) {
+    const ssize_t size = ::read(from, buffer.data(), buffer.size());
+    if (size < 0 && errno == EINTR) throw Interrupted();
+    if (size <= 0) return size == 0;
+    for (ssize_t written = 0; written < size;) {
+      const ssize_t part =
+          ::write(to, buffer.data() + written, static_cast<std::size_t>(size - written));
+      if (part < 0) return false;
+      written += part;
+    }
+    copied += size;
+  }
+  errno = EFBIG;
+  return false;
+}
+
+}  // namespace
+
+std::string rereadable(const std::string& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0 || S_ISREG(status.st_mode) || S_ISDIR(status.st_mode))
+    return path;
+  const int from = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (from < 0) throw InputError({path}, "", std::strerror(errno));
+  const std::filesystem::path folder = std::filesystem::temp_directory_path();
+  const int to = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+  const bool is_copied = to >= 0 && copy_all(from, to);
+  const int error = errno;
+  ::close(from);
+  if (!is_copied) throw io_error(fmt::format("cannot copy {} to {}", path, folder.string()), error);
+  return fmt::format("/proc/self/fd/{}", to);
+}
+
+std::vector<std::string> texts_of(const league::MessageFaults& faults) {
+  std::vector<std::string> texts;
+  const auto add = [&texts](std::int64_t count, const std::string& text) {
+    if (count > 0) texts.push_back(fmt::format("{} {}", count, text));
+  };
+  add(faults.unreadable, "messages are unreadable and ignored");
+  add(faults.late, "packets came too late and are ignored");
+  add(faults.copies, "messages came twice; the copies are ignored");
+  add(faults.of_other_referee,
+      fmt::format("packets of another referee, {}, are ignored; the one followed is {}",
+                  named(faults.other_referee), named(faults.referee)));
+  if (!faults.clocks_ahead_s.empty()) {
+    texts.push_back(fmt::format("the cameras' clocks differ: {}; adjusted",
+                                clocks_text(faults.clocks_ahead_s)));
+  }
+  if (faults.clock_restarts > 0) {
+    texts.push_back(fmt::format("the cameras' clock restarts {} times; adjusted to continue",
+                                faults.clock_restarts));
+  }
+  return texts;
+}
+
 std::string damage_text(const std::string& path, const league::LogSummary& log) {
   std::string text;
   if (log.damage) {
     text = fmt::format("autoref: {}: the log is only readable up to byte {}: {}\n", path,
                        log.damage->offset, log.damage->what);
   }
-  if (log.unreadable > 0) {
-    text += fmt::format(
-        "autoref: {}: {} messages are invalid and ignored, the first at "
-        "byte {}\n",
-        path, log.unreadable, log.unreadable_at);
-  }
   const auto add = [&](const std::string& line) {
     text += fmt::format("autoref: {}: {}\n", path, line);
   };
+  if (const auto unknown = log.records.find(league::MessageKind::kUnknown);
+      unknown != log.records.end())
+    add(fmt::format("{} messages are of an unknown kind and ignored", unknown->second));
+  for (const std::string& line : texts_of(log.faults)) add(line);
+  if (log.faults.unreadable > 0)
+    add(fmt::format("the first unreadable message is at byte {}", log.unreadable_at));
   if (log.frames_are_tracked) {
     add(fmt::format(
         "{}using the frames of its tracker{}",
@@ -34,10 +117,6 @@ std::string damage_text(const std::string& path, const league::LogSummary& log) 
   }
   if (log.field_changes > 0)
     add(fmt::format("the field changes {} times; using the last one", log.field_changes));
-  if (log.clock_restarts > 0) {
-    add(fmt::format("the cameras' clock restarts {} times; adjusted to continue",
-                    log.clock_restarts));
-  }
   return text;
 }
 
@@ -60,7 +139,7 @@ std::string damage_text(const std::string& path, const RecordedFacts& facts) {
 league::LogSummary read_user_log(const std::string& path, league::LogVisitor& visitor) {
   league::LogSummary log;
   try {
-    log = league::read_log(path, visitor);
+    log = league::read_log(rereadable(path), visitor);
   } catch (const league::LogError& error) {
     throw InputError({}, "", error.what());
   }

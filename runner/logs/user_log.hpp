@@ -2,20 +2,29 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "league/log_contents.hpp"
 #include "runner/logs/recorded_facts.hpp"
 
 namespace autoref::runner {
 
-// Lines for stderr: where the log is damaged, how many of its messages are invalid, and other
+// A path at which the log can be read several times: `path` itself or, if that is a pipe, a copy
+// without a name that vanishes when the program ends. Throws InputError if the log cannot be
+// opened, and InputOutputError if it cannot be copied.
+std::string rereadable(const std::string& path);
+
+// What is wrong with the messages of a game, recorded or live; without line ends.
+std::vector<std::string> texts_of(const league::MessageFaults& faults);
+
+// Lines for stderr: where the log is damaged, how many of its messages are ignored, and other
 // oddities. Empty if everything is fine.
 std::string damage_text(const std::string& path, const league::LogSummary& log);
 
 // The same lines, and further ones for oddities of the games in the log.
 std::string damage_text(const std::string& path, const RecordedFacts& facts);
 
-// Feeds the log to `visitor`. Reports damage and invalid messages on stderr. Throws InputError if
+// Feeds the log to `visitor`. Reports damage and ignored messages on stderr. Throws InputError if
 // the file is not a log or contains no frame.
 league::LogSummary read_user_log(const std::string& path, league::LogVisitor& visitor);
 

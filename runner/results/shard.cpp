@@ -192,7 +192,7 @@ StoredRows read_rows(const fs::path& games_folder, const RowFormat& format) {
   StoredRows stored;
   for (const fs::path& file : files) {
     const std::string text = read_file(file).value_or("");
-    const std::vector<std::string_view> lines = complete_lines(text);
+    const std::vector<std::string_view> lines = lines_as_written(text);
     // Only complete lines are read, so a row that another process is writing is merely not there
     // yet.
     if (lines.empty()) continue;

@@ -34,7 +34,9 @@ class Game {
     if (packet.ParsePartialFromArray(data, size) && packet.IsInitialized()) read(packet);
   }
 
-  void read(const league::VisionPacket& packet) { judge(merger_.add(packet)); }
+  void read(const league::VisionPacket& packet) {
+    judge(merger_.add(packet, received_s_ += 0.004));
+  }
   void read(league::VisionPacket2010& packet) {
     league::VisionPacket converted;
     league::convert(packet, converted);

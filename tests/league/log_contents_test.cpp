@@ -43,7 +43,7 @@ TEST(ReadLog, CountsUnreadableMessagesAndReportsTheFirst) {
   LogVisitor nobody;
   const LogSummary log = read_log(file.path(), nobody);
   EXPECT_EQ(log.frames, 2);
-  EXPECT_EQ(log.unreadable, 2);
+  EXPECT_EQ(log.faults.unreadable, 2);
   EXPECT_EQ(log.unreadable_at, static_cast<std::int64_t>(16 + 16 + sound.size()));
 }
 
@@ -80,7 +80,7 @@ TEST(ReadLog, ReadsVisionOf2010) {
   LogVisitor nobody;
   const LogSummary log = read_log(file.path(), nobody);
   EXPECT_EQ(log.frames, 1);
-  EXPECT_EQ(log.unreadable, 0);
+  EXPECT_EQ(log.faults.unreadable, 0);
   const Field expected;
   ASSERT_TRUE(log.field);
   EXPECT_DOUBLE_EQ(log.field->length_m, expected.length_m);
@@ -115,7 +115,7 @@ TEST(ReadLog, LimitsTheNumberOfCameras) {
   Cameras cameras;
   const LogSummary log = read_log(file.path(), cameras);
   EXPECT_EQ(cameras.seen.size(), 64U);
-  EXPECT_EQ(log.unreadable, 1000 - 64);
+  EXPECT_EQ(log.faults.unreadable, 1000 - 64);
 }
 
 TEST(ReadLog, ComputesTheLengthFromTheRecordsTimes) {
@@ -135,7 +135,7 @@ void expect_index_skipped(const ScratchFile& file) {
   LogVisitor nobody;
   const LogSummary log = read_log(file.path(), nobody);
   EXPECT_EQ(log.records.at(MessageKind::kIndex2021), 1) << file.path();
-  EXPECT_EQ(log.unreadable, 0) << file.path();
+  EXPECT_EQ(log.faults.unreadable, 0) << file.path();
   EXPECT_FALSE(log.damage) << file.path();
   EXPECT_DOUBLE_EQ(log.length_s, 1) << file.path();
 }

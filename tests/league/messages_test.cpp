@@ -38,12 +38,12 @@ std::vector<Frame> sent_and_read(const std::vector<Frame>& frames) {
   DetectionMerger merger;
   VisionPacket geometry;
   fill_geometry(Field{}, kCameras, *geometry.mutable_geometry());
-  merger.add(geometry);
+  merger.add(geometry, 0);
   std::vector<Frame> read;
   for (const Frame& frame : frames) {
     fill_detections(frame, kCameras, packets);
     for (const VisionPacket& packet : packets) {
-      if (const Frame* done = merger.add(packet)) read.push_back(*done);
+      if (const Frame* done = merger.add(packet, frame.time_s)) read.push_back(*done);
     }
   }
   if (const Frame* done = merger.finish()) read.push_back(*done);
@@ -97,7 +97,7 @@ TEST(FrameHistory, IsReadBackAmongOtherDetections) {
   for (const VisionPacket& packet : packets) {
     balls += packet.detection().balls_size();
     blue += packet.detection().robots_blue_size();
-    merger.add(packet);
+    merger.add(packet, frame.time_s);
   }
   EXPECT_EQ(balls, 2);
   EXPECT_EQ(blue, 7);
@@ -134,8 +134,8 @@ TEST(DetectionMerger, TakesTheMostConfidentDetectionOfARobotSeenTwice) {
   add_detection_of(one, 3, 100, 0.7F);
   add_detection_of(other, 3, 200, 0.9F);
   DetectionMerger merger;
-  merger.add(vision_packet_of(one));
-  merger.add(vision_packet_of(other));
+  merger.add(vision_packet_of(one), one.t_capture());
+  merger.add(vision_packet_of(other), other.t_capture());
   const Frame* frame = merger.finish();
   ASSERT_NE(frame, nullptr);
   ASSERT_EQ(frame->robots[Side::kWest].size(), 1U);
@@ -147,26 +147,27 @@ TEST(DetectionMerger, IgnoresDetectionsThatAreNotLeagueRobots) {
   add_detection_of(one, 16, 100, 1);
   add_detection_of(one, 2, std::nanf(""), 1);
   DetectionMerger merger;
-  merger.add(vision_packet_of(one));
+  merger.add(vision_packet_of(one), one.t_capture());
   EXPECT_TRUE(merger.finish()->robots[Side::kWest].empty());
 }
 
 TEST(DetectionMerger, BeginsAFrameWhenACameraRepeatsOrAfterAGap) {
   DetectionMerger merger;
-  EXPECT_EQ(merger.add(vision_packet_of(detection(0, 5))), nullptr);
-  EXPECT_EQ(merger.add(vision_packet_of(detection(1, 5.004))), nullptr);
-  EXPECT_NE(merger.add(vision_packet_of(detection(0, 5.016))), nullptr);
-  EXPECT_NE(merger.add(vision_packet_of(detection(1, 6))), nullptr);
+  EXPECT_EQ(merger.add(vision_packet_of(detection(0, 5)), 5), nullptr);
+  EXPECT_EQ(merger.add(vision_packet_of(detection(1, 5.004)), 5.004), nullptr);
+  EXPECT_NE(merger.add(vision_packet_of(detection(0, 5.016)), 5.016), nullptr);
+  EXPECT_NE(merger.add(vision_packet_of(detection(1, 6)), 6), nullptr);
   EXPECT_DOUBLE_EQ(merger.finish()->time_s, 1);
 }
 
 TEST(DetectionMerger, IgnoresLatePackets) {
   DetectionMerger merger;
-  merger.add(vision_packet_of(detection(0, 5)));
-  merger.add(vision_packet_of(detection(0, 6)));
-  EXPECT_EQ(merger.add(vision_packet_of(detection(1, 5))), nullptr);
-  EXPECT_EQ(merger.add(vision_packet_of(detection(1, std::nan("")))), nullptr);
-  EXPECT_EQ(merger.unusable(), 2);
+  merger.add(vision_packet_of(detection(0, 5)), 5);
+  merger.add(vision_packet_of(detection(0, 6)), 6);
+  EXPECT_EQ(merger.add(vision_packet_of(detection(1, 5)), 5), nullptr);
+  EXPECT_EQ(merger.add(vision_packet_of(detection(1, std::nan(""))), 6), nullptr);
+  EXPECT_EQ(merger.late(), 1);
+  EXPECT_EQ(merger.unusable(), 1);
 }
 
 TEST(Geometry, DescribesTheFieldOfEveryRuleBook) {

@@ -126,7 +126,7 @@ TEST(TrackFollower, FollowsTheFirstSourceUntilItIsSilent) {
   EXPECT_FALSE(follower.add(packet_at(kToday_s + 2, "a"), 2));
   EXPECT_TRUE(follower.add(packet_at(51.3, "b"), 1.8));
   EXPECT_NEAR(follower.frame().time_s, 1.8, 1e-6);
-  EXPECT_EQ(follower.sources(), 2);
+  EXPECT_EQ(follower.source().sources(), 2);
 }
 
 TEST(TrackFollower, ContinuesItsTimesWhenTheClockLeaps) {
@@ -164,7 +164,7 @@ TEST(ReadLog, ShowsTheTrackersFramesWithoutVision) {
   EXPECT_EQ(log.frames, 3);
   EXPECT_TRUE(log.frames_are_tracked);
   EXPECT_EQ(log.trackers, 1);
-  EXPECT_EQ(log.unreadable, 0);
+  EXPECT_EQ(log.faults.unreadable, 0);
 }
 
 TEST(ReadLog, PrefersVisionToATrackerUnlessOneIsChosen) {

@@ -413,7 +413,7 @@ RecordedVision with_tracker(RecordedVision vision) {
   for (const DetectionFrame& frame : vision.frames) {
     league::VisionPacket packet;
     *packet.mutable_detection() = frame;
-    track(merger.add(packet));
+    track(merger.add(packet, frame.t_capture()));
   }
   track(merger.finish());
   return vision;

@@ -1,0 +1,124 @@
+#include "league/record_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "league/referee_message.hpp"
+
+namespace autoref::league {
+namespace {
+
+// What reaches those who use the messages.
+class Received final : public LogVisitor {
+ public:
+  void on_vision(double /*time_s*/, const VisionPacket& /*packet*/) override { ++vision; }
+  void on_tracks(const Frame& /*frame*/, const Tracks& /*tracks*/) override { ++tracks; }
+  void on_referee(double /*time_s*/, const RefereePacket& packet) override {
+    commands.push_back(packet.command_counter());
+  }
+  int vision = 0;
+  int tracks = 0;
+  std::vector<std::uint32_t> commands;
+};
+
+class ReaderOfRecords : public testing::Test {
+ protected:
+  std::string vision_at(double capture_s) {
+    VisionPacket packet;
+    DetectionFrame& detection = *packet.mutable_detection();
+    detection.set_frame_number(1);
+    detection.set_t_capture(capture_s);
+    detection.set_t_sent(capture_s);
+    detection.set_camera_id(0);
+    return packet.SerializeAsString();
+  }
+  std::string command(std::uint32_t counter, double sent_s, const std::string& source = "") {
+    RefereePacket packet;
+    fill_referee({}, {}, sent_s, packet);
+    packet.set_command_counter(counter);
+    packet.set_packet_timestamp(static_cast<std::uint64_t>(std::llround(1e6 * sent_s)));
+    if (!source.empty()) packet.set_source_identifier(source);
+    return packet.SerializeAsString();
+  }
+  Taken take_vision(double capture_s) {
+    return reader_.take(MessageKind::kVision2014, vision_at(capture_s), capture_s);
+  }
+  Taken take_command(const std::string& bytes, double now_s, const std::string& sender = "") {
+    return reader_.take(MessageKind::kReferee2013, bytes, now_s, sender);
+  }
+
+  Received received_;
+  RecordReader reader_{received_, false};
+};
+
+// By two interfaces, of which one is a few packets slower.
+TEST_F(ReaderOfRecords, ShowsNoCopies) {
+  std::vector<std::string> sent;
+  for (int i = 0; i < 100; ++i) {
+    sent.push_back(vision_at(5 + i / 60.0));
+    reader_.take(MessageKind::kVision2014, sent.back(), i / 60.0);
+    if (i >= 10) reader_.take(MessageKind::kVision2014, sent[sent.size() - 10], i / 60.0);
+  }
+  EXPECT_EQ(received_.vision, 100);
+  EXPECT_EQ(reader_.faults().copies, 90);
+  EXPECT_EQ(reader_.faults().late, 0);
+  const std::string stop = command(2, 10);
+  EXPECT_EQ(take_command(stop, 10), Taken::kUsed);
+  EXPECT_EQ(take_command(stop, 10.01), Taken::kCopy);
+  TrackerPacket tracker;
+  tracker.set_uuid("tracker");
+  tracker.mutable_tracked_frame()->set_frame_number(1);
+  tracker.mutable_tracked_frame()->set_timestamp(10);
+  const std::string tracks = tracker.SerializeAsString();
+  EXPECT_EQ(reader_.take(MessageKind::kTracker2020, tracks, 10), Taken::kUsed);
+  EXPECT_EQ(reader_.take(MessageKind::kTracker2020, tracks, 10), Taken::kCopy);
+  EXPECT_EQ(received_.tracks, 1);
+}
+
+TEST_F(ReaderOfRecords, DoesNotGoBackToAnOlderCommand) {
+  take_command(command(1, 10), 10);
+  take_command(command(2, 10.025), 10.1);
+  EXPECT_EQ(take_command(command(1, 10.02), 10.101), Taken::kLate);
+  EXPECT_EQ(received_.commands, (std::vector<std::uint32_t>{1, 2}));
+  EXPECT_EQ(reader_.faults().late, 1);
+  // The controller's clock was set, by an hour.
+  EXPECT_EQ(take_command(command(3, 10.05 - 3600), 10.2), Taken::kUsed);
+}
+
+TEST_F(ReaderOfRecords, FollowsOneRefereeUntilItIsSilent) {
+  for (int i = 0; i < 40; ++i) {
+    take_command(command(7, 0.025 * i, "ours"), 0.025 * i);
+    EXPECT_EQ(take_command(command(1, 500 + 0.025 * i, "forgotten"), 0.025 * i + 0.01),
+              Taken::kOtherReferee);
+  }
+  EXPECT_EQ(received_.commands, std::vector<std::uint32_t>(40, 7));
+  EXPECT_EQ(reader_.faults().of_other_referee, 40);
+  EXPECT_EQ(reader_.faults().referee, "ours");
+  EXPECT_EQ(reader_.faults().other_referee, "forgotten");
+  // "ours" is restarted under another name; the forgotten one was ended meanwhile.
+  EXPECT_EQ(take_command(command(8, 1.5, "restarted"), 1.5), Taken::kOtherReferee);
+  EXPECT_EQ(take_command(command(8, 2.1, "restarted"), 2.1), Taken::kUsed);
+  EXPECT_EQ(reader_.faults().referee, "restarted");
+}
+
+TEST_F(ReaderOfRecords, TellsRefereesWithoutANameApartByTheirAddress) {
+  take_command(command(7, 1), 1, "10.0.0.1");
+  EXPECT_EQ(take_command(command(1, 500), 1.01, "10.0.0.2"), Taken::kOtherReferee);
+  EXPECT_EQ(take_command(command(7, 1.1), 1.1, "10.0.0.1"), Taken::kUsed);
+  EXPECT_EQ(reader_.faults().other_referee, "10.0.0.2");
+}
+
+TEST_F(ReaderOfRecords, CountsWhatItIgnores) {
+  take_vision(5);
+  take_vision(6);
+  EXPECT_EQ(take_vision(5.5), Taken::kLate);
+  EXPECT_EQ(reader_.take(MessageKind::kVision2014, "no packet", 6), Taken::kUnreadable);
+  EXPECT_EQ(take_command("nor this", 6), Taken::kUnreadable);
+  EXPECT_EQ(reader_.faults().late, 1);
+  EXPECT_EQ(reader_.faults().unreadable, 2);
+  EXPECT_EQ(received_.vision, 2);
+}
+
+}  // namespace
+}  // namespace autoref::league
