@@ -51,6 +51,7 @@ GameRow played(const Outcomes& outcomes, const ScheduledGame& game) {
     if (environment_failure(error)) throw;
     row.record = void_record(fmt::format("the game threw: {}", error.what()));
   }
+  row.circumstances.attempt = row.record.attempts;
   return row;
 }
 
@@ -313,8 +314,9 @@ class Experiment {
 
   void keep(const JobResult& result) {
     GameRow row = row_from(result);
-    row.circumstances = {options_.build, host_,          cpu_,
-                         result.wall_s,  result.attempt, options_.shard.name()};
+    const int attempt = result.attempt + row.circumstances.attempt - 1;  // of worker and programs
+    row.circumstances = {options_.build, host_,   cpu_,
+                         result.wall_s,  attempt, options_.shard.name()};
     keep_file();
     shard_->write(format_.line(row));
     written_.push_back(std::move(row));

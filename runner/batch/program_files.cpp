@@ -67,6 +67,7 @@ void play_live(const GameConfiguration& game, const fs::path& folder,
     GamePrograms programs = live_programs(game, folder);
     GameRecord& record = play(programs);
     if (programs.was_killed() && attempt < kMostKills) continue;
+    record.attempts = attempt;
     finish_live(game, folder, programs, record);
     return;
   }

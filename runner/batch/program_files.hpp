@@ -15,7 +15,7 @@ std::filesystem::path commands_file(const std::filesystem::path& folder, const s
 
 // Plays a game of the folder with its programs, which leave their files, and finds out whether they
 // are repeatable. `play` plays the game and returns its record, which is completed here. It is
-// called again, up to five times, if someone has killed a program.
+// called again, up to five times, if a program was killed from outside.
 void play_live(const GameConfiguration& game, const std::filesystem::path& folder,
                const std::function<GameRecord&(GamePrograms&)>& play);
 

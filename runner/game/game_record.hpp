@@ -40,6 +40,7 @@ struct GameRecord {
   // Whether the game's programs sent the same commands when they were started again; true without
   // programs, nullopt if that was not tried.
   std::optional<bool> is_repeatable = true;
+  int attempts = 1;  // how often its programs were started, since they were killed from outside
 };
 
 }  // namespace autoref::runner

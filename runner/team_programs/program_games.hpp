@@ -58,7 +58,7 @@ class GamePrograms {
   // Changes the world between two steps, and records that. Throws as CommandsWriter.
   void change(const WorldChange& change, Game& game);
 
-  // Whether a program whose commands are recorded was killed, which may not be its own fault.
+  // Whether a program whose commands are recorded was killed from outside.
   bool was_killed() const { return was_killed_; }
 
   // Call it with the final record: completes the file of commands. If the game was played from

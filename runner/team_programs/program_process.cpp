@@ -12,6 +12,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstring>
+#include <fstream>
 #include <utility>
 
 #include "runner/io/errors.hpp"
@@ -100,10 +101,22 @@ std::string start_failure(const ProgramSpec& spec, const SupervisorReport& repor
   return fmt::format("cannot start a process for {}: {}", spec.command[0], reason);
 }
 
+// How many processes the system has killed since it was started, because memory had run out.
+std::uint64_t kills_for_memory() {
+  std::ifstream counters("/proc/vmstat");
+  std::string name;
+  std::uint64_t count = 0;
+  while (counters >> name >> count) {
+    if (name == "oom_kill") return count;
+  }
+  return 0;
+}
+
 }  // namespace
 
 ProgramProcess::ProgramProcess(ProgramSpec spec) : spec_(std::move(spec)) {
   if (spec_.command.empty()) throw ProgramError("no program is given");
+  kills_before_ = kills_for_memory();
   Pipe in;
   Pipe out;
   Pipe err;
@@ -192,6 +205,9 @@ void ProgramProcess::report_closed_output() {
   const bool has_ended = take_report(after(kStatus_s));
   for (int i = 0; i < 64 && stderr_->drain(); ++i) {
   }
+  if (lacked_memory())
+    throw InputOutputError(
+        fmt::format("the system had too little memory for {}", spec_.command[0]));
   throw fault(has_ended ? how_it_ended() : "closed its output");
 }
 
@@ -204,16 +220,21 @@ bool ProgramProcess::take_report(Clock::time_point deadline) {
   return true;
 }
 
-// If there is no report, the supervisor was killed.
-bool ProgramProcess::was_killed() const {
-  if (out_ >= 0) return false;
-  if (!report_) return has_reports_ended_;
-  return report_->kind == SupervisorReport::kEnded && WIFSIGNALED(report_->value) &&
-         WTERMSIG(report_->value) == SIGKILL;
+// If there is no report, the supervisor was killed. A program cannot do that from its namespace; it
+// can kill itself.
+bool ProgramProcess::was_killed_from_outside() const {
+  return out_ < 0 && !report_ && has_reports_ended_ && supervisor_.has_namespace;
+}
+
+// The system's killer looks for processes with much memory, and does not say whom it has killed.
+bool ProgramProcess::lacked_memory() const {
+  const bool is_killed = report_ && report_->kind == SupervisorReport::kEnded &&
+                         WIFSIGNALED(report_->value) && WTERMSIG(report_->value) == SIGKILL;
+  return is_killed && kills_for_memory() > kills_before_;
 }
 
 std::string ProgramProcess::how_it_ended() const {
-  if (!report_) return has_reports_ended_ ? "was killed" : "was ended";
+  if (!report_) return has_reports_ended_ ? "was killed, with its supervisor" : "was ended";
   if (report_->kind == SupervisorReport::kTooManyProcesses) {
     return fmt::format("started more than {} processes", spec_.limits.processes);
   }
@@ -227,7 +248,7 @@ ProgramError ProgramProcess::fault(std::string_view what) const {
   const std::string lines = stderr_->last_lines();
   const std::string heading = lines.empty() ? "" : "; its last lines on standard error:\n";
   return ProgramError(fmt::format("{} {}{}{}", spec_.command[0], what, heading, lines),
-                      was_killed());
+                      was_killed_from_outside());
 }
 
 std::string ProgramProcess::end(double grace_s) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,7 +36,7 @@ class ProgramProcess {
 
   // Waits for output and returns what has arrived, at least one byte; valid until the next call.
   // Throws ProgramError if there is none by the deadline, or the program has closed its output or
-  // ended.
+  // ended, and InputOutputError if the system has killed it for lack of memory.
   std::string_view read(Clock::time_point deadline);
 
   // Whether there is output that has not been read. Does not wait.
@@ -58,7 +59,8 @@ class ProgramProcess {
   bool take_report(Clock::time_point deadline);
   void close_input();
   std::string how_it_ended() const;
-  bool was_killed() const;
+  bool was_killed_from_outside() const;
+  bool lacked_memory() const;
   [[noreturn]] void report_closed_output();
 
   ProgramSpec spec_;
@@ -66,6 +68,7 @@ class ProgramProcess {
   int out_ = -1;
   int life_ = -1;
   int reports_ = -1;
+  std::uint64_t kills_before_ = 0;  // by the system, for lack of memory
   std::optional<ProgramStderr> stderr_;
   Supervisor supervisor_;
   std::optional<SupervisorReport> report_;

@@ -30,10 +30,10 @@ struct ProgramSpec {
 // A fault of the program. what() says what it did, followed by its last lines on standard error.
 class ProgramError : public std::runtime_error {
  public:
-  explicit ProgramError(const std::string& what, bool killed = false)
-      : std::runtime_error(what), was_killed(killed) {}
+  explicit ProgramError(const std::string& what, bool is_from_outside = false)
+      : std::runtime_error(what), was_killed_from_outside(is_from_outside) {}
 
-  bool was_killed;  // by SIGKILL, perhaps from outside, rather than for exceeding a limit
+  bool was_killed_from_outside;  // which was not its own doing
 };
 
 }  // namespace autoref::runner

@@ -41,7 +41,7 @@ void ProgramTeam::blame_program(const Action& action) {
     fault_ = process_->fault(fmt::format("sent bad output: {}", fault.what())).what();
   } catch (const ProgramError& error) {
     fault_ = error.what();
-    was_killed_ = error.was_killed;
+    was_killed_ = error.was_killed_from_outside;
   }
 }
 

@@ -12,7 +12,7 @@
 
 namespace autoref::runner {
 
-// The program was killed from outside, or at its own request.
+// The program was killed from outside, which was not its own doing.
 class ProgramKilled : public strategies::StrategyFault {
  public:
   using StrategyFault::StrategyFault;
@@ -21,7 +21,8 @@ class ProgramKilled : public strategies::StrategyFault {
 // Plays by the program's commands (docs/team-programs.md), as transmitted() sends them to robots.
 // The program is started by the constructor and ended, with all processes that it started, by the
 // destructor. Whatever it does wrong, decide() throws as a strategies::StrategyFault, which is a
-// ProgramKilled if the program was killed.
+// ProgramKilled if the program was killed from outside. Throws InputOutputError as well
+// (program_process.hpp).
 class ProgramTeam final : public strategies::Strategy {
  public:
   ProgramTeam(const ProgramSpec& spec, const strategies::TeamContext& context);

@@ -7,6 +7,7 @@
 
 #include <csignal>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <thread>
 
@@ -138,6 +139,25 @@ TEST(Experiment, MarksAGameThatCrashesEveryWorkerVoidAndContinues) {
   EXPECT_EQ(report.results.groups.at(1).void_games, 3);
   EXPECT_EQ(report.results.groups.at(1).goals_a.size(), 3U);
   EXPECT_NE(content_of(folder / "results.csv").find("signal 6 (Aborted)"), std::string::npos);
+}
+
+// Both a worker and the programs may be ended by somebody else.
+TEST(Experiment, CountsTheAttemptsOfAGameInItsRow) {
+  const TemporaryFolder folder;
+  ExperimentOptions options = fake_options(folder / "run");
+  options.play = [&folder](const GameConfiguration& game) {
+    if (game.b.robots.size() == 5 && std::filesystem::create_directory(folder / "killed"))
+      kill(getpid(), SIGKILL);
+    GameRecord record = fake_game(game);
+    record.attempts = game.b.robots.size() == 5 ? 3 : 1;
+    return record;
+  };
+  run_experiment(small_sweep(1), options);
+  std::multiset<int> attempts;
+  const Scenario scenario = small_sweep(1);
+  for (const GameRow& row : read_rows(folder / "run/games", row_format(scenario)).rows)
+    attempts.insert(row.circumstances.attempt);
+  EXPECT_EQ(attempts, (std::multiset<int>{1, 1, 3, 4}));
 }
 
 // A game whose worker is killed, as by the out-of-memory killer.

@@ -2,10 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <csignal>
+#include <fstream>
 #include <string>
 
+#include "runner/batch/program_files.hpp"
 #include "runner/game/game.hpp"
 #include "runner/team_programs/program_games.hpp"
+#include "runner/team_programs/program_process.hpp"
+#include "tests/runner/support/temporary_folder.hpp"
 #include "tests/runner/team_programs/shell_teams.hpp"
 
 namespace autoref::runner {
@@ -47,6 +52,10 @@ INSTANTIATE_TEST_SUITE_P(
                     "ended with status 4; its last lines on standard error:\nno licence"},
         HostileTeam{"Ends", script_that(2, "exit 0"), "ended with status 0"},
         HostileTeam{"Crashes", script_that(2, "kill -SEGV $$"), "killed by signal 11"},
+        HostileTeam{"KillsItself", script_that(2, "kill -KILL $$"), "killed by signal 9"},
+        HostileTeam{"KillsEverybody",
+                    script_that(2, "kill -KILL -1; kill -KILL $PPID; kill -KILL $$"),
+                    "killed by signal 9"},
         HostileTeam{"ClosesItsOutput", script_that(2, "exec >&-; sleep 100"), "closed its output"},
         HostileTeam{"GreetsInAnotherProtocol", "echo HELLO; sleep 100", "HELLO"},
         HostileTeam{"NeverEndsItsGreeting", "while :; do printf x; done",
@@ -119,6 +128,46 @@ TEST(TeamPrograms, LoseToProgramsThatPlay) {
   const GameRecord record = play(game, nullptr, make_program_or_registered_team);
   EXPECT_EQ(record.end_reason, EndReason::kForfeitB);
   EXPECT_EQ(record.status, Status::kForfeit);
+}
+
+// Ends the supervisor of this thread's first program, as somebody outside may.
+void kill_supervisor() {
+  std::ifstream children("/proc/thread-self/children");
+  pid_t supervisor = 0;
+  ASSERT_TRUE(children >> supervisor);
+  kill(supervisor, SIGKILL);
+}
+
+TEST(TeamPrograms, ThatAreKilledFromOutsidePlayAgainAndThatIsCounted) {
+  ProgramSpec any;
+  any.command = {"true"};
+  if (!ProgramProcess(any).has_namespace()) GTEST_SKIP() << "PID namespaces are not allowed here";
+  const TemporaryFolder folder;
+  const GameConfiguration game = shell_game(idle_script());
+  GameRecord record;
+  int plays = 0;
+  play_live(game, folder.path(), [&](GamePrograms& programs) -> GameRecord& {
+    const TeamMaker maker = programs.maker();
+    record = play(game, nullptr, [&](const auto& team, const auto& context) {
+      auto made = maker(team, context);
+      if (team.program && plays++ < 2) kill_supervisor();
+      return made;
+    });
+    return record;
+  });
+  EXPECT_EQ(plays, 3);
+  EXPECT_EQ(record.status, Status::kOk) << record.void_reason;
+  EXPECT_EQ(record.attempts, 3);
+}
+
+TEST(TeamPrograms, ThatKillThemselvesGetNoOtherAttempt) {
+  const TemporaryFolder folder;
+  GameConfiguration game = shell_game(script_that(2, "kill -KILL $$"));
+  game.match.on_team_fault = OnTeamFault::kForfeit;
+  const GameRecord record = play_live(game, folder.path());
+  EXPECT_EQ(record.status, Status::kForfeit);
+  EXPECT_EQ(record.end_reason, EndReason::kForfeitA);
+  EXPECT_EQ(record.attempts, 1);
 }
 
 }  // namespace
