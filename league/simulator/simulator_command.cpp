@@ -16,7 +16,6 @@ namespace {
 
 constexpr double kFarthest = 100;  // m, m/s or rad/s of a teleport
 constexpr double kLargestSpec = 1000;
-constexpr double kFastestSimulation = 1000;
 constexpr int kHighestPort = 65535;
 
 std::optional<RobotId> id_of(const simulation::SimulatedRobotId& id, const PerSide<int>& robots) {
@@ -103,11 +102,13 @@ class RequestReader {
     for (const simulation::TeleportRobot& message : control.teleport_robot()) read(message);
     if (!control.has_simulation_speed()) return;
     const double speed = static_cast<double>(control.simulation_speed());
-    if (speed >= 0 && speed <= kFastestSimulation) {
+    // A float may be a little less than its decimal number.
+    const bool is_slow = speed < static_cast<double>(static_cast<float>(kSlowestSimulation));
+    if (speed == 0 || (!is_slow && speed <= kFastestSimulation)) {
       request_.speed = speed;
     } else {
-      refuse("SPEED", fmt::format("simulation_speed is {}; it must be from 0 to {}", speed,
-                                  kFastestSimulation));
+      refuse("SPEED", fmt::format("simulation_speed is {}; it must be from {} to {}, or 0 to pause",
+                                  speed, kSlowestSimulation, kFastestSimulation));
     }
   }
 

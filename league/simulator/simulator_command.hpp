@@ -26,6 +26,10 @@ struct SpecUpdate {
   std::optional<double> angular_speed_radps;
 };
 
+// How fast a simulation may run, relative to real time; 0 is a pause.
+inline constexpr double kSlowestSimulation = 0.01;
+inline constexpr double kFastestSimulation = 1000;
+
 struct SimulatorRequest {
   std::vector<Teleport> teleports;
   std::optional<double> speed;  // of the simulation, relative to real time; 0: paused

@@ -8,6 +8,7 @@ namespace autoref::runner {
 namespace {
 
 constexpr std::chrono::seconds kLongestDelay{1};
+constexpr std::chrono::milliseconds kSlice{50};
 
 }  // namespace
 
@@ -29,13 +30,18 @@ void FramePacer::set_rate(double frames_per_s) {
   frames_ = 0;
 }
 
-void FramePacer::wait() {
+FrameClock::Time FramePacer::due() const {
+  return start_ + std::chrono::duration_cast<FrameClock::Time::duration>(
+                      period_ * static_cast<double>(frames_));
+}
+
+void FramePacer::wait(const std::function<void()>& meanwhile) {
   ++frames_;
-  const auto offset = std::chrono::duration_cast<FrameClock::Time::duration>(
-      period_ * static_cast<double>(frames_));
-  const FrameClock::Time due = start_ + offset;
-  if (clock_->now() < due) clock_->sleep_until(due);
-  const auto delay = clock_->now() - due;
+  while (clock_->now() < due()) {
+    clock_->sleep_until(std::min(due(), clock_->now() + kSlice));
+    if (meanwhile && clock_->now() < due()) meanwhile();
+  }
+  const auto delay = clock_->now() - due();
   ++punctuality_.frames;
   punctuality_.late += delay > kLate ? 1 : 0;
   punctuality_.worst_ms =

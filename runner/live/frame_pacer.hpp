@@ -40,15 +40,18 @@ class FramePacer {
  public:
   FramePacer(FrameClock& clock, double frames_per_s);
 
-  // Other frames per second from the next frame on.
+  // Other frames per second from now on; the next frame is due at once.
   void set_rate(double frames_per_s);
 
-  // Sleeps until the next frame is due.
-  void wait();
+  // Sleeps until the next frame is due. Calls `meanwhile`, if any, at least every 50 ms; it may set
+  // the rate.
+  void wait(const std::function<void()>& meanwhile = {});
 
   const Punctuality& punctuality() const { return punctuality_; }
 
  private:
+  FrameClock::Time due() const;
+
   FrameClock* clock_;
   std::chrono::duration<double> period_;
   FrameClock::Time start_;

@@ -145,7 +145,10 @@ class LiveGame::Impl {
             return !is_first;
           });
     } else if (options_.speed.pace == Pace::kClock) {
-      pacer_.wait();
+      pacer_.wait([this] {
+        check_();
+        if (const std::optional<double> speed = requests_.speed()) set_speed(*speed);
+      });
     } else if (has_network_teams() && frame >= sim::split_latency(game_.sim).frames) {
       wait_in_slices([&](auto until) { return slots_.wait(before, is_network_, until); },
                      [&] {
@@ -216,8 +219,14 @@ class LiveGame::Impl {
     }
     if (request.vision_port) publisher_.set_vision_port(*request.vision_port);
     if (!request.speed || options_.speed.pace != Pace::kClock) return;
-    is_paused_ = *request.speed == 0;
-    if (!is_paused_) pacer_.set_rate(game_.sim.frame_rate_hz * *request.speed);
+    set_speed(*request.speed);
+  }
+
+  // A factor of real time; 0 pauses the game.
+  void set_speed(double speed) {
+    is_paused_ = speed == 0;
+    if (!is_paused_ && speed != speed_) pacer_.set_rate(game_.sim.frame_rate_hz * speed);
+    speed_ = speed;
   }
 
   // Sends the frame in which the game has ended, and goes on sending it, so that everybody learns
@@ -258,6 +267,7 @@ class LiveGame::Impl {
   FrameClock* clock_;
   FramePacer pacer_;
   bool is_paused_ = false;
+  double speed_ = 0;  // asked for at the control port; 0: never
   PerSide<SideState> states_;
   PerSide<NetworkInput> inputs_;
   PerSide<int> silent_frames_;  // since the newest packet

@@ -67,6 +67,14 @@ std::vector<league::SimulatorRequest> ControlRequests::take() {
   return std::exchange(requests_, {});
 }
 
+std::optional<double> ControlRequests::speed() const {
+  const std::lock_guard lock(mutex_);
+  std::optional<double> speed;
+  for (const league::SimulatorRequest& request : requests_)
+    speed = request.speed ? request.speed : speed;
+  return speed;
+}
+
 PerSide<bool> network_sides(const GameConfiguration& game) {
   return {{team_on(game, Side::kWest).on_network, team_on(game, Side::kEast).on_network}};
 }

@@ -50,9 +50,11 @@ class ControlRequests {
   // In the network's thread. Returns false if there is no room.
   bool add(league::SimulatorRequest request);
   std::vector<league::SimulatorRequest> take();
+  // The speed that the latest of the waiting requests asks for, if any does.
+  std::optional<double> speed() const;
 
  private:
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::vector<league::SimulatorRequest> requests_;
 };
 

@@ -75,8 +75,14 @@ TEST(SimulatorCommand, ContainsRobotsLimits) {
 TEST(SimulatorCommand, WhatIsImpossibleHasACode) {
   EXPECT_EQ(first_code(read_simulator_command("garbage", kSixRobots)), "PACKET");
   simulation::SimulatorCommand speed;
-  speed.mutable_control()->set_simulation_speed(-1);
-  EXPECT_EQ(first_code(request_of(speed, kSixRobots)), "SPEED");
+  for (const float impossible : {-1.0F, 1e-6F, 0.009F, 1001.0F, std::nanf("")}) {
+    speed.mutable_control()->set_simulation_speed(impossible);
+    EXPECT_EQ(first_code(request_of(speed, kSixRobots)), "SPEED") << impossible;
+  }
+  for (const float possible : {0.0F, 0.01F, 1000.0F}) {
+    speed.mutable_control()->set_simulation_speed(possible);
+    EXPECT_TRUE(request_of(speed, kSixRobots).errors.empty()) << possible;
+  }
   simulation::SimulatorCommand ball;
   ball.mutable_control()->mutable_teleport_ball()->set_x(std::numeric_limits<float>::infinity());
   EXPECT_EQ(first_code(request_of(ball, kSixRobots)), "TELEPORT");

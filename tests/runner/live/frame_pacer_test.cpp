@@ -57,5 +57,17 @@ TEST(FramePacer, AnotherRateHoldsFromTheNextFrameOn) {
   EXPECT_EQ(clock.time - ManualClock::Time{}, milliseconds(25));
 }
 
+TEST(FramePacer, AnotherRateWhileAFrameIsAwaitedHoldsAtOnce) {
+  ManualClock clock;
+  FramePacer pacer(clock, 0.1);
+  int looks = 0;
+  pacer.wait([&] {
+    if (++looks == 4) pacer.set_rate(50);
+  });
+  EXPECT_EQ(clock.time - ManualClock::Time{}, milliseconds(200));
+  pacer.wait();
+  EXPECT_EQ(clock.time - ManualClock::Time{}, milliseconds(220));
+}
+
 }  // namespace
 }  // namespace autoref::runner
