@@ -1,15 +1,21 @@
 #include "runner/live/lock_step.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "runner/live/stream_server.hpp"
+
 namespace autoref::runner {
 namespace {
 
-constexpr std::size_t kMostWaitingRequests = 16;
-constexpr std::size_t kMostDetections = 256;  // kept for a response
-constexpr double kRoundingFrames = 1e-3;      // of steps, which are floats
+constexpr std::size_t kMostWaitingRequests = 64;
+constexpr std::size_t kBesideDetections_bytes =
+    4096;                                  // of a response: errors, and what robots feel
+constexpr std::size_t kFraming_bytes = 6;  // of a detection in a response
+constexpr double kRoundingFrames = 1e-3;   // of steps, which are floats
 constexpr std::array<Participant, 3> kParticipants = {Side::kWest, Side::kEast, std::nullopt};
 
 }  // namespace
@@ -24,33 +30,60 @@ LockStep::Member& LockStep::member(const Participant& participant) {
   return members_.at(participant ? static_cast<std::size_t>(*participant) : 2);
 }
 
-void LockStep::add(const Participant& from, league::SyncRequest request, Reply reply) {
+bool LockStep::add(const Participant& from, league::SyncRequest request, Reply reply,
+                   std::size_t longest_bytes) {
   {
     const std::lock_guard lock(mutex_);
     Member& sender = member(from);
     if (!from) sender.takes_part = true;
-    if (!sender.takes_part || sender.waiting.size() == kMostWaitingRequests) return;
-    sender.waiting.push_back({std::move(request), std::move(reply)});
+    if (sender.waiting.size() == kMostWaitingRequests) return false;
+    sender.waiting.push_back({std::move(request), std::move(reply), longest_bytes});
   }
   news_.notify_one();
+  return true;
 }
 
 void LockStep::add_detection(const std::string& detection) {
   const std::lock_guard lock(mutex_);
   for (Member& one : members_) {
-    if (one.takes_part && one.detections.size() < kMostDetections)
-      one.detections.push_back(detection);
+    if (!one.takes_part) continue;
+    one.detections.push_back(detection);
+    one.kept_bytes += detection.size() + kFraming_bytes;
+    one.detections_bytes += detection.size() + kFraming_bytes;
+    while (one.kept_bytes > kLongestResponse) drop_first_detection(one);
   }
+}
+
+void LockStep::drop_first_detection(Member& member) {
+  member.kept_bytes -= member.detections.front().size() + kFraming_bytes;
+  member.detections.pop_front();
 }
 
 std::int64_t LockStep::target(const Member& member) const {
   return std::llround(std::ceil(member.granted_s * rate_hz_ - kRoundingFrames));
 }
 
-void LockStep::answer(Member& member, const std::bitset<kMaxRobots>& contact) {
-  const Waiting done = *std::exchange(member.current, std::nullopt);
-  done.reply(league::sync_response(member.detections, done.request.commands, contact));
+// Leaves out the oldest detections if the response would become too long.
+void LockStep::fit_detections(Member& member, std::int64_t frame, Waiting& done) const {
+  const std::size_t room = done.longest_bytes - kBesideDetections_bytes;
+  if (member.detections_bytes <= room && member.kept_bytes == member.detections_bytes) return;
+  while (member.kept_bytes > room) drop_first_detection(member);
+  const double step_s = static_cast<double>(frame - member.answered) / rate_hz_;
+  const double share = static_cast<double>(room) / static_cast<double>(member.detections_bytes);
+  done.request.commands.errors.push_back(
+      {"STEP", fmt::format("the detections of {:.3f} s take {} bytes, and a response has room for "
+                           "{}: the oldest are missing; ask for steps of at most {:.3f} s",
+                           step_s, member.detections_bytes, room, 0.9 * share * step_s)});
+}
+
+void LockStep::answer(Member& member, std::int64_t frame, const std::bitset<kMaxRobots>& contact) {
+  Waiting done = *std::exchange(member.current, std::nullopt);
+  fit_detections(member, frame, done);
+  done.reply(league::sync_response({member.detections.begin(), member.detections.end()},
+                                   done.request.commands, contact));
   member.detections.clear();
+  member.detections_bytes = member.kept_bytes = 0;
+  member.answered = frame;
 }
 
 void LockStep::begin_next(const Participant& from, Member& member, CommandSlots& slots) {
@@ -69,11 +102,11 @@ bool LockStep::settle(std::int64_t frame, const PerSide<RobotReports>& reports,
     Member& one = member(from);
     if (!one.takes_part) continue;
     const auto contact = from ? reports[*from].ball_contact : std::bitset<kMaxRobots>();
-    if (one.current && target(one) <= frame) answer(one, contact);
+    if (one.current && target(one) <= frame) answer(one, frame, contact);
     // A request that asks for no step is answered at once.
     while (!one.current && !one.waiting.empty()) {
       begin_next(from, one, slots);
-      if (target(one) <= frame) answer(one, contact);
+      if (target(one) <= frame) answer(one, frame, contact);
     }
     is_ready = is_ready && one.current.has_value();
   }

@@ -30,11 +30,15 @@ class LockStep {
   // Teams in `is_network` take part from the beginning, the control port from its first request.
   LockStep(const PerSide<bool>& is_network, double frame_rate_hz);
 
-  // In the network's thread: takes a request; `reply` will be called in the game's thread. Of more
-  // than 16 requests of a participant that wait, further ones are dropped.
-  void add(const Participant& from, league::SyncRequest request, Reply reply);
+  // In the network's thread: takes a request; `reply` will be called in the game's thread with a
+  // response of at most `longest_bytes`. Returns false if 64 requests of the participant wait
+  // already.
+  bool add(const Participant& from, league::SyncRequest request, Reply reply,
+           std::size_t longest_bytes);
 
-  // What a camera saw, for the next responses.
+  // What a camera saw, for the next responses. If not all detections since a participant's last
+  // response fit into the next one, the oldest are missing, and an error says how long its steps
+  // may be.
   void add_detection(const std::string& detection);
 
   // Answers every request that a frame completes, takes over the commands of the next ones, and
@@ -51,19 +55,25 @@ class LockStep {
   struct Waiting {
     league::SyncRequest request;
     Reply reply;
+    std::size_t longest_bytes = 0;
   };
   struct Member {
     bool takes_part = false;
     double granted_s = 0;  // until when it lets the game go on
     std::deque<Waiting> waiting;
-    std::optional<Waiting> current;                   // answered when its frame is reached
-    std::vector<std::string> detections;              // since the last response
+    std::optional<Waiting> current;      // answered when its frame is reached
+    std::deque<std::string> detections;  // since the last response, or the newest
+    std::size_t detections_bytes = 0;    // of all since the last response
+    std::size_t kept_bytes = 0;
+    std::int64_t answered = 0;                        // the frame of the last response
     std::vector<league::SimulatorRequest> control{};  // of requests since the last frame
   };
 
   Member& member(const Participant& participant);
   std::int64_t target(const Member& member) const;
-  void answer(Member& member, const std::bitset<kMaxRobots>& contact);
+  static void drop_first_detection(Member& member);
+  void fit_detections(Member& member, std::int64_t frame, Waiting& done) const;
+  void answer(Member& member, std::int64_t frame, const std::bitset<kMaxRobots>& contact);
   void begin_next(const Participant& from, Member& member, CommandSlots& slots);
   bool settle(std::int64_t frame, const PerSide<RobotReports>& reports, CommandSlots& slots);
 

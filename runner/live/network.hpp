@@ -13,6 +13,8 @@ namespace autoref::runner {
 inline constexpr const char* kLoopback = "127.0.0.1";
 // The longest datagram that is read; longer ones are counted and dropped.
 inline constexpr std::size_t kLongestDatagram = 8192;
+// The longest one that can be sent over IPv4.
+inline constexpr std::size_t kLongestSent = 65'507;
 
 struct Address {
   std::string host;  // IPv4, in numbers

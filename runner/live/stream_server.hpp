@@ -15,7 +15,9 @@ namespace autoref::runner {
 // How many connections a port has at a time.
 inline constexpr std::size_t kMostConnections = 4;
 // Bytes that may wait for a program that does not read them; then its connection is closed.
-inline constexpr std::size_t kMostUnread = 1 << 20;
+inline constexpr std::size_t kMostUnread = 4 << 20;
+// No response is longer.
+inline constexpr std::size_t kLongestResponse = 2 << 20;
 
 // After this time without a message, a connection gives way to a new one.
 inline constexpr std::chrono::seconds kSilentConnection{2};

@@ -200,8 +200,11 @@ std::optional<std::string> TeamPorts::answer_sync_request(const Participant& par
     else
       receivers_.at(port)->send(std::move(reply), from);
   };
-  targets_.lock_step->add(participant, std::move(request), respond);
-  return std::nullopt;
+  const std::size_t longest = transport == Transport::kStream ? kLongestResponse : kLongestSent;
+  if (targets_.lock_step->add(participant, std::move(request), respond, longest))
+    return std::nullopt;
+  return league::sync_response({}, {{}, {{"BUSY", "too many requests wait for the next frame"}}},
+                               {});
 }
 
 void TeamPorts::read_grsim(std::string_view bytes, const Address& from) {

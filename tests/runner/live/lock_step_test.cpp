@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "league/messages/simulation.pb.h"
+#include "runner/live/network.hpp"
+#include "runner/live/stream_server.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -27,11 +29,24 @@ class LockStepTest : public testing::Test {
   explicit LockStepTest(PerSide<bool> is_network = {{true, true}})
       : lock_step_(is_network, kRate_hz) {}
 
-  void ask(const Participant& from, const league::SyncRequest& request) {
-    lock_step_.add(from, request, [this, from](std::string bytes) {
-      answered_.push_back(from ? std::string(name_of(*from)) : "control");
-      EXPECT_TRUE(response_.ParseFromString(bytes));
-    });
+  bool ask(const Participant& from, const league::SyncRequest& request,
+           std::size_t longest_bytes = kLongestSent) {
+    return lock_step_.add(
+        from, request,
+        [this, from, longest_bytes](const std::string& bytes) {
+          answered_.push_back(from ? std::string(name_of(*from)) : "control");
+          EXPECT_LE(bytes.size(), longest_bytes);
+          EXPECT_TRUE(response_.ParseFromString(bytes));
+        },
+        longest_bytes);
+  }
+
+  // Plays frames until a step of that length is answered, with this detection in each.
+  void play_step(double step_s, const std::string& detection, std::size_t longest_bytes) {
+    ask(Side::kWest, request(step_s), longest_bytes);
+    ask(Side::kEast, request(step_s), longest_bytes);
+    for (std::int64_t frame = 0; goes_on_after(frame); ++frame)
+      lock_step_.add_detection(std::to_string(frame) + detection);
   }
 
   bool goes_on_after(std::int64_t frame) {
@@ -137,10 +152,36 @@ TEST_F(ControlLockStepTest, WithoutTeamsOnTheNetworkTheControlPortIsAwaited) {
   EXPECT_TRUE(goes_on_after(0));
 }
 
+TEST_F(LockStepTest, AResponseHoldsAllDetectionsOfALongStep) {
+  play_step(10, std::string(1000, 'x'), kLongestResponse);
+  ASSERT_EQ(response_.detection_size(), 600);
+  EXPECT_EQ(response_.detection(0)[0], '0');
+  EXPECT_EQ(response_.robot_control_response().errors_size(), 0);
+}
+
+TEST_F(LockStepTest, AResponseThatWouldBeTooLongSaysHowLongAStepMayBe) {
+  play_step(10, std::string(1000, 'x'), kLongestSent);
+  ASSERT_EQ(response_.robot_control_response().errors_size(), 1);
+  const simulation::SimulatorError& error = response_.robot_control_response().errors(0);
+  EXPECT_EQ(error.code(), "STEP");
+  EXPECT_NE(error.message().find("steps of at most 0.913 s"), std::string::npos) << error.message();
+  // The newest, up to the last frame.
+  EXPECT_GT(response_.detection_size(), 55);
+  EXPECT_EQ(response_.detection(response_.detection_size() - 1).substr(0, 3), "599");
+}
+
+TEST_F(LockStepTest, StepsOfTheLengthThatWasNamedHoldAllDetections) {
+  play_step(0.913, std::string(1000, 'x'), kLongestSent);
+  EXPECT_EQ(response_.detection_size(), 55);
+  EXPECT_EQ(response_.robot_control_response().errors_size(), 0);
+}
+
 TEST_F(LockStepTest, RequestsAreBounded) {
-  for (int i = 0; i < 1000; ++i) ask(Side::kWest, request(0));
+  int taken = 0;
+  for (int i = 0; i < 1000; ++i) taken += ask(Side::kWest, request(0)) ? 1 : 0;
   goes_on_after(0);
-  EXPECT_EQ(answered_.size(), 16U);
+  EXPECT_EQ(taken, 64);
+  EXPECT_EQ(answered_.size(), 64U);
 }
 
 }  // namespace

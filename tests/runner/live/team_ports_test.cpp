@@ -8,6 +8,7 @@
 
 #include "league/messages/simulation.pb.h"
 #include "runner/bench/beside_live_game.hpp"
+#include "runner/live/lock_step.hpp"
 #include "tests/runner/live/caller.hpp"
 
 namespace autoref::runner {
@@ -21,7 +22,12 @@ class TeamPortsTest : public testing::Test {
     options_.ports.yellow = free[0];
     options_.ports.control = free[1];
     options_.ports.grsim = 0;
-    ports_.emplace(thread_, options_, game_, PortTargets{&slots_, &control_, &robots_, nullptr});
+    open(nullptr);
+  }
+
+  void open(LockStep* lock_step) {
+    ports_.reset();
+    ports_.emplace(thread_, options_, game_, PortTargets{&slots_, &control_, &robots_, lock_step});
   }
 
   NetworkThread thread_;
@@ -65,6 +71,33 @@ TEST_F(TeamPortsTest, AConnectionControlsTheSimulator) {
   const std::vector<league::SimulatorRequest> requests = control_.take();
   ASSERT_EQ(requests.size(), 1U);
   EXPECT_EQ(requests[0].speed, 0.5);
+}
+
+// A hundred steps at once: as many as may wait are played, the others refused, and none is lost.
+TEST_F(TeamPortsTest, EveryRequestOfAConnectionIsAnswered) {
+  LockStep lock_step({{true, false}}, 60);
+  open(&lock_step);
+  simulation::SimulationSyncRequest request;
+  request.set_sim_step(1.0F / 60);
+  Caller team(options_.ports.yellow);
+  constexpr int kRequests = 100;
+  for (int i = 0; i < kRequests; ++i) team.say(request.SerializeAsString());
+  int refused = 0;
+  int played = 0;
+  const auto nothing = [](const league::SimulatorRequest&) {};
+  for (std::int64_t frame = 0; played + refused < kRequests; ++frame) {
+    simulation::SimulationSyncResponse response;
+    if (refused == kRequests - 64)
+      lock_step.advance(frame, {}, slots_, nothing, LockStep::Clock::now());
+    ASSERT_TRUE(response.ParseFromString(team.hear()));
+    const auto& errors = response.robot_control_response().errors();
+    ASSERT_LE(errors.size(), 1);
+    refused += errors.size();
+    played += 1 - errors.size();
+    for (const simulation::SimulatorError& error : errors) EXPECT_EQ(error.code(), "BUSY");
+  }
+  EXPECT_EQ(played, 64);
+  ports_.reset();
 }
 
 TEST_F(TeamPortsTest, AMessageThatIsTooLongIsCounted) {
