@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace autoref::league {
 namespace {
@@ -10,17 +9,24 @@ namespace {
 // A camera heard within that time is a reference. A packet that is farther off has been delayed, or
 // its clock was set.
 constexpr double kOff_s = 0.1;
-constexpr double kLeap_s = 1;          // larger steps are restarts
-constexpr int kLeaps = 5;              // packets in a row that establish a clock that has restarted
-constexpr int kStrays = 20;            // or is off
+constexpr double kLeap_s = 1;               // larger steps are restarts
+constexpr double kImpossibleLeap_s = 1000;  // whatever the pace
+constexpr int kLeaps = 5;                   // packets in a row that establish a restarted clock
+constexpr int kStrays = 20;                 // or one that is off
+constexpr int kStraysOfAnyPace = 250;
 constexpr std::size_t kCompared = 31;  // packets, about half a second
+constexpr int kEstablished = 31;
 constexpr double kLongestInterval_s = 0.1;
 constexpr double kRestartPause_s = 0.2;  // at least, so that nothing seems to have moved at once
 // How much a packet's interval counts in the usual one; packets may be missing in a longer one.
 constexpr double kIntervalShare = 0.125;
 constexpr double kGapShare = 0.01;
 constexpr double kGap = 1.5;  // times the usual interval
-constexpr double kNever_s = -std::numeric_limits<double>::infinity();
+constexpr double kPaceOver_s = 1;
+constexpr double kPaceTolerance = 0.1;
+// Of the time between the first and the last stray.
+constexpr double kStrayTolerance = 0.25;
+constexpr double kStrayTolerance_s = 0.02;
 
 double median_of(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -31,126 +37,170 @@ double median_of(std::vector<double>& values) {
 }  // namespace
 
 bool CameraClocks::has_room_for(std::uint32_t camera) const {
-  return clocks_.size() < kMostCameras || clocks_.contains(camera);
+  return clocks_.size() < kMaxCameras || clocks_.contains(camera);
 }
 
 std::optional<double> CameraClocks::start_capture_s() const {
-  if (clocks_.empty()) return std::nullopt;
-  return clocks_.begin()->second.start_s;
+  return epoch_ ? std::optional(clocks_.at(*epoch_).start_s) : std::nullopt;
 }
 
 std::map<std::uint32_t, double> CameraClocks::ahead_s() const {
   std::map<std::uint32_t, double> ahead_s;
   for (const auto& [camera, clock] : clocks_) {
-    const double apart_s = clock.start_s - clocks_.begin()->second.start_s;
-    if (std::abs(apart_s) > kSameClock_s) ahead_s[camera] = apart_s;
+    const double apart_s = clock.start_s - start_capture_s().value_or(clock.start_s);
+    if (clock.used >= kEstablished && std::abs(apart_s) > kSameClock_s) ahead_s[camera] = apart_s;
   }
   return ahead_s;
 }
 
+bool CameraClocks::is_heard(const Clock& clock, double received_s) {
+  return clock.last && std::abs(received_s - clock.last->received_s) <= kOff_s;
+}
+
 // How far `clock` is ahead of another camera's, beyond what is known.
-double CameraClocks::ahead_s(const Clock& clock, const Clock& other, double capture_s,
-                             double received_s) {
-  const double between_captures_s = (capture_s - clock.start_s) - (other.capture_s - other.start_s);
-  return between_captures_s - (received_s - other.received_s);
+double CameraClocks::ahead_s(const Clock& clock, const Clock& other, const Heard& heard) {
+  const double between_captures_s =
+      (heard.capture_s - clock.start_s) - (other.last->capture_s - other.start_s);
+  return between_captures_s - (heard.received_s - other.last->received_s);
 }
 
 CameraClocks::Clocks::const_iterator CameraClocks::reference(std::uint32_t camera,
                                                              double received_s) const {
   return std::find_if(clocks_.begin(), clocks_.end(), [&](const auto& one) {
-    return one.first != camera && one.second.capture_s > kNever_s &&
-           std::abs(received_s - one.second.received_s) <= kOff_s;
+    return one.first != camera && is_heard(one.second, received_s);
   });
 }
 
-// The clock of a camera's first packet.
-CameraClocks::Clock CameraClocks::begun(std::uint32_t camera, double capture_s,
-                                        double received_s) const {
+// The median over the other cameras that are heard and keep pace; nullopt if there are none.
+std::optional<double> CameraClocks::ahead_of_others_s(std::uint32_t camera,
+                                                      const Heard& heard) const {
+  const Clock& clock = clocks_.at(camera);
+  std::vector<double> all_s;
+  for (const auto& [number, other] : clocks_) {
+    if (number != camera && is_heard(other, heard.received_s) && other.keeps_pace.value_or(false))
+      all_s.push_back(ahead_s(clock, other, heard));
+  }
+  return all_s.empty() ? std::nullopt : std::optional(median_of(all_s));
+}
+
+CameraClocks::Clock CameraClocks::first_clock(std::uint32_t camera, const Heard& heard) const {
   Clock clock;
-  clock.start_s = clocks_.empty() ? capture_s : clocks_.begin()->second.start_s;
-  clock.capture_s = kNever_s;
-  const auto other = reference(camera, received_s);
+  clock.start_s = start_capture_s().value_or(heard.capture_s);
+  const auto other = reference(camera, heard.received_s);
   if (other == clocks_.end()) return clock;
   clock.start_s = other->second.start_s;
-  const double apart_s = ahead_s(clock, other->second, capture_s, received_s);
-  if (std::abs(apart_s) > kSameClock_s) clock.start_s += apart_s;
+  const double apart_s = ahead_s(clock, other->second, heard);
+  if (std::abs(apart_s) > kSameClock_s && other->second.keeps_pace.value_or(true))
+    clock.start_s += apart_s;
   return clock;
 }
 
-// Counts a packet that does not fit what is known of its clock. Returns whether that many in a row
-// agree with each other.
-bool CameraClocks::is_established(Clock& clock, double capture_s, int strays) {
-  const bool follows = clock.strays > 0 && std::abs(capture_s - clock.stray_capture_s) < kLeap_s;
-  clock.strays = follows ? clock.strays + 1 : 1;
-  clock.stray_capture_s = capture_s;
-  return clock.strays >= strays;
+// Whether the clock is off by so much that the packet cannot be used.
+bool CameraClocks::is_off(std::uint32_t camera, const Heard& heard) const {
+  if (const auto apart_s = ahead_of_others_s(camera, heard)) return std::abs(*apart_s) > kOff_s;
+  const Clock& clock = clocks_.at(camera);
+  if (!clock.last) return false;
+  const double leap_s = ahead_s(clock, clock, heard);
+  return leap_s > (clock.keeps_pace.value_or(false) ? kLeap_s : kImpossibleLeap_s);
 }
 
-void CameraClocks::restart(std::uint32_t camera, Clock& clock, double capture_s, double received_s,
-                           double after_s) {
-  const auto other = reference(camera, received_s);
-  double now_s = std::max(after_s, latest_s_) + kRestartPause_s;
-  if (other != clocks_.end()) {
-    now_s = other->second.capture_s - other->second.start_s + received_s - other->second.received_s;
-  } else if (received_s <= kLongestGame_s) {
-    now_s = std::max(now_s, received_s);
-  }
+// Compares with the reference, and adjusts the clock if it is usually off by a little.
+void CameraClocks::compare(std::uint32_t camera, const Heard& heard) {
+  const auto other = reference(camera, heard.received_s);
+  if (other == clocks_.end() || other->first > camera) return;
+  Clock& clock = clocks_.at(camera);
+  clock.ahead_s.push_back(ahead_s(clock, other->second, heard));
+  if (clock.ahead_s.size() < kCompared) return;
+  const double usual_s = median_of(clock.ahead_s);
+  clock.ahead_s.clear();
+  if (std::abs(usual_s) > kSameClock_s && other->second.keeps_pace.value_or(false))
+    clock.start_s += usual_s;
+}
+
+std::optional<double> CameraClocks::time_if_newer_s(const Clock& clock, double capture_s,
+                                                    double after_s) {
+  const double time_s = capture_s - clock.start_s;
+  const bool is_newer =
+      (!clock.last || capture_s > clock.last->capture_s) && time_s > after_s - kOld_s;
+  return is_newer && time_s <= kLongestGame_s ? std::optional(time_s) : std::nullopt;
+}
+
+// Counts a packet that cannot be used. Returns whether so many in a row agree with each other that
+// their clock is the camera's now.
+bool CameraClocks::has_changed(Clock& clock, const Heard& heard) const {
+  const bool follows =
+      clock.strays > 0 && std::abs(heard.capture_s - clock.last_stray.capture_s) < kLeap_s;
+  clock.strays = follows ? clock.strays + 1 : 1;
+  if (!follows) clock.first_stray = heard;
+  clock.last_stray = heard;
+  const double captured_s = heard.capture_s - clock.first_stray.capture_s;
+  const double arrived_s = heard.received_s - clock.first_stray.received_s;
+  const bool keeps_pace =
+      std::abs(captured_s - arrived_s) <= kStrayTolerance_s + kStrayTolerance * captured_s;
+  const bool is_leap = std::abs(heard.capture_s - clock.start_s - latest_s_) > kLeap_s;
+  return keeps_pace ? clock.strays >= (is_leap ? kLeaps : kStrays)
+                    : clock.strays >= kStraysOfAnyPace;
+}
+
+// The clock continues where the other cameras are, or else with the time of arrival.
+void CameraClocks::restart(std::uint32_t camera, const Heard& heard, double after_s) {
+  Clock& clock = clocks_.at(camera);
   const double before_s = clock.start_s;
-  clock = {};
-  clock.start_s = capture_s - now_s;
-  clock.capture_s = kNever_s;
+  if (const auto apart_s = ahead_of_others_s(camera, heard)) {
+    clock.start_s += *apart_s;
+  } else {
+    const double earliest_s = std::max(after_s, latest_s_) + kRestartPause_s;
+    clock.start_s =
+        heard.capture_s -
+        (heard.received_s <= kLongestGame_s ? std::max(earliest_s, heard.received_s) : earliest_s);
+  }
+  clock.last.reset();
+  clock.before.reset();
+  clock.ahead_s.clear();
   if (std::abs(clock.start_s - before_s) <= kLeap_s) return;
+  const double now_s = heard.capture_s - clock.start_s;
   restarts_ += now_s - restarted_s_ > kLeap_s ? 1 : 0;
   restarted_s_ = now_s;
 }
 
-// Compares the packet's clock with the reference's, and adjusts it if it is usually off by a
-// little. Returns whether this packet is off by so much that it cannot be used.
-bool CameraClocks::is_off(std::uint32_t camera, Clock& clock, double capture_s, double received_s) {
-  const auto other = reference(camera, received_s);
-  if (other == clocks_.end()) return false;
-  const double apart_s = ahead_s(clock, other->second, capture_s, received_s);
-  if (std::abs(apart_s) > kOff_s) return true;
-  if (other->first > camera) return false;
-  clock.ahead_s.push_back(apart_s);
-  if (clock.ahead_s.size() < kCompared) return false;
-  const double usual_s = median_of(clock.ahead_s);
-  clock.ahead_s.clear();
-  if (std::abs(usual_s) > kSameClock_s) clock.start_s += usual_s;
-  return false;
-}
-
-// The packet's time, if it is newer than the camera's last one and the last frame.
-std::optional<double> CameraClocks::newer_s(const Clock& clock, double capture_s, double after_s) {
-  const double time_s = capture_s - clock.start_s;
-  const bool is_newer = capture_s > clock.capture_s && time_s > after_s;
-  return is_newer && time_s <= kLongestGame_s ? std::optional(time_s) : std::nullopt;
-}
-
-std::optional<double> CameraClocks::time_s(std::uint32_t camera, double capture_s,
-                                           double received_s, double after_s) {
-  if (!clocks_.contains(camera)) clocks_[camera] = begun(camera, capture_s, received_s);
+void CameraClocks::use(std::uint32_t camera, const Heard& heard) {
   Clock& clock = clocks_.at(camera);
-  const bool is_off_now = is_off(camera, clock, capture_s, received_s);
-  std::optional<double> time_s = newer_s(clock, capture_s, after_s);
-  if (is_off_now || !time_s) {
-    const double step_s = capture_s - clock.start_s - latest_s_;
-    if (!is_established(clock, capture_s, std::abs(step_s) > kLeap_s ? kLeaps : kStrays))
-      return std::nullopt;
-    restart(camera, clock, capture_s, received_s, after_s);
-    time_s = newer_s(clock, capture_s, after_s);
-    if (!time_s) return std::nullopt;
-  }
-  const double step_s = capture_s - clock.capture_s;
+  if (!epoch_ || (clocks_.at(*epoch_).used < kEstablished && clock.used + 1 >= kEstablished))
+    epoch_ = camera;
+  const double step_s = clock.last ? heard.capture_s - clock.last->capture_s : kLongestInterval_s;
   if (step_s < kLongestInterval_s) {
     const bool is_gap = clock.interval_s > 0 && step_s > kGap * clock.interval_s;
     const double share = clock.interval_s == 0 ? 1 : is_gap ? kGapShare : kIntervalShare;
     clock.interval_s += share * (step_s - clock.interval_s);
   }
+  if (!clock.before) clock.before = heard;
+  const double captured_s = heard.capture_s - clock.before->capture_s;
+  const double arrived_s = heard.received_s - clock.before->received_s;
+  if (std::max(captured_s, std::abs(arrived_s)) >= kPaceOver_s) {
+    clock.keeps_pace = std::abs(captured_s - arrived_s) <= kPaceTolerance * captured_s;
+    clock.before = heard;
+  }
+  clock.last = heard;
   clock.strays = 0;
-  clock.capture_s = capture_s;
-  clock.received_s = received_s;
-  latest_s_ = std::max(latest_s_, *time_s);
+  clock.used = std::min(clock.used + 1, kEstablished);
+  latest_s_ = std::max(latest_s_, heard.capture_s - clock.start_s);
+}
+
+std::optional<double> CameraClocks::time_s(std::uint32_t camera, double capture_s,
+                                           double received_s, double after_s) {
+  const Heard heard{capture_s, received_s};
+  if (!clocks_.contains(camera)) clocks_[camera] = first_clock(camera, heard);
+  const bool is_off_now = is_off(camera, heard);
+  if (!is_off_now) compare(camera, heard);
+  Clock& clock = clocks_.at(camera);
+  std::optional<double> time_s = time_if_newer_s(clock, capture_s, after_s);
+  if (is_off_now || !time_s) {
+    if (!has_changed(clock, heard)) return std::nullopt;
+    restart(camera, heard, after_s);
+    time_s = time_if_newer_s(clock, capture_s, after_s);
+    if (!time_s) return std::nullopt;
+  }
+  use(camera, heard);
   return time_s;
 }
 

@@ -1,4 +1,4 @@
-// The clocks that cameras date their packets with.
+// The cameras' clocks.
 #pragma once
 
 #include <cstddef>
@@ -18,19 +18,26 @@ namespace autoref::league {
 // last 0.1 s. Differences up to kSameClock_s are left alone: processing takes that much more or
 // less time. A camera's first packet decides at once; then the median of 31 packets.
 //
-// A packet is not used if it is not newer than the camera's last one and the last frame, or if its
-// clock is off by more than 0.1 s. If 20 of them in a row agree with each other, or five that are
-// off by more than a second, the clock has changed: it continues with the time of arrival.
+// A packet is not used if it is not newer than the camera's last one, if it is more than kOld_s
+// older than the last frame, or if its clock is off by more than 0.1 s from those of the other
+// cameras heard. If 20 of them in a row arrive as they were captured, or five that are off by more
+// than a second, the clock has changed: it continues with the time of arrival. Packets that waited
+// somewhere arrive at once; then it takes 250.
+//
+// None of this applies while arrival does not keep pace with the cameras, as in slow or fast
+// motion.
 class CameraClocks {
  public:
   static constexpr double kSameClock_s = 0.01;
+  static constexpr double kOld_s = 0.03;
   // Packets of more cameras are ignored.
-  static constexpr std::size_t kMostCameras = 64;
+  static constexpr std::size_t kMaxCameras = 64;
   static constexpr double kLongestGame_s = 1e6;
+  static constexpr double kLatestCapture_s = 1e12;  // later times lose their milliseconds
 
-  // When the next packet was captured, which must be after `after_s`; nullopt if the packet is not
-  // to be used. `capture_s` is on the camera's clock and finite; `received_s` is the packet's
-  // arrival on the frames' clock.
+  // When the next packet was captured; nullopt if the packet is not to be used. `capture_s` is on
+  // the camera's clock, and at most kLatestCapture_s from 0; `received_s` is the packet's arrival
+  // on the frames' clock. `after_s` is the time of the last frame.
   std::optional<double> time_s(std::uint32_t camera, double capture_s, double received_s,
                                double after_s);
 
@@ -40,40 +47,52 @@ class CameraClocks {
   // The usual time between two packets of a camera; 0 while unknown.
   double interval_s(std::uint32_t camera) const { return clocks_.at(camera).interval_s; }
 
-  // The capture time of the frames' time 0, by the clock of the camera with the lowest number;
-  // nullopt before the first packet.
+  // The capture time of the frames' time 0, by the clock of the first camera of which 31 packets
+  // were used, and before that of the first camera; nullopt before the first packet.
   std::optional<double> start_capture_s() const;
 
-  // How far the clocks of the other cameras are ahead of that one, if that was adjusted.
+  // How far the clocks of other cameras are ahead of that one, if that was corrected.
   std::map<std::uint32_t, double> ahead_s() const;
 
   int cameras() const { return static_cast<int>(clocks_.size()); }
   int restarts() const { return restarts_; }  // several at the same time count once
 
  private:
-  struct Clock {
-    double start_s = 0;    // the capture time of the frames' time 0
-    double capture_s = 0;  // of the last packet used
+  // Of the last packet used, and of one about a second before.
+  struct Heard {
+    double capture_s = 0;
     double received_s = 0;
+  };
+  struct Clock {
+    double start_s = 0;  // the capture time of the frames' time 0
+    std::optional<Heard> last;
+    std::optional<Heard> before;
+    std::optional<bool> keeps_pace;  // whether arrival keeps pace with it; nullopt while unknown
+    int used = 0;                    // packets
     double interval_s = 0;
     std::vector<double> ahead_s;  // of the reference, by the last packets
-    int strays = 0;               // consecutive packets that agree with each other only
-    double stray_capture_s = 0;
+    int strays = 0;               // consecutive packets that cannot be used
+    Heard first_stray;
+    Heard last_stray;
   };
   using Clocks = std::map<std::uint32_t, Clock>;
 
+  static bool is_heard(const Clock& clock, double received_s);
+  static double ahead_s(const Clock& clock, const Clock& other, const Heard& heard);
   Clocks::const_iterator reference(std::uint32_t camera, double received_s) const;
-  Clock begun(std::uint32_t camera, double capture_s, double received_s) const;
-  bool is_off(std::uint32_t camera, Clock& clock, double capture_s, double received_s);
-  static std::optional<double> newer_s(const Clock& clock, double capture_s, double after_s);
-  static bool is_established(Clock& clock, double capture_s, int strays);
-  void restart(std::uint32_t camera, Clock& clock, double capture_s, double received_s,
-               double after_s);
-  static double ahead_s(const Clock& clock, const Clock& other, double capture_s,
-                        double received_s);
+  std::optional<double> ahead_of_others_s(std::uint32_t camera, const Heard& heard) const;
+  Clock first_clock(std::uint32_t camera, const Heard& heard) const;
+  bool is_off(std::uint32_t camera, const Heard& heard) const;
+  void compare(std::uint32_t camera, const Heard& heard);
+  static std::optional<double> time_if_newer_s(const Clock& clock, double capture_s,
+                                               double after_s);
+  bool has_changed(Clock& clock, const Heard& heard) const;
+  void restart(std::uint32_t camera, const Heard& heard, double after_s);
+  void use(std::uint32_t camera, const Heard& heard);
 
   Clocks clocks_;
-  double latest_s_ = 0;  // the latest packet
+  std::optional<std::uint32_t> epoch_;  // the camera whose clock dates the frames' time 0
+  double latest_s_ = 0;                 // the latest packet
   double restarted_s_ = -kLongestGame_s;
   int restarts_ = 0;
 };

@@ -35,7 +35,8 @@ const Frame* DetectionMerger::add(const VisionPacket& packet, double received_s)
   if (!packet.has_detection()) return nullptr;
   const DetectionFrame& detection = packet.detection();
   const std::uint32_t camera = detection.camera_id();
-  if (!std::isfinite(detection.t_capture()) || !clocks_.has_room_for(camera)) {
+  const bool is_dated = std::abs(detection.t_capture()) <= CameraClocks::kLatestCapture_s;
+  if (!is_dated || !clocks_.has_room_for(camera)) {
     ++unusable_;
     return nullptr;
   }
@@ -44,16 +45,29 @@ const Frame* DetectionMerger::add(const VisionPacket& packet, double received_s)
     ++late_;
     return nullptr;
   }
-  const Frame* done = begins_frame(camera, *time_s) ? complete() : nullptr;
-  if (*time_s > last_time_s_) {
-    collect(detection, *time_s);
-  } else {
-    ++late_;
-  }
+  const bool is_dated_later = !in_frame_.empty() && time_s_ > last_time_s_;
+  const Frame* done = is_dated_later && begins_frame(camera, *time_s) ? complete() : nullptr;
+  if (in_frame_.contains(camera)) forget(camera);
+  collect(detection, *time_s);
   return done;
 }
 
-const Frame* DetectionMerger::finish() { return in_frame_.empty() ? nullptr : complete(); }
+const Frame* DetectionMerger::finish() {
+  return in_frame_.empty() || time_s_ <= last_time_s_ ? nullptr : complete();
+}
+
+// A frame that is not later than the last one goes on; a camera's newer packet replaces the older.
+void DetectionMerger::forget(std::uint32_t camera) {
+  const auto is_of_camera = [camera](const Detected& seen) { return seen.camera == camera; };
+  for (const Side side : kSides) {
+    for (Robot& robot : robots_[side]) std::erase_if(robot.seen, is_of_camera);
+  }
+  for (std::size_t i = balls_.size(); i-- > 0;) {
+    if (!is_of_camera(balls_[i])) continue;
+    balls_.erase(balls_.begin() + static_cast<std::ptrdiff_t>(i));
+    ball_heights_m_.erase(ball_heights_m_.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+}
 
 void DetectionMerger::read_geometry(const Geometry& geometry) {
   try {
@@ -70,17 +84,17 @@ void DetectionMerger::read_geometry(const Geometry& geometry) {
 }
 
 bool DetectionMerger::begins_frame(std::uint32_t camera, double time_s) const {
-  if (in_frame_.empty()) return false;
   return in_frame_.contains(camera) || time_s - time_s_ > kLongestFrame_s ||
          (interval_s_ > 0 && time_s - begun_s_ > kLongestShare * interval_s_);
 }
 
 void DetectionMerger::collect(const DetectionFrame& detection, double time_s) {
-  if (in_frame_.empty()) {
-    begun_s_ = time_s_ = time_s;
+  const bool begins = in_frame_.empty() || time_s_ <= last_time_s_;
+  if (begins) {
+    begun_s_ = time_s;
     interval_s_ = clocks_.interval_s(detection.camera_id());
   }
-  time_s_ = std::max(time_s_, time_s);
+  time_s_ = in_frame_.empty() ? time_s : std::max(time_s_, time_s);
   in_frame_.insert(detection.camera_id());
   for (const Side side : kSides) collect_robots(detection, side);
   for (const DetectionBall& ball : detection.balls()) collect_ball(ball, detection.camera_id());

@@ -18,15 +18,16 @@
 
 namespace autoref::league {
 
-// A frame consists of one packet per camera. The next frame begins when a camera sends another
-// packet, or nine tenths of a camera's interval after the first packet, so that a lost packet costs
-// nothing else; or after a gap of 0.1 s. Clocks that differ or
-// restart are adjusted (camera_clocks.hpp). A robot that several cameras see stays with its camera,
-// and changes to another without a jump (followed_body.hpp). If it appears twice, the detection
-// nearest to where it is expected is used, unless another is clearly more confident. Of several
-// balls, one is followed (ball_choice.hpp). Ignores robots with a number outside the league's
-// range, detections that are not finite or more than 100 m away, and frames more than a million
-// seconds after the first.
+// A frame consists of one packet per camera, and its time is that of the latest. The next frame
+// begins when a camera sends another packet, or nine tenths of a camera's interval after the first
+// packet, so that a lost packet costs nothing else; or after a gap of 0.1 s. Clocks that differ or
+// restart are corrected (camera_clocks.hpp).
+//
+// A robot that several cameras see stays with its camera, and changes to another without a jump
+// (followed_body.hpp). If it appears twice, the detection nearest to where it is expected is used,
+// unless another is clearly more confident. Of several balls, one is followed (ball_choice.hpp).
+// Ignores robots with a number outside the league's range, detections that are not finite or more
+// than 100 m away, and frames more than a million seconds after the first.
 class DetectionMerger {
  public:
   // Adds the next packet, which arrived at `received_s` on the frames' clock. Returns the frame
@@ -62,6 +63,7 @@ class DetectionMerger {
   };
 
   void read_geometry(const Geometry& geometry);
+  void forget(std::uint32_t camera);
   bool begins_frame(std::uint32_t camera, double time_s) const;
   void collect(const DetectionFrame& detection, double time_s);
   void collect_robots(const DetectionFrame& detection, Side side);

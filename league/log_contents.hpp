@@ -42,7 +42,7 @@ class LogVisitor {
 // What became of a message.
 enum class Taken : std::uint8_t { kUsed, kUnreadable, kLate, kCopy, kOtherReferee };
 
-// Messages that nobody sees, and what had to be put right in the others.
+// Messages that are not passed on, and what was corrected in the others.
 struct MessageFaults {
   std::int64_t unreadable = 0;  // cannot be parsed or used
   // Not newer than what has been used of the camera or the referee, or dated by a clock that is not
@@ -53,6 +53,7 @@ struct MessageFaults {
   // What the referee calls itself that is followed, and the first other one. Any bytes.
   std::string referee;
   std::string other_referee;
+  int referee_changes = 0;                         // how often another referee was followed
   std::map<std::uint32_t, double> clocks_ahead_s;  // CameraClocks::ahead_s()
   int clock_restarts = 0;                          // of the cameras
 };

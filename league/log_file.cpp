@@ -17,7 +17,7 @@ constexpr std::string_view kSignature = "SSL_LOG_FILE";
 constexpr std::uint32_t kVersion = 1;
 constexpr std::size_t kHeaderSize = 16;    // bytes, for both a record and the file
 constexpr std::size_t kBuffer = 1U << 16;  // zlib's buffer size
-constexpr std::int64_t kFlushEvery_ns = 1'000'000'000;
+constexpr std::uint64_t kFlushEvery_ns = 1'000'000'000;
 constexpr std::size_t kPortion = 1U << 16;  // step by which a message grows while it is read
 
 gzFile zlib_file(void* file) { return static_cast<gzFile>(file); }
@@ -55,6 +55,10 @@ std::string reason_of(void* file) {
 
 }  // namespace
 
+bool may_begin_log(std::string_view bytes) {
+  return bytes.starts_with(kSignature) || bytes.starts_with("\x1f\x8b");
+}
+
 LogWriter::LogWriter(const std::filesystem::path& path) : name_(path.string()) {
   const bool is_compressed = path.extension() == ".gz";
   // zlib's modes: 1 is the fastest level, T writes without compression.
@@ -88,7 +92,10 @@ void LogWriter::write(std::int64_t time_ns, MessageKind kind, std::string_view m
   put_number(header.data() + 12, static_cast<std::uint32_t>(message.size()));
   put({header.data(), header.size()});
   put(message);
-  if (time_ns - flushed_ns_ < kFlushEvery_ns) return;
+  // Unsigned, since arbitrary times may be far apart; a clock that was set back is flushed, too.
+  const std::uint64_t since_ns =
+      static_cast<std::uint64_t>(time_ns) - static_cast<std::uint64_t>(flushed_ns_);
+  if (since_ns < kFlushEvery_ns) return;
   flushed_ns_ = time_ns;
   if (gzflush(zlib_file(file_), Z_SYNC_FLUSH) != Z_OK) fail();
 }
@@ -150,7 +157,10 @@ bool LogReader::read(LogRecord& record) {
   Header header{};
   std::size_t size = get(header.data(), header.size());
   // Another log, appended to this one, begins anew.
-  while (size == header.size() && has_signature(header) && version_of(header) == kVersion) {
+  while (size == header.size() && has_signature(header)) {
+    if (version_of(header) != kVersion)
+      return fail(fmt::format("a log of version {} follows; only version {} is supported",
+                              version_of(header), kVersion));
     offset_ = gztell(zlib_file(file_));
     size = get(header.data(), header.size());
   }

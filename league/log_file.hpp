@@ -3,7 +3,7 @@
 // A file begins with the 12 bytes "SSL_LOG_FILE" and an int32 version, 1. Records follow: int64
 // time in ns, int32 kind, int32 size, and the message; all numbers are big-endian. Files whose
 // names end in .gz are written gzip-compressed; the reader detects compression from the content.
-// Logs appended to each other, compressed or not, are read as one.
+// Logs appended to each other are read as one, if all are compressed or none is.
 //
 // A log may end with an index, a record of kind 6 and time 0: the offset of each record before it
 // (int64), the size of the index record with its header (int64), and the 7 bytes "INDEXED".
@@ -63,6 +63,9 @@ class LogWriter {
   void* file_ = nullptr;  // a gzFile
   std::int64_t flushed_ns_ = 0;
 };
+
+// Whether a file that begins so may be a log, compressed or not.
+bool may_begin_log(std::string_view bytes);
 
 // Where a file becomes unreadable. Everything before it is valid.
 struct LogDamage {

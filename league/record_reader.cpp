@@ -15,7 +15,7 @@ constexpr std::uint64_t kLongestDelay_us = 1'000'000;
 Taken RecordReader::take(MessageKind kind, const std::string& bytes, double now_s,
                          const std::string& sender) {
   now_s_ = now_s;
-  const Taken result = taken(kind, bytes, sender);
+  const Taken result = dispatch(kind, bytes, sender);
   faults_.unreadable += result == Taken::kUnreadable ? 1 : 0;
   faults_.late += result == Taken::kLate ? 1 : 0;
   faults_.copies += result == Taken::kCopy ? 1 : 0;
@@ -27,12 +27,14 @@ MessageFaults RecordReader::faults() const {
   MessageFaults faults = faults_;
   faults.referee = referee_source_.name();
   faults.other_referee = referee_source_.ignored_name();
+  faults.referee_changes = referee_source_.changes();
   faults.clocks_ahead_s = merger_.clocks().ahead_s();
   faults.clock_restarts = merger_.clocks().restarts();
   return faults;
 }
 
-Taken RecordReader::taken(MessageKind kind, const std::string& bytes, const std::string& sender) {
+Taken RecordReader::dispatch(MessageKind kind, const std::string& bytes,
+                             const std::string& sender) {
   switch (kind) {
     case MessageKind::kVision2014:
       return parse(bytes, vision_) ? take_vision(bytes) : Taken::kUnreadable;
@@ -79,9 +81,9 @@ Taken RecordReader::take_tracker(const std::string& bytes) {
 }
 
 Taken RecordReader::take_referee(const std::string& bytes, const std::string& sender) {
-  if (is_copy(bytes)) return Taken::kCopy;
   const std::string& name = referee_.source_identifier();
   if (!referee_source_.follows(name.empty() ? sender : name, now_s_)) return Taken::kOtherReferee;
+  if (is_copy(bytes)) return Taken::kCopy;
   // A packet that a newer one has overtaken; after a larger step, the referee's clock was set.
   const std::uint64_t sent_us = referee_.packet_timestamp();
   const bool is_same = referee_changes_ == referee_source_.changes();

@@ -25,9 +25,9 @@ class RecordReader {
   RecordReader(LogVisitor& visitor, bool frames_are_tracked)
       : visitor_(visitor), frames_are_tracked_(frames_are_tracked) {}
 
-  // Takes the next message; `now_s` is when it arrived, on the frames' clock. Messages that are
-  // ignored reach nobody. `sender` tells referees apart that do not name themselves. Other kinds of
-  // messages than those of a game are used by nobody.
+  // Takes the next message; `now_s` is when it arrived, on the frames' clock. Ignored messages are
+  // not passed on, and neither are those of other kinds. `sender` distinguishes referees without a
+  // name.
   Taken take(MessageKind kind, const std::string& bytes, double now_s,
              const std::string& sender = {});
 
@@ -40,7 +40,7 @@ class RecordReader {
   MessageFaults faults() const;
 
  private:
-  Taken taken(MessageKind kind, const std::string& bytes, const std::string& sender);
+  Taken dispatch(MessageKind kind, const std::string& bytes, const std::string& sender);
   Taken take_vision(const std::string& bytes);
   Taken take_tracker(const std::string& bytes);
   Taken take_referee(const std::string& bytes, const std::string& sender);

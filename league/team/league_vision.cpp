@@ -50,7 +50,7 @@ void LeagueVision::note_camera(const Frame& frame) {
     return other.position_m == camera.position_m && other.height_m == camera.height_m;
   };
   const bool is_known = std::any_of(cameras_.begin(), cameras_.end(), is_camera);
-  if (has_seen_a_camera_ && (is_known || cameras_.size() == CameraClocks::kMostCameras)) return;
+  if (has_seen_a_camera_ && (is_known || cameras_.size() == CameraClocks::kMaxCameras)) return;
   if (!has_seen_a_camera_) cameras_.clear();
   has_seen_a_camera_ = true;
   cameras_.push_back(camera);

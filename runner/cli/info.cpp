@@ -19,7 +19,7 @@ RecordedFacts read_facts(const std::string& log, league::FrameSource source) {
 }
 
 int info_verb(const InfoArguments& arguments) {
-  const RecordedFacts facts = read_facts(rereadable(arguments.log));
+  const RecordedFacts facts = read_facts(seekable_log(arguments.log));
   fmt::print("{}\n", arguments.json ? info_json(facts) : info_text(facts, arguments.commands));
   write_message(stderr, damage_text(arguments.log, facts));
   return facts.log.damage ? kBadInput : kDone;

@@ -75,7 +75,7 @@ GameSettings game_from_log(const PlayArguments& arguments, const Assignments& as
   if (game.match.control != referee::Control::kAutoref)
     throw InputError({"--from"}, "", "only AutoRef can command such a game: match.control=autoref");
   blame("--from", [&] {
-    LoggedState logged = logged_state(rereadable(instant.log), instant.at_s);
+    LoggedState logged = logged_state(seekable_log(instant.log), instant.at_s);
     if (arguments.file.empty()) take_defaults(logged, game);
     check_game(game);
     check_same_field(logged, game.field);

@@ -84,7 +84,7 @@ int referee_verb(const RefereeArguments& arguments) {
   open_output(game_events, "--game-events", arguments.game_events);
   open_output(page, "--report", arguments.report);
   const std::vector<Call> annotated = annotated_calls(arguments);
-  const std::string log = rereadable(arguments.log);
+  const std::string log = seekable_log(arguments.log);
   RecordedFacts facts = read_facts(log, source_of(arguments));
   write_message(stderr, damage_text(arguments.log, facts));
   if (facts.log.frames == 0) {

@@ -8,7 +8,7 @@ namespace autoref::runner {
 namespace {
 
 constexpr std::chrono::seconds kLongestDelay{1};
-constexpr std::chrono::milliseconds kSlice{50};
+constexpr std::chrono::milliseconds kLongestSleep{50};
 
 }  // namespace
 
@@ -38,7 +38,7 @@ FrameClock::Time FramePacer::due() const {
 void FramePacer::wait(const std::function<void()>& meanwhile) {
   ++frames_;
   while (clock_->now() < due()) {
-    clock_->sleep_until(std::min(due(), clock_->now() + kSlice));
+    clock_->sleep_until(std::min(due(), clock_->now() + kLongestSleep));
     if (meanwhile && clock_->now() < due()) meanwhile();
   }
   const auto delay = clock_->now() - due();

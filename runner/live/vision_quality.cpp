@@ -31,7 +31,7 @@ void VisionQuality::take(double time_s, const league::VisionPacket& packet) {
   if (!packet.has_detection()) return;
   const league::DetectionFrame& detection = packet.detection();
   const std::uint32_t camera = detection.camera_id();
-  if (!packets_.contains(camera) && packets_.size() == league::CameraClocks::kMostCameras) return;
+  if (!packets_.contains(camera) && packets_.size() == league::CameraClocks::kMaxCameras) return;
   packets_[camera].push_back(time_s);
   for (auto& [number, times] : packets_) forget(times, time_s, [](double one_s) { return one_s; });
   for (const Side side : kSides) compare(time_s, side, detection);

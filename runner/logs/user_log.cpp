@@ -9,78 +9,123 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 #include "runner/io/errors.hpp"
+#include "runner/io/files.hpp"
 #include "runner/io/words.hpp"
 #include "soccer/rule_book.hpp"
 
 namespace autoref::runner {
 namespace {
 
-// "camera 2 is 0.030 s behind, camera 3 is 0.500 s ahead".
+// "camera 2's is 0.030 s behind, camera 3's is 0.500 s ahead".
 std::string clocks_text(const std::map<std::uint32_t, double>& clocks_ahead_s) {
   std::string text;
   for (const auto& [camera, ahead_s] : clocks_ahead_s) {
-    text += fmt::format("{}camera {} is {:.3f} s {}", text.empty() ? "" : ", ", camera,
+    text += fmt::format("{}camera {}'s is {:.3f} s {}", text.empty() ? "" : ", ", camera,
                         std::abs(ahead_s), ahead_s < 0 ? "behind" : "ahead");
   }
   return text;
 }
 
-std::string named(const std::string& referee) {
-  return referee.empty() ? "without a name" : fmt::format("'{}'", printable(referee));
+std::string quoted(const std::string& referee) {
+  return referee.empty() ? "one without a name" : fmt::format("'{}'", printable(referee));
 }
 
-// Copies everything from one descriptor to another; returns whether that worked.
-bool copy_all(int from, int to) {
-  std::vector<char> buffer(std::size_t{1} << 16);
-  const std::int64_t most = league::LogLimits{}.bytes;
-  for (std::int64_t copied = 0; copied < most;) {
-    const ssize_t size = ::read(from, buffer.data(), buffer.size());
-    if (size < 0 && errno == EINTR) throw Interrupted();
-    if (size <= 0) return size == 0;
-    for (ssize_t written = 0; written < size;) {
-      const ssize_t part =
-          ::write(to, buffer.data() + written, static_cast<std::size_t>(size - written));
-      if (part < 0) return false;
-      written += part;
-    }
-    copied += size;
+// "1 message is", "2 messages are".
+std::string counted(std::int64_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? " is" : "s are");
+}
+
+std::string referees_text(const league::MessageFaults& faults) {
+  std::string text =
+      fmt::format("{} of another referee {} ignored, the first from {}; ",
+                  faults.of_other_referee == 1 ? "1 packet"
+                                               : fmt::format("{} packets", faults.of_other_referee),
+                  faults.of_other_referee == 1 ? "is" : "are", quoted(faults.other_referee));
+  text += faults.referee_changes == 0
+              ? fmt::format("the referee followed is {}", quoted(faults.referee))
+              : fmt::format("the referee followed has changed, the last one is {}",
+                            quoted(faults.referee));
+  return text;
+}
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
   }
-  errno = EFBIG;
-  return false;
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int number() const { return number_; }
+  int release() { return std::exchange(number_, -1); }
+
+ private:
+  int number_;
+};
+
+// Reads up to a whole buffer, less only at the end.
+std::size_t fill(int from, std::vector<char>& buffer) {
+  std::size_t filled = 0;
+  while (filled < buffer.size()) {
+    const ssize_t size = ::read(from, buffer.data() + filled, buffer.size() - filled);
+    if (size < 0 && errno == EINTR) throw Interrupted();
+    if (size < 0) throw io_error("cannot read the log", errno);
+    if (size == 0) break;
+    filled += static_cast<std::size_t>(size);
+  }
+  return filled;
+}
+
+void copy_log(int from, int to, const std::string& path) {
+  std::vector<char> buffer(std::size_t{1} << 16);
+  std::size_t size = fill(from, buffer);
+  if (!league::may_begin_log({buffer.data(), size}))
+    throw InputError({}, "", fmt::format("{}: is not an SSL log", path));
+  for (std::int64_t copied = 0; size > 0; size = fill(from, buffer)) {
+    write_all(to, {buffer.data(), size}, path);
+    copied += static_cast<std::int64_t>(size);
+    if (copied > league::LogLimits{}.bytes)
+      throw InputError({}, "", fmt::format("{}: is too long for a log", path));
+  }
 }
 
 }  // namespace
 
-std::string rereadable(const std::string& path) {
+std::string seekable_log(const std::string& path) {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0 || S_ISREG(status.st_mode) || S_ISDIR(status.st_mode))
     return path;
-  const int from = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (from < 0) throw InputError({path}, "", std::strerror(errno));
-  const std::filesystem::path folder = std::filesystem::temp_directory_path();
-  const int to = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
-  const bool is_copied = to >= 0 && copy_all(from, to);
-  const int error = errno;
-  ::close(from);
-  if (!is_copied) throw io_error(fmt::format("cannot copy {} to {}", path, folder.string()), error);
-  return fmt::format("/proc/self/fd/{}", to);
+  const Descriptor from(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (from.number() < 0 && errno == EINTR) throw Interrupted();
+  if (from.number() < 0)
+    throw InputError({}, "", fmt::format("{}: {}", path, std::strerror(errno)));
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+  Descriptor to(error ? -1 : ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600));
+  if (to.number() < 0) {
+    throw io_error(fmt::format("{} must be copied to a temporary file; cannot make one in {} (set "
+                               "TMPDIR to another folder)",
+                               path, error ? "TMPDIR" : folder.string()),
+                   error ? error.value() : errno);
+  }
+  copy_log(from.number(), to.number(), path);
+  return fmt::format("/proc/self/fd/{}", to.release());
 }
 
 std::vector<std::string> texts_of(const league::MessageFaults& faults) {
   std::vector<std::string> texts;
-  const auto add = [&texts](std::int64_t count, const std::string& text) {
-    if (count > 0) texts.push_back(fmt::format("{} {}", count, text));
+  const auto add = [&texts](std::int64_t count, std::string_view what, std::string_view text) {
+    if (count > 0) texts.push_back(fmt::format("{} {}", counted(count, what), text));
   };
-  add(faults.unreadable, "messages are unreadable and ignored");
-  add(faults.late, "packets came too late and are ignored");
-  add(faults.copies, "messages came twice; the copies are ignored");
-  add(faults.of_other_referee,
-      fmt::format("packets of another referee, {}, are ignored; the one followed is {}",
-                  named(faults.other_referee), named(faults.referee)));
+  add(faults.unreadable, "unreadable message", "ignored");
+  add(faults.late, "late packet", "ignored");
+  add(faults.copies, "message", "copies of others and ignored");
+  if (faults.of_other_referee > 0) texts.push_back(referees_text(faults));
   if (!faults.clocks_ahead_s.empty()) {
-    texts.push_back(fmt::format("the cameras' clocks differ: {}; adjusted",
+    texts.push_back(fmt::format("the cameras' clocks differ, and were corrected: {}",
                                 clocks_text(faults.clocks_ahead_s)));
   }
   if (faults.clock_restarts > 0) {
@@ -101,7 +146,7 @@ std::string damage_text(const std::string& path, const league::LogSummary& log) 
   };
   if (const auto unknown = log.records.find(league::MessageKind::kUnknown);
       unknown != log.records.end())
-    add(fmt::format("{} messages are of an unknown kind and ignored", unknown->second));
+    add(fmt::format("{} of an unknown kind and ignored", counted(unknown->second, "message")));
   for (const std::string& line : texts_of(log.faults)) add(line);
   if (log.faults.unreadable > 0)
     add(fmt::format("the first unreadable message is at byte {}", log.unreadable_at));
@@ -139,7 +184,7 @@ std::string damage_text(const std::string& path, const RecordedFacts& facts) {
 league::LogSummary read_user_log(const std::string& path, league::LogVisitor& visitor) {
   league::LogSummary log;
   try {
-    log = league::read_log(rereadable(path), visitor);
+    log = league::read_log(seekable_log(path), visitor);
   } catch (const league::LogError& error) {
     throw InputError({}, "", error.what());
   }

@@ -12,7 +12,7 @@ namespace autoref::runner {
 // A path at which the log can be read several times: `path` itself or, if that is a pipe, a copy
 // without a name that vanishes when the program ends. Throws InputError if the log cannot be
 // opened, and InputOutputError if it cannot be copied.
-std::string rereadable(const std::string& path);
+std::string seekable_log(const std::string& path);
 
 // What is wrong with the messages of a game, recorded or live; without line ends.
 std::vector<std::string> texts_of(const league::MessageFaults& faults);

@@ -164,7 +164,7 @@ TEST(DetectionMerger, IgnoresLatePackets) {
   DetectionMerger merger;
   merger.add(vision_packet_of(detection(0, 5)), 5);
   merger.add(vision_packet_of(detection(0, 6)), 6);
-  EXPECT_EQ(merger.add(vision_packet_of(detection(1, 5)), 5), nullptr);
+  EXPECT_EQ(merger.add(vision_packet_of(detection(0, 5.5)), 6.01), nullptr);
   EXPECT_EQ(merger.add(vision_packet_of(detection(1, std::nan(""))), 6), nullptr);
   EXPECT_EQ(merger.late(), 1);
   EXPECT_EQ(merger.unusable(), 1);

@@ -102,11 +102,14 @@ TEST_F(ReaderOfRecords, FollowsOneRefereeUntilItIsSilent) {
   EXPECT_EQ(reader_.faults().referee, "restarted");
 }
 
-TEST_F(ReaderOfRecords, TellsRefereesWithoutANameApartByTheirAddress) {
+TEST_F(ReaderOfRecords, DistinguishesUnnamedRefereesByAddress) {
   take_command(command(7, 1), 1, "10.0.0.1");
   EXPECT_EQ(take_command(command(1, 500), 1.01, "10.0.0.2"), Taken::kOtherReferee);
   EXPECT_EQ(take_command(command(7, 1.1), 1.1, "10.0.0.1"), Taken::kUsed);
   EXPECT_EQ(reader_.faults().other_referee, "10.0.0.2");
+  // The same controller by another interface, whose copy comes first.
+  EXPECT_EQ(take_command(command(8, 1.2), 1.2, "10.0.0.2"), Taken::kOtherReferee);
+  EXPECT_EQ(take_command(command(8, 1.2), 1.201, "10.0.0.1"), Taken::kUsed);
 }
 
 TEST_F(ReaderOfRecords, CountsWhatItIgnores) {
