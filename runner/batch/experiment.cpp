@@ -12,6 +12,7 @@
 
 #include "runner/batch/completed_games.hpp"
 #include "runner/batch/folder_changes.hpp"
+#include "runner/batch/program_versions.hpp"
 #include "runner/batch/result_folder.hpp"
 #include "runner/io/csv.hpp"
 #include "runner/io/errors.hpp"
@@ -317,11 +318,23 @@ class Experiment {
     const int attempt = result.attempt + row.circumstances.attempt - 1;  // of worker and programs
     row.circumstances = {options_.build, host_,   cpu_,
                          result.wall_s,  attempt, options_.shard.name()};
+    refuse_changed_programs();
     keep_file();
     shard_->write(format_.line(row));
     written_.push_back(std::move(row));
     // The next games may depend on this one.
     if (follows_its_rows(scenario_) || Clock::now() >= next_sync_) count_written();
+  }
+
+  // Whether the game was played by the former or the new version is not known.
+  void refuse_changed_programs() const {
+    const std::vector<std::string> changed = programs_.changed();
+    if (changed.empty()) return;
+    throw InputError({changed.front()}, "",
+                     fmt::format("was changed during the run, and belongs to a team's program; the "
+                                 "games played before are kept; play those of the new version in "
+                                 "another folder, with -o instead of {}",
+                                 options_.folder.string()));
   }
 
   // Another program may have replaced, moved, shortened or removed the file or its folder.
@@ -372,6 +385,7 @@ class Experiment {
   const ExperimentOptions& options_;
   const RowFormat format_;
   const Outcomes outcomes_;
+  const ProgramWatch programs_{scenario_};
   const std::string host_ = host_name();
   const std::string cpu_ = cpu_name();
   std::optional<Shard> shard_;   // locked during run()

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "runner/batch/experiment_kinds.hpp"
+#include "runner/batch/program_versions.hpp"
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/scenario_argument.hpp"
 #include "runner/experiments/overrides.hpp"
@@ -59,6 +60,7 @@ Scenario read_experiment(const BatchArguments& arguments) {
   }
   override_pairs(arguments.pairs, scenario);
   override_seed(arguments.seed, scenario);
+  note_program_versions(scenario);
   return scenario;
 }
 

@@ -46,6 +46,10 @@ void list_team(TeamSettings& team, const RobotTypes& types, Branch to) {
   to.add("directory", FreeText{&team.directory}, {}, "working directory of the program");
   to.add("environment", CommandWords{&team.environment}, {},
          "variables of the program's environment, such as [MODE=fast]");
+  to.add("files", CommandWords{&team.files}, {},
+         "files and folders of the program, which belong to the identity of its games; without, "
+         "the command's words that are files");
+  to.add("files_hash", FreeText{&team.files_hash}, {}, "what they contain, noted by AutoRef");
   to.number("answer_s", team.answer_s, positive(3600), "s",
             "how long the program may take for an answer, by the wall clock");
   to.number("memory_mb", team.memory_mb, {16, 1 << 20}, "MB", "memory of each of its processes");

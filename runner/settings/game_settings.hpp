@@ -43,6 +43,8 @@ struct TeamSettings {
   std::vector<std::string> command;      // the team is this program
   std::string directory;                 // its working directory
   std::vector<std::string> environment;  // "NAME=value", in addition to AutoRef's
+  std::vector<std::string> files;        // its files and folders; empty: those the command names
+  std::string files_hash;                // what they contain (runner/batch/program_versions.hpp)
   double answer_s = 10;                  // wall-clock limit of its answers
   int memory_mb = 4096;                  // limit of each of its processes
   int robots = 6;                        // 1 to 16

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "runner/io/checksum.hpp"
 #include "runner/io/words.hpp"
 #include "runner/settings/fields.hpp"
 #include "runner/settings/robot_changes.hpp"
 #include "runner/settings/setting_error.hpp"
-#include "soccer/random.hpp"
 #include "strategies/registry.hpp"
 
 namespace autoref::runner {
@@ -155,6 +155,14 @@ std::string scene_text(const GameSettings& game) {
                      weights.ball_kept, weights.gained_m);
 }
 
+// Of a program's files, what they contain belongs to the identity of a game, not how they are
+// named.
+bool names_no_content(const Setting& setting) {
+  const auto* text = std::get_if<FreeText>(&setting.target);
+  return setting.path.ends_with(".files") ||
+         (setting.path.ends_with(".files_hash") && text != nullptr && text->text->empty());
+}
+
 }  // namespace
 
 void check_team(const GameSettings& game, const TeamSettings& team, std::string_view path) {
@@ -183,17 +191,14 @@ std::uint64_t configuration_hash(const GameSettings& game) {
   // Hashes a canonical text, one line per setting, so the hash depends neither on memory layout nor
   // on how the settings were given.
   for (const Setting& setting : settings_of(copy)) {
-    if (is_alias(setting) || is_given_by_changes(setting)) continue;
+    if (is_alias(setting) || is_given_by_changes(setting) || names_no_content(setting)) continue;
     text += fmt::format("{}={}\n", setting.path, value_of(setting));
   }
   text += team_text(game, "teams.a", game.a) + team_text(game, "teams.b", game.b);
   text += start_text(game) + scene_text(game);
-  // FNV-1a, followed by a bit mixer.
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const char letter : text) {
-    hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3ULL;
-  }
-  return mix_bits(hash);
+  ByteHash hash;
+  hash.add(text);
+  return hash.value();
 }
 
 }  // namespace autoref::runner

@@ -1,0 +1,169 @@
+#include "runner/batch/program_versions.hpp"
+
+#include <gtest/gtest.h>
+
+#include "runner/experiments/reading/effective.hpp"
+#include "runner/experiments/reading/scenario_reader.hpp"
+#include "runner/io/errors.hpp"
+#include "runner/settings/fields.hpp"
+#include "tests/runner/batch/fake_games.hpp"
+
+namespace autoref::runner {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ProgramVersions : public testing::Test {
+ protected:
+  ProgramVersions() {
+    fs::create_directories(folder_ / "team/lib");
+    write("team/main.py", "import lib");
+    write("team/lib/pass.py", "1");
+  }
+
+  void write(const std::string& name, const std::string& text) const {
+    write_content(folder_ / name, text);
+  }
+
+  TeamSettings team(const std::vector<std::string>& files = {}) const {
+    TeamSettings team;
+    team.command = {"python3", "main.py", "--fast"};
+    team.directory = (folder_ / "team").string();
+    team.files = files;
+    return team;
+  }
+
+  static std::string hash_of(const TeamSettings& team) {
+    RoundRobin robin;
+    robin.teams = {{"mine", team}, {"other", {}}};
+    Scenario scenario{"", robin};
+    note_program_versions(scenario);
+    const Teams teams = std::get<RoundRobin>(scenario.content).teams;
+    EXPECT_EQ(teams.at("other").files_hash, "");
+    return teams.at("mine").files_hash;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(ProgramVersions, AreThoseOfTheFilesThatTheCommandNames) {
+  const std::string before = hash_of(team());
+  EXPECT_EQ(before.size(), 16U);
+  EXPECT_EQ(hash_of(team()), before);
+  write("team/lib/pass.py", "2");
+  EXPECT_EQ(hash_of(team()), before);
+  write("team/main.py", "import lib ");
+  EXPECT_NE(hash_of(team()), before);
+}
+
+TEST_F(ProgramVersions, AreThoseOfTheFilesAndFoldersThatTheScenarioNames) {
+  const std::string before = hash_of(team({"lib"}));
+  write("team/main.py", "changed");
+  EXPECT_EQ(hash_of(team({"lib"})), before);
+  write("team/lib/pass.py", "2");
+  const std::string changed = hash_of(team({"lib"}));
+  EXPECT_NE(changed, before);
+  write("team/lib/shot.py", "");
+  EXPECT_NE(hash_of(team({"lib"})), changed);
+}
+
+// The same bytes in other files are another version.
+TEST_F(ProgramVersions, DependOnWhichFileContainsWhat) {
+  write("team/lib/pass.py", "1");
+  write("team/lib/shot.py", "2");
+  const std::string before = hash_of(team({"lib"}));
+  write("team/lib/pass.py", "2");
+  write("team/lib/shot.py", "1");
+  EXPECT_NE(hash_of(team({"lib"})), before);
+}
+
+TEST_F(ProgramVersions, OfAMissingFileAreAnErrorThatNamesTheSetting) {
+  try {
+    hash_of(team({"nowhere.py"}));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.key(), "teams.mine.files");
+    EXPECT_NE(std::string(error.what()).find("nowhere.py"), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(ProgramVersions, AreOneForAllValuesOfAFactor) {
+  Sweep sweep;
+  sweep.base.b = team();
+  sweep.factors = {{"b.command", {std::string("python3 main.py"), std::string("python3 two.py")}}};
+  const auto noted = [](Sweep of) {
+    Scenario scenario{"", std::move(of)};
+    note_program_versions(scenario);
+    return std::get<Sweep>(scenario.content).base.b.files_hash;
+  };
+  const std::string before = noted(sweep);
+  write("team/two.py", "another");
+  EXPECT_NE(noted(sweep), before);
+}
+
+TEST_F(ProgramVersions, BelongToTheIdentityOfAGame) {
+  GameSettings game;
+  const std::uint64_t without = configuration_hash(game);
+  game.a = team({"lib"});
+  const std::uint64_t unknown = configuration_hash(game);
+  game.a.files_hash = "0123456789abcdef";
+  EXPECT_NE(configuration_hash(game), unknown);
+  EXPECT_NE(unknown, without);
+}
+
+// The folder's scenario keeps what was noted, so that it can be read where the program is not.
+TEST_F(ProgramVersions, AreKeptInTheFoldersScenario) {
+  RoundRobin robin;
+  robin.teams = {{"mine", team()}, {"other", {}}};
+  Scenario scenario{"A test.", robin};
+  note_program_versions(scenario);
+  const std::string noted = std::get<RoundRobin>(scenario.content).teams.at("mine").files_hash;
+  write("team/main.py", "changed");
+  const Scenario read = read_scenario_text(effective_text(scenario), "effective.yaml");
+  EXPECT_EQ(std::get<RoundRobin>(read.content).teams.at("mine").files_hash, noted);
+}
+
+class VersionedRun : public ProgramVersions {
+ protected:
+  Scenario scenario(int pairs) const {
+    RoundRobin robin;
+    robin.teams = {{"mine", team()}, {"other", {}}};
+    robin.pairs = pairs;
+    robin.seed = 7;
+    Scenario scenario{"A test.", robin};
+    note_program_versions(scenario);
+    return scenario;
+  }
+  ExperimentReport run(int pairs) const {
+    return run_experiment(scenario(pairs), fake_options(folder_ / "run"));
+  }
+};
+
+TEST_F(VersionedRun, IsRefusedIfTheProgramWasChangedBefore) {
+  EXPECT_EQ(run(2).played, 4);
+  EXPECT_EQ(run(3).played, 2);
+  write("team/main.py", "changed");
+  try {
+    run(4);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("teams.mine.files_hash is"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST_F(VersionedRun, StopsIfTheProgramIsChangedMeanwhile) {
+  ExperimentOptions options = fake_options(folder_ / "run");
+  options.workers = 1;
+  options.play = [this](const GameConfiguration& game) {
+    if (fs::exists(folder_ / "played")) write("team/main.py", "changed meanwhile");
+    write("played", "");
+    return fake_game(game);
+  };
+  EXPECT_THROW(run_experiment(scenario(5), options), InputError);
+  const StoredRows rows = read_rows(folder_ / "run/games", row_format(scenario(5)));
+  EXPECT_EQ(rows.rows.size(), 1U);
+}
+
+}  // namespace
+}  // namespace autoref::runner
