@@ -34,6 +34,7 @@ using runner::GameRecord;
 using runner::GameSettings;
 using strategies::Strategy;
 
+constexpr double kFastestBall_mps = 20;     // no kick is nearly as fast
 constexpr std::size_t kRobotNumbers = 8;    // of a row of View.own: number, x, y, heading, ...
 constexpr std::size_t kBallNumbers = 5;     // x, y, vx, vy, height
 constexpr std::size_t kCommandNumbers = 6;  // vx, vy, angular velocity, kick, chip, dribble
@@ -183,10 +184,15 @@ class PythonGame {
     ball.position_m = Vec2(x, y);
     ball.velocity_mps = Vec2(vx, vy);
     check(ball.position_m, "ball");
+    if (!is_finite(ball.velocity_mps) || ball.velocity_mps.norm() > kFastestBall_mps)
+      throw py::value_error(
+          fmt::format("the ball's velocity must be at most {} m/s", kFastestBall_mps));
     playing().put_ball(ball);
   }
 
   void place_robot(char team, int number, const std::array<double, 4>& at) {
+    if (team != 'a' && team != 'b')
+      throw py::value_error(fmt::format("there is no team '{}': write 'a' or 'b'", team));
     const Side a = playing().configuration().match.a_plays;
     const RobotId id{team == 'a' ? a : opponent_of(a), number};
     const auto& robots = playing().world().state().robots[id.side];
@@ -241,9 +247,15 @@ class PythonGame {
 
   static std::size_t index_of(char team) { return team == 'a' ? 0 : 1; }
 
-  static void check(const Vec2& position_m, const char* what) {
-    if (!is_finite(position_m) || position_m.norm() > 100)
-      throw py::value_error(fmt::format("the {} must be put on the field", what));
+  // On the carpet: between the walls.
+  void check(const Vec2& position_m, const char* what) {
+    const Field& field = playing().configuration().field;
+    if (is_finite(position_m) && std::abs(position_m.x()) <= field.wall_x_m() &&
+        std::abs(position_m.y()) <= field.wall_y_m())
+      return;
+    throw py::value_error(
+        fmt::format("the {} must be put between the walls, |x| <= {} m and |y| <= {} m", what,
+                    field.wall_x_m(), field.wall_y_m()));
   }
 
   runner::Game& playing() {

@@ -1,6 +1,6 @@
 """Games as environments of reinforcement learning, with the interfaces of Gymnasium and PettingZoo.
 
-Neither of them is needed; their spaces are used if they are installed. An observation is an array of
+Neither of them is needed; where they are installed, the classes derive from theirs. An observation is an array of
 float64 in the team's own coordinates, its goal at -x:
 
     ball (5)            x, y, vx, vy, height
@@ -19,6 +19,7 @@ from typing import Any, Mapping
 import numpy as np
 
 from .game import Game
+from .interfaces import Env, ParallelBase
 from .spaces import box
 
 PLAYS = (
@@ -69,12 +70,10 @@ class _Episodes:
         self.most_s = most_s
         self._settings = {"a.robots": robots, "b.robots": robots, **(settings or {})}
         self._lead = 0
-        self._seed = 0
 
-    def begin(self, seed: int | None) -> None:
-        """Begins an episode; without a seed, with the seed after the last one."""
-        self._seed = self._seed + 1 if seed is None else seed
-        self.game.reset(self._seed, self._settings)
+    def begin(self, seed: int | None, random: np.random.Generator) -> None:
+        """Begins an episode: the seed's, or one that the random numbers choose."""
+        self.game.reset(int(random.integers(2**63)) if seed is None else seed, self._settings)
         self._lead = 0
 
     def step(self, **commands: Any) -> tuple[float, bool, bool]:
@@ -95,9 +94,11 @@ class _Episodes:
         return self.game.a if team == "a" else self.game.b
 
 
-class GymnasiumEnv:
+class GymnasiumEnv(Env):
     """One team's game as an environment of Gymnasium: you command all robots of team a.
 
+    reset(seed=n) begins the game of that seed, and a stream of random numbers that chooses the games
+    of later episodes; an environment that was never given a seed plays other games every time.
     `settings` are those of autoref.Game, `frames_per_step` camera frames pass in a step, and an
     episode is truncated after `most_s` seconds of the game.
     """
@@ -120,11 +121,6 @@ class GymnasiumEnv:
         self._observation = np.zeros(size)
 
     @property
-    def unwrapped(self) -> "GymnasiumEnv":
-        """This environment."""
-        return self
-
-    @property
     def game(self) -> Game:
         """The game, for what the interface does not show."""
         return self._episodes.game
@@ -133,7 +129,8 @@ class GymnasiumEnv:
         self, *, seed: int | None = None, options: Mapping[str, Any] | None = None
     ) -> tuple[np.ndarray, dict[str, Any]]:
         """Begins an episode."""
-        self._episodes.begin(seed)
+        super().reset(seed=seed)
+        self._episodes.begin(seed, self.np_random)
         return self._observe(), {}
 
     def step(self, action: Any) -> tuple[np.ndarray, float, bool, bool, dict[str, Any]]:
@@ -150,9 +147,9 @@ class GymnasiumEnv:
         return observe(view, self._episodes.robots, self._observation).copy()
 
 
-class ParallelEnv:
+class ParallelEnv(ParallelBase):
     """Both teams' game as a parallel environment of PettingZoo. The agents are "a" and "b", or one
-    of them; each commands all robots of its team."""
+    of them; each commands all robots of its team. Seeds are those of GymnasiumEnv."""
 
     metadata: dict[str, Any] = {"render_modes": [], "name": "autoref"}
 
@@ -168,6 +165,7 @@ class ParallelEnv:
         self.possible_agents = list(teams)
         self.agents: list[str] = []
         self._spaces = GymnasiumEnv(settings, robots)
+        self._random = np.random.default_rng()
 
     @property
     def game(self) -> Game:
@@ -186,7 +184,9 @@ class ParallelEnv:
         self, seed: int | None = None, options: Mapping[str, Any] | None = None
     ) -> tuple[dict[str, np.ndarray], dict[str, dict[str, Any]]]:
         """Begins an episode."""
-        self._episodes.begin(seed)
+        if seed is not None:
+            self._random = np.random.default_rng(seed)
+        self._episodes.begin(seed, self._random)
         self.agents = list(self.possible_agents)
         return self._observe(), {agent: {} for agent in self.agents}
 

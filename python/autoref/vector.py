@@ -32,30 +32,25 @@ class _Shared:
         self.observations, self.actions, self.rewards, self.terminated, self.truncated = arrays
 
 
-def _work(
-    pipe: Connection, others: list[Connection], shared: _Shared, mine: range, options: dict[str, Any], first_seed: int
-) -> None:
+def _work(pipe: Connection, others: list[Connection], shared: _Shared, mine: range, options: dict[str, Any]) -> None:
     """A worker's environments, until the other end of the pipe is closed. `others` are the ends that
     this process has inherited, which would keep it open."""
     for other in others:
         other.close()
     envs = [GymnasiumEnv(**options) for _ in mine]
-    seeds = [first_seed + i for i in mine]
     try:
         while True:
             order = pipe.recv()
             infos: dict[int, Any] = {}
             for k, i in enumerate(mine):
                 if order is not None:
-                    seeds[k] = order + i
-                    shared.observations[i], _ = envs[k].reset(seed=seeds[k])
+                    shared.observations[i], _ = envs[k].reset(seed=order + i)
                     continue
                 observation, reward, over, late, info = envs[k].step(shared.actions[i])
                 shared.rewards[i], shared.terminated[i], shared.truncated[i] = reward, over, late
                 if over or late:
                     infos[i] = info
-                    seeds[k] += len(shared.rewards)
-                    observation, _ = envs[k].reset(seed=seeds[k])
+                    observation, _ = envs[k].reset()
                 shared.observations[i] = observation
             pipe.send(infos)
     except EOFError:
@@ -72,7 +67,7 @@ class VectorEnv:
     in a `with` statement, or close() it.
     """
 
-    def __init__(self, environments: int, workers: int = 2, seed: int = 0, **options: Any) -> None:
+    def __init__(self, environments: int, workers: int = 2, seed: int | None = None, **options: Any) -> None:
         one = GymnasiumEnv(**options)
         self.single_observation_space = one.observation_space
         self.single_action_space = one.action_space
@@ -87,7 +82,7 @@ class VectorEnv:
             process = context.Process(
                 target=_work,
                 daemon=True,
-                args=(theirs, [*self._pipes, ours], self._shared, range(low, high), options, seed),
+                args=(theirs, [*self._pipes, ours], self._shared, range(low, high), options),
             )
             process.start()
             theirs.close()
@@ -96,9 +91,12 @@ class VectorEnv:
         self._seed = seed
 
     def reset(self, *, seed: int | None = None) -> tuple[np.ndarray, dict[int, Any]]:
-        """Begins an episode in each environment; environment i takes seed + i."""
-        self._seed = self._seed if seed is None else seed
-        infos = self._all(self._seed)
+        """Begins an episode in each environment. Environment i takes seed + i, or that of the
+        constructor, the first time, and then goes on by its own random numbers; without any seed,
+        the games are others every time."""
+        seed = self._seed if seed is None else seed
+        self._seed = None
+        infos = self._all(int(np.random.default_rng().integers(2**62)) if seed is None else seed)
         return self._shared.observations, infos
 
     def step(self, actions: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, dict[int, Any]]:

@@ -1,9 +1,15 @@
 """Environments: the interfaces of Gymnasium and PettingZoo, and many environments at once."""
+import os
+import subprocess
+import sys
+import tempfile
 import unittest
+from pathlib import Path
 
 import numpy as np
 
 import autoref
+from autoref import interfaces
 from autoref.environments import PLAYS, observation_size
 from autoref.spaces import PlainBox
 
@@ -62,6 +68,121 @@ class GymnasiumTest(unittest.TestCase):
         opponents = observation[5 + 42 : 5 + 84].reshape(6, 7)
         self.assertTrue(np.all(opponents[4:] == 0))
         self.assertTrue(np.all(np.any(opponents[:4] != 0, axis=1)))
+
+
+def episode(env: autoref.GymnasiumEnv, seed: int | None = None) -> bytes:
+    """What an episode shows."""
+    shown = [env.reset(seed=seed)[0].tobytes()]
+    while True:
+        observation, _, over, late, _ = env.step(np.zeros((6, 6)))
+        shown.append(observation.tobytes())
+        if over or late:
+            return b"".join(shown)
+
+
+class SeedsTest(unittest.TestCase):
+    """With the seeds 1 to 8, as Gymnasium's vectors of environments give them."""
+
+    OPTIONS = {"settings": {**SETTINGS, "sim.camera": "realistic"}, "frames_per_step": 20, "most_s": 1}
+
+    def env(self) -> autoref.GymnasiumEnv:
+        return autoref.gymnasium_env(**self.OPTIONS)
+
+    def test_no_environment_replays_another_ones_episodes(self) -> None:
+        shown = set()
+        for seed in range(1, 9):
+            env = self.env()
+            shown |= {episode(env, seed), *(episode(env) for _ in range(7))}
+        self.assertEqual(len(shown), 64)
+
+    def test_a_seed_repeats_the_episodes_after_it(self) -> None:
+        env = self.env()
+        first = [episode(env, 5), episode(env), episode(env)]
+        other = self.env()
+        self.assertEqual([episode(other, 5), episode(other), episode(other)], first)
+        self.assertEqual([episode(env, 5), episode(env), episode(env)], first)
+
+    def test_without_a_seed_every_environment_plays_other_games(self) -> None:
+        self.assertNotEqual(episode(self.env()), episode(self.env()))
+        options = {"settings": self.OPTIONS["settings"], "frames_per_step": 20}
+        first = []
+        for _ in range(2):
+            env = autoref.parallel_env(**options)
+            first.append(env.reset()[0]["a"].tobytes())
+        self.assertNotEqual(*first)
+
+    def test_the_environments_of_a_vector_play_other_games(self) -> None:
+        shown = []
+        for seed in (None, None, 3, 3):
+            with autoref.VectorEnv(2, 2, **self.OPTIONS) as envs:
+                seen = [envs.reset(seed=seed)[0].copy()]
+                for _ in range(8):
+                    seen.append(envs.step(np.zeros((2, 6, 6)))[0].copy())
+                shown.append(np.array(seen))
+        self.assertFalse(np.array_equal(shown[0], shown[1]))
+        np.testing.assert_array_equal(shown[2], shown[3])
+        self.assertFalse(np.array_equal(shown[2][:, 0], shown[2][:, 1]))
+
+
+class BaseClassesTest(unittest.TestCase):
+    """The classes derive from those of the libraries: here, from small libraries of that name."""
+
+    def setUp(self) -> None:
+        self.folder = tempfile.TemporaryDirectory()
+        for library, base, plain in (
+            ("gymnasium", "Env", "PlainEnv"),
+            ("pettingzoo", "ParallelEnv", "PlainParallelEnv"),
+        ):
+            (Path(self.folder.name) / library).mkdir()
+            (Path(self.folder.name) / library / "__init__.py").write_text(
+                f"exec(open({interfaces.__file__!r}).read().split('try:')[0])\n{base} = {plain}\n"
+            )
+
+    def tearDown(self) -> None:
+        self.folder.cleanup()
+
+    def test_are_those_of_the_installed_libraries(self) -> None:
+        code = (
+            "import gymnasium, pettingzoo, autoref\n"
+            "env = autoref.gymnasium_env(settings={'match.half_s': 1})\n"
+            "assert isinstance(env, gymnasium.Env), type(env).__mro__\n"
+            "env.reset(seed=3)\n"
+            "assert env.unwrapped is env and env.np_random is not None\n"
+            "games = autoref.parallel_env(settings={'match.half_s': 1})\n"
+            "assert isinstance(games, pettingzoo.ParallelEnv)\n"
+            "games.reset(seed=3)\n"
+            "assert games.num_agents == games.max_num_agents == 2 and games.unwrapped is games\n"
+        )
+        paths = [self.folder.name, str(Path(autoref.__file__).parent.parent)]
+        done = subprocess.run(
+            [sys.executable, "-c", code],
+            env={**os.environ, "PYTHONPATH": os.pathsep.join(paths)},
+            capture_output=True,
+            text=True,
+            timeout=120,
+        )
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+
+class InstalledLibrariesTest(unittest.TestCase):
+    """The checks that come with Gymnasium and PettingZoo, where these are installed."""
+
+    def test_gymnasium_accepts_the_environment(self) -> None:
+        try:
+            import gymnasium
+            from gymnasium.utils.env_checker import check_env
+        except ImportError:
+            self.skipTest("Gymnasium is not installed")
+        env = autoref.gymnasium_env(settings=SETTINGS)
+        check_env(env, skip_render_check=True)
+        gymnasium.wrappers.RecordEpisodeStatistics(gymnasium.wrappers.TimeLimit(env, 100)).reset(seed=1)
+
+    def test_pettingzoo_accepts_the_environment(self) -> None:
+        try:
+            from pettingzoo.test import parallel_api_test
+        except ImportError:
+            self.skipTest("PettingZoo is not installed")
+        parallel_api_test(autoref.parallel_env(settings=SETTINGS), num_cycles=100)
 
 
 class ParallelTest(unittest.TestCase):

@@ -115,10 +115,19 @@ class GameTest(unittest.TestCase):
             game.step(None, still())
         with self.assertRaises(ValueError):
             game.b
-        with self.assertRaises(ValueError):
-            game.place(ball=(np.nan, 0))
-        with self.assertRaises(ValueError):
-            game.place(robots={("a", 12): (0, 0)})
+        for ball in [(np.nan, 0), (0, 9), (1e300, 0), (0, 0, np.nan, 0), (0, 0, 1e300, 0), (0, 0, 0, -21)]:
+            with self.assertRaises(ValueError, msg=str(ball)):
+                game.place(ball=ball)
+        for robots in [
+            {("a", 12): (0, 0)},
+            {("c", 1): (0, 0)},
+            {("a", 1): (99, 0)},
+            {("a", 1): (0, -3)},
+            {("a", 1): (0, np.inf)},
+            {("a", 1): (0, 0, 0, 0)},
+        ]:
+            with self.assertRaises(ValueError, msg=str(robots)):
+                game.place(robots=robots)
         with self.assertRaises(ValueError):
             autoref.Game("c")
 

@@ -1,0 +1,85 @@
+"""The base classes of environments: those of Gymnasium and PettingZoo where they are installed, else
+stand-ins with the members that users of environments look for."""
+from __future__ import annotations
+
+from typing import Any, Mapping
+
+import numpy as np
+
+
+class PlainEnv:
+    """Like gymnasium.Env."""
+
+    metadata: dict[str, Any] = {"render_modes": []}
+    render_mode: str | None = None
+    spec: Any = None
+    _random: np.random.Generator | None = None
+
+    def reset(self, *, seed: int | None = None, options: Mapping[str, Any] | None = None) -> Any:
+        """With a seed, begins another stream of random numbers."""
+        if seed is not None:
+            self._random = np.random.default_rng(seed)
+
+    @property
+    def np_random(self) -> np.random.Generator:
+        """The environment's random numbers, of fresh entropy if it was never given a seed."""
+        if self._random is None:
+            self._random = np.random.default_rng()
+        return self._random
+
+    @property
+    def unwrapped(self) -> Any:
+        """This environment."""
+        return self
+
+    def render(self) -> None:
+        """Shows nothing."""
+
+    def close(self) -> None:
+        """Nothing is open."""
+
+    def __enter__(self) -> Any:
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.close()
+
+
+class PlainParallelEnv:
+    """Like pettingzoo.ParallelEnv."""
+
+    metadata: dict[str, Any] = {"render_modes": []}
+    agents: list[str]
+    possible_agents: list[str]
+
+    @property
+    def num_agents(self) -> int:
+        """The agents that play now."""
+        return len(self.agents)
+
+    @property
+    def max_num_agents(self) -> int:
+        """All agents."""
+        return len(self.possible_agents)
+
+    @property
+    def unwrapped(self) -> Any:
+        """This environment."""
+        return self
+
+    def render(self) -> None:
+        """Shows nothing."""
+
+    def close(self) -> None:
+        """Nothing is open."""
+
+
+try:
+    from gymnasium import Env  # type: ignore[import-not-found]
+except ImportError:
+    Env = PlainEnv
+
+try:
+    from pettingzoo import ParallelEnv as ParallelBase  # type: ignore[import-not-found]
+except ImportError:
+    ParallelBase = PlainParallelEnv
