@@ -36,6 +36,7 @@ struct LiveArguments {
   std::vector<std::string> sets;  // "key=value"
   std::string speed = "1";        // a factor, "max" or "lockstep"
   LiveOptions options;            // without the speed
+  bool broadcasts = false;        // instead of sending to the groups
   GameOutput output;
 };
 
@@ -140,6 +141,7 @@ struct RefereeArguments {
 
   bool is_live = false;         // the network instead of a log
   LiveRefereeOptions live;      // without the controller
+  bool broadcasts = false;      // instead of sending to the groups
   std::string game_controller;  // auto or HOST[:PORT]; empty: none
   std::string web;              // address of the page to watch; empty: none
 };
@@ -278,6 +280,9 @@ void add_replay_verb(CLI::App& app, Chosen& chosen);
 void add_judge_verb(CLI::App& app, Chosen& chosen);
 void add_info_verb(CLI::App& app, Chosen& chosen);
 void add_referee_verb(CLI::App& app, Chosen& chosen);
+// The address of --broadcast. Throws InputError if the interface has none.
+std::string broadcast_of(const std::string& interface);
+
 void add_live_referee_options(CLI::App& verb, RefereeArguments& arguments);
 void add_lab_verb(CLI::App& app, Chosen& chosen);
 void add_view_verb(CLI::App& app, Chosen& chosen);

@@ -61,7 +61,8 @@ void say(const LiveReport& report) {
   for (const Side side : kSides) say_team(side, report);
 }
 
-void add_network_options(CLI::App& verb, LiveOptions& options) {
+void add_network_options(CLI::App& verb, LiveArguments& arguments) {
+  LiveOptions& options = arguments.options;
   const auto port = [&verb](const char* flag, int& number, const char* about) {
     verb.add_option(flag, number, about)->type_name("PORT")->check(CLI::Range(0, 65535));
   };
@@ -69,10 +70,15 @@ void add_network_options(CLI::App& verb, LiveOptions& options) {
                   "Address of the network interface to use; by default nothing leaves this "
                   "computer.")
       ->type_name("ADDRESS");
-  verb.add_option("--unicast", options.unicast,
-                  "Send vision, referee and tracker packets to this host instead of the multicast "
-                  "groups.")
-      ->type_name("HOST");
+  CLI::Option* unicast =
+      verb.add_option("--unicast", options.unicast,
+                      "Send vision, referee and tracker packets to this host instead of the "
+                      "multicast groups.")
+          ->type_name("HOST");
+  verb.add_flag("--broadcast", arguments.broadcasts,
+                "Send them to all hosts of the interface's network, for networks that do not pass "
+                "multicast on.")
+      ->excludes(unicast);
   port("--vision-port", options.ports.vision, "Port of vision, 10006 by default.");
   port("--referee-port", options.ports.referee, "Port of the referee, 10003 by default.");
   port("--tracker-port", options.ports.tracker, "Port of the tracker, 10010 by default.");
@@ -95,6 +101,12 @@ void add_network_options(CLI::App& verb, LiveOptions& options) {
 
 }  // namespace
 
+std::string broadcast_of(const std::string& interface) {
+  if (const std::optional<std::string> address = broadcast_address(interface)) return *address;
+  throw InputError({"--broadcast"}, "",
+                   fmt::format("the interface {} has no address for broadcasts", interface));
+}
+
 int live_verb(const LiveArguments& arguments) {
   const Assignments assignments = assignments_in(arguments.sets);
   const GameConfiguration game = resolved(game_in(arguments.file, arguments.seed, assignments));
@@ -103,6 +115,7 @@ int live_verb(const LiveArguments& arguments) {
                      "a game controller commands only games of autoref play");
   LiveOptions options = arguments.options;
   options.speed = speed_of(arguments.speed);
+  if (arguments.broadcasts) options.unicast = broadcast_of(options.interface);
   SteadyFrameClock clock;
   LiveGame live(game, options, clock, check_interrupt);
   GamePlayer player;
@@ -137,7 +150,7 @@ void add_live_verb(CLI::App& app, Chosen& chosen) {
                    "Speed relative to real time, 1 by default; max: as fast as the teams answer; "
                    "lockstep: by the teams' SimulationSyncRequests.")
       ->type_name("FACTOR|max|lockstep");
-  add_network_options(*verb, arguments->options);
+  add_network_options(*verb, *arguments);
   add_output_options(*verb, arguments->output);
   verb->footer(
       "A team with the strategy network is commanded by packets of the league's simulation "

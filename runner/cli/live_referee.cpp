@@ -224,6 +224,7 @@ LiveRefereeOptions options_of(const RefereeArguments& arguments) {
   LiveRefereeOptions options = arguments.live;
   options.commands = arguments.control == "autoref";
   options.controller = controller_of(arguments.game_controller);
+  if (arguments.broadcasts) options.unicast = broadcast_of(options.interface);
   if (options.commands && options.controller)
     throw InputError({"--game-controller"}, "", "AutoRef commands the game (--control autoref)");
   if (arguments.source == "tracker") options.source = league::FrameSource::kTracker;
@@ -271,6 +272,8 @@ void add_live_referee_options(CLI::App& verb, RefereeArguments& arguments) {
        "With --live: port of the referee packets, 10003 by default.");
   port("--tracker-port", live.ports.tracker,
        "With --live: port of the tracker packets, 10010 by default.");
+  verb.add_flag("--broadcast", arguments.broadcasts,
+                "With --live: send to all hosts of the interface's network instead of the groups.");
   verb.add_option("--game-controller", arguments.game_controller,
                   "With --live: report calls to the league's game controller there (port 10007); "
                   "auto: the computer that sends the referee packets.")

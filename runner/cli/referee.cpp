@@ -9,6 +9,7 @@
 #include "runner/cli/referee_game.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
+#include "runner/io/words.hpp"
 #include "runner/logs/annotations.hpp"
 #include "runner/logs/log_page.hpp"
 #include "runner/logs/log_report.hpp"
@@ -34,6 +35,16 @@ void say_keepers(const RefereeArguments& arguments, const RecordedFacts& facts) 
         stderr, fmt::format("autoref: {}: the announced keeper of {} does not keep the goal; {}\n",
                             arguments.log, colour, what));
   }
+}
+
+void say_ends(const RefereeArguments& arguments, const RecordedFacts& facts) {
+  const TurnedStages& stages = facts.teams.turned;
+  if (stages.empty()) return;
+  std::vector<std::string> names;
+  for (const Stage stage : stages) names.emplace_back(name_of(stage));
+  write_message(stderr, fmt::format("autoref: {}: both keepers are at the other ends than the "
+                                    "referee packets say in {}; using those that are seen\n",
+                                    arguments.log, listed(names)));
 }
 
 std::vector<Call> annotated_calls(const RefereeArguments& arguments) {
@@ -103,6 +114,7 @@ int referee_verb(const RefereeArguments& arguments) {
   facts.teams =
       teams_in(log, games.front().field, games.front().rules.change_ends, facts.log.source);
   say_keepers(arguments, facts);
+  say_ends(arguments, facts);
   std::vector<RecordedDecision> decisions;
   const auto keep = [&](const referee::Decision& decision) {
     if (page) decisions.push_back(recorded(decision));

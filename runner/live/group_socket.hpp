@@ -9,7 +9,8 @@
 
 namespace autoref::runner {
 
-// Opens and binds the socket, and joins the group. Throws InputError if the port is in use or an
+// Opens and binds the socket, and joins the group, unless that is an address for all hosts of a
+// network. Throws InputError if the port is in use or an
 // address is wrong.
 void open_for_group(boost::asio::ip::udp::socket& socket, const DatagramReceiver::Place& place,
                     int receive_buffer_bytes);

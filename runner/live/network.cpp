@@ -3,7 +3,10 @@
 #include "runner/live/group_socket.hpp"
 #include "runner/live/network_context.hpp"
 
+#include <arpa/inet.h>
 #include <fmt/format.h>
+#include <ifaddrs.h>
+#include <net/if.h>
 
 #include <array>
 #include <atomic>
@@ -41,6 +44,26 @@ asio::ip::address_v4 address_of(const std::string& host, const std::string& flag
 
 }  // namespace
 
+std::optional<std::string> broadcast_address(const std::string& interface) {
+  if (interface == kLoopback) return "127.255.255.255";
+  ifaddrs* all = nullptr;
+  if (::getifaddrs(&all) != 0) return std::nullopt;
+  std::optional<std::string> found;
+  const auto text = [](const sockaddr* address) {
+    std::array<char, INET_ADDRSTRLEN> buffer{};
+    const auto* ipv4 = reinterpret_cast<const sockaddr_in*>(address);
+    return std::string(::inet_ntop(AF_INET, &ipv4->sin_addr, buffer.data(), buffer.size()));
+  };
+  for (const ifaddrs* one = all; one != nullptr; one = one->ifa_next) {
+    const bool is_ipv4 = one->ifa_addr != nullptr && one->ifa_addr->sa_family == AF_INET;
+    if (is_ipv4 && (one->ifa_flags & IFF_BROADCAST) != 0 && one->ifa_broadaddr != nullptr &&
+        text(one->ifa_addr) == interface)
+      found = text(one->ifa_broadaddr);
+  }
+  ::freeifaddrs(all);
+  return found;
+}
+
 void open_for_group(udp::socket& socket, const DatagramReceiver::Place& place,
                     int receive_buffer_bytes) {
   const asio::ip::address_v4 on = address_of(place.interface, "--interface");
@@ -54,7 +77,7 @@ void open_for_group(udp::socket& socket, const DatagramReceiver::Place& place,
   socket.bind({bound, port}, error);
   if (error)
     refuse(place.flag, fmt::format("cannot listen at {}:{}", bound.to_string(), port), error);
-  if (!is_group) return;
+  if (!is_group || !bound.is_multicast()) return;
   socket.set_option(asio::ip::multicast::join_group(bound, on), error);
   if (error) refuse("--interface", fmt::format("cannot join {}", place.group), error);
 }
@@ -74,6 +97,7 @@ class DatagramSender::Impl {
     if (error) refuse("--interface", fmt::format("cannot send on {}", interface), error);
     socket_.set_option(asio::ip::multicast::hops(kHops));
     socket_.set_option(asio::ip::multicast::enable_loopback(true));
+    socket_.set_option(asio::socket_base::broadcast(true));
   }
 
   void send(std::string_view bytes) {

@@ -21,6 +21,10 @@ struct Address {
   int port = 0;
 };
 
+// Where packets for all hosts of the interface's network are sent to; nullopt if it has no such
+// address.
+std::optional<std::string> broadcast_address(const std::string& interface);
+
 // A thread that waits for packets and timers. All functions that it calls must return soon.
 class NetworkThread {
  public:
@@ -36,9 +40,9 @@ class NetworkThread {
   std::unique_ptr<Context> context_;
 };
 
-// Sends datagrams to a multicast group or to a host, without ever waiting: what the system cannot
-// take at once is dropped and counted. Multicast goes to one interface only, and no further than
-// its own network.
+// Sends datagrams to a multicast group, to a host or to all hosts of a network, without ever
+// waiting: what the system cannot take at once is dropped and counted. Multicast goes to one
+// interface only, and no further than its own network.
 class DatagramSender {
  public:
   // `interface` is the address of the interface to send on. Throws InputError if an address is

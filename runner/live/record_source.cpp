@@ -19,6 +19,7 @@ namespace {
 constexpr int kSourceBuffer_bytes = 1 << 22;
 constexpr int kMostFromSocket = 4096;  // packets of a socket before those of the others
 constexpr std::int64_t kNsPerS = 1'000'000'000;
+constexpr const char* kEveryHost = "255.255.255.255";
 
 std::int64_t arrival_ns(msghdr& message) {
   for (cmsghdr* part = CMSG_FIRSTHDR(&message); part != nullptr;
@@ -91,6 +92,16 @@ RecordSource::RecordSource(const std::string& interface, const std::vector<Recor
   sockets_.reserve(groups.size());
   for (const RecordGroup& group : groups)
     sockets_.push_back(std::make_unique<Socket>(interface, group));
+  for (RecordGroup group : groups) {
+    if (group.group.empty()) continue;
+    std::vector<std::string> addresses;
+    if (const auto network = broadcast_address(interface)) addresses.push_back(*network);
+    if (interface != kLoopback) addresses.emplace_back(kEveryHost);
+    for (std::string& address : addresses) {
+      group.group = std::move(address);
+      sockets_.push_back(std::make_unique<Socket>(interface, group));
+    }
+  }
 }
 
 RecordSource::~RecordSource() = default;

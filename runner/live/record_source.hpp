@@ -22,7 +22,8 @@ struct ReceivedRecord {
   std::string host;  // of the sender
 };
 
-// A group to listen to. `flag` is the option that would change the port.
+// A group to listen to; packets that are broadcast to its port are received as well. `flag` is the
+// option that would change the port.
 struct RecordGroup {
   league::MessageKind kind = league::MessageKind::kUnknown;
   std::string group;  // empty: packets sent to this computer

@@ -115,6 +115,7 @@ std::vector<std::string> gaps_of(const RecordedFacts& facts, const GameSettings&
          fmt::format("no robot of the {} team is ever detected",
                      side == Side::kWest ? "yellow" : "blue"));
   }
+  note(!facts.has_ball, "", "no ball is ever detected, so that nothing about it can be called");
   return gaps;
 }
 

@@ -37,7 +37,8 @@ bool is_restart(const Command& command) {
 // Reads the log up to a time, and beyond it only the next restart. In the coordinates of the log.
 class StateReader final : public league::LogVisitor {
  public:
-  StateReader(double at_s, Side yellow_end) : at_s_(at_s), ends_(yellow_end, true) {}
+  StateReader(double at_s, const RecordedTeams& teams)
+      : at_s_(at_s), ends_(teams.yellow_end.value_or(Side::kWest), true, teams.turned) {}
 
   void on_frame(const Frame& frame) override {
     if (!first_s_) first_s_ = frame.time_s;
@@ -158,7 +159,7 @@ LoggedState logged_state(const std::filesystem::path& log, double at_s) try {
   league::LogVisitor nobody;
   const Field field = league::read_log(log, nobody).field.value_or(Field{});
   const RecordedTeams teams = teams_in(log, field, true);
-  StateReader reader(at_s, teams.yellow_end.value_or(Side::kWest));
+  StateReader reader(at_s, teams);
   const league::LogSummary summary = league::read_log(log, reader);
   if (!reader.covers(at_s)) {
     throw std::invalid_argument(fmt::format("{} s is not in the log {}, which covers {}", at_s,

@@ -19,7 +19,8 @@ RecordReferee::RecordReferee(std::vector<referee::Configuration> configurations,
       actual_keepers_(teams.actual_keepers),
       order_(order),
       watch_(std::move(watch)),
-      ends_(teams.yellow_end.value_or(Side::kWest), configurations_.front().rules.change_ends),
+      ends_(teams.yellow_end.value_or(Side::kWest), configurations_.front().rules.change_ends,
+            teams.turned),
       referee_(configurations_.front()) {
   for (const Side side : kSides) requests_[side].keeper = actual_keepers_[side].value_or(0);
   say_ends();

@@ -44,6 +44,7 @@ double RecordedCamera::rate_hz() const {
 
 void FactFinder::on_frame(const Frame& frame) {
   noise_.take(frame);
+  facts_.has_ball = facts_.has_ball || frame.ball.has_value();
   for (const Side side : kSides) {
     facts_.robots[side] =
         std::max(facts_.robots[side], static_cast<int>(frame.robots[side].size()));

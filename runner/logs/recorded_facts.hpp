@@ -63,6 +63,7 @@ struct RecordedFacts {
   std::optional<RefereeSignal> last_signal;         // nullopt without referee packets
   std::map<std::uint32_t, RecordedCamera> cameras;  // by number
   PerSide<int> robots;                              // maximum number in a frame
+  bool has_ball = false;                            // in any frame
   std::vector<RecordedGame> games = {{}};           // at least one, at most kMostGames
   std::optional<VisionNoise> noise;                 // measured (logged_noise.hpp)
   std::vector<TimedGameEvent> game_events;          // the recorded referee's

@@ -1,6 +1,7 @@
 #include "runner/logs/recorded_teams.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "league/log_contents.hpp"
 #include "league/referee_message.hpp"
@@ -11,6 +12,7 @@ namespace autoref::runner {
 namespace {
 
 constexpr int kEnough = 100;          // frames
+constexpr int kClearly = 9;           // times as many frames
 constexpr double kMostly = 0.8;       // share of the frames
 constexpr double kHardlyEver = 0.05;  // share of the frames
 
@@ -24,6 +26,7 @@ class DutyCounter final : public league::LogVisitor {
     end_.take(frame);
     for (const Side team : kSides) {
       for (const Side end : kSides) count(team, end, frame.robots[team]);
+      if (says_ends_) compare_ends(team, frame.robots[team]);
     }
   }
 
@@ -32,20 +35,51 @@ class DutyCounter final : public league::LogVisitor {
     const std::optional<RefereeSignal> signal = league::signal_of(packet);
     if (!signal) return;
     ends_.take(packet, signal->stage);
-    if (!said_ && packet.has_blue_team_on_positive_half()) said_ = ends_.yellow();
+    stage_ = signal->stage;
+    says_ends_ = packet.has_blue_team_on_positive_half();
+    keepers_ = signal->keepers;
+    if (!said_ && packet.has_blue_team_on_positive_half()) {
+      said_ = ends_.yellow();
+      first_stage_ = signal->stage;
+    }
     for (const Side team : kSides)
       announced_[team] = signal->keepers[team].value_or(announced_[team]);
   }
 
   RecordedTeams teams() const {
-    RecordedTeams teams{end_.end(), {}};
-    const Side end = teams.yellow_end.value_or(Side::kWest);
+    RecordedTeams teams{end_.end(), {}, turned()};
+    // The first stage of the log tells what holds before its first packet.
+    if (said_ && first_stage_ && teams.turned.contains(*first_stage_))
+      teams.yellow_end = opponent_of(*said_);
+    const Side end = end_.end().value_or(Side::kWest);
     for (const Side team : kSides)
       teams.actual_keepers[team] = actual_keeper(duties_[end][team], announced_[team]);
     return teams;
   }
 
  private:
+  // Whether the announced keeper is where the packets say.
+  void compare_ends(Side team, const SeenRobots& robots) {
+    for (const RobotObservation& robot : robots) {
+      if (keepers_[team] != robot.number) continue;
+      if (const auto seen = yellow_end_by(field_, team, robot.position_m))
+        ++(*seen == ends_.yellow() ? as_said_ : turned_)[stage_][team];
+    }
+  }
+
+  TurnedStages turned() const {
+    TurnedStages stages;
+    for (const auto& [stage, frames] : turned_) {
+      const auto found = as_said_.find(stage);
+      const PerSide<int> said = found == as_said_.end() ? PerSide<int>() : found->second;
+      const bool are_all = std::all_of(kSides.begin(), kSides.end(), [&](Side team) {
+        return frames[team] >= kEnough && frames[team] >= kClearly * said[team];
+      });
+      if (are_all) stages.insert(stage);
+    }
+    return stages;
+  }
+
   bool has_changed() const { return ends_.yellow() != said_.value_or(Side::kWest); }
 
   // `end` is the one that yellow defended at first.
@@ -69,6 +103,13 @@ class DutyCounter final : public league::LogVisitor {
   RecordedEnds ends_;
   PerSide<PerSide<GoalDuty>> duties_;  // by the end of yellow, then by team
   PerSide<int> announced_;
+  Stage stage_ = Stage::kFirstHalfPre;
+  std::optional<Stage> first_stage_;  // that says the ends
+  bool says_ends_ = false;
+  PerSide<std::optional<int>> keepers_;
+  // Frames in which a team's keeper is seen where the packets say, and at the other end.
+  std::map<Stage, PerSide<int>> as_said_;
+  std::map<Stage, PerSide<int>> turned_;
 };
 
 }  // namespace

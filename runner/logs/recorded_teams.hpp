@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "league/log_contents.hpp"
+#include "runner/logs/recorded_ends.hpp"
 #include "soccer/field.hpp"
 #include "soccer/side.hpp"
 
@@ -28,6 +29,9 @@ struct RecordedTeams {
   // Robots that keep the goals although others are announced; -1: unknown, nullopt: the announced.
   // A keeper that is never announced is taken to be robot 0.
   PerSide<std::optional<int>> actual_keepers;
+  // Stages in which both announced keepers stand in front of the other goal than the referee's
+  // packets say: in at least 100 frames each, and nine times as often as in front of that one.
+  TurnedStages turned;
 };
 
 // `change_ends`: whether the rule book lets the teams change ends. Throws league::LogError.

@@ -18,6 +18,15 @@ double mean_x_m(const SeenRobots& robots) {
 
 }  // namespace
 
+std::optional<Side> yellow_end_by(const Field& field, Side team, const Vec2& keeper_m) {
+  const double near_m = field.defence_area.depth_m + kNearArea_m;
+  for (const Side end : kSides) {
+    if ((keeper_m - field.goal_centre_m(end)).norm() <= near_m)
+      return team == Side::kWest ? end : opponent_of(end);
+  }
+  return std::nullopt;
+}
+
 void YellowEnd::take(const league::RefereePacket& packet) {
   if (packet.has_blue_team_on_positive_half() && !said_)
     said_ = packet.blue_team_on_positive_half() ? Side::kWest : Side::kEast;
@@ -43,11 +52,7 @@ void YellowEnd::take(const Frame& frame) {
 }
 
 void YellowEnd::take_keeper(Side team, const RobotObservation& keeper) {
-  const double near_m = field_.defence_area.depth_m + kNearArea_m;
-  for (const Side end : kSides) {
-    if ((keeper.position_m - field_.goal_centre_m(end)).norm() > near_m) continue;
-    ++votes_[team == Side::kWest ? end : opponent_of(end)];
-  }
+  if (const auto end = yellow_end_by(field_, team, keeper.position_m)) ++votes_[*end];
 }
 
 std::optional<Side> YellowEnd::end() const {

@@ -9,6 +9,10 @@
 
 namespace autoref::runner {
 
+// The end that yellow defends by where a keeper stands; nullopt if it is not near a goal. `team` is
+// the keeper's.
+std::optional<Side> yellow_end_by(const Field& field, Side team, const Vec2& keeper_m);
+
 // Evidence from the beginning of a game, before the teams change ends. Sources, in order of
 // preference: the referee's packets, if they say so; the keepers that they name, near a goal in the
 // first minute; the mean position of each team's robots in the first ten seconds.

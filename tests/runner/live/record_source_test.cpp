@@ -6,7 +6,10 @@
 #include <string>
 #include <thread>
 
+#include "runner/bench/beside_live_game.hpp"
 #include "runner/io/errors.hpp"
+#include "runner/live/live_options.hpp"
+#include "runner/live/network.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -90,6 +93,27 @@ TEST_F(RecordSourceTest, WithoutPacketsNothingIsTakenByTheDeadline) {
 TEST(RecordSource, AnAddressOfAnotherComputerIsAnError) {
   EXPECT_THROW(RecordSource("192.0.2.1", {{MessageKind::kVision2014, "", 0, "--vision-port"}}),
                InputError);
+}
+
+// Networks that do not pass multicast on: the league's game controller can broadcast.
+TEST(RecordSourceOfAGroup, ReceivesWhatIsBroadcast) {
+  NetworkThread thread;
+  const int port = free_ports(thread, 1)[0];
+  RecordSource source(kLoopback,
+                      {{MessageKind::kReferee2013, kRefereeGroup, port, "--referee-port"}});
+  DatagramSender everybody(kLoopback, {*broadcast_address(kLoopback), port});
+  everybody.send("stop");
+  const auto deadline = RecordSource::Clock::now() + std::chrono::minutes(1);
+  std::optional<ReceivedRecord> record;
+  while (!record && RecordSource::Clock::now() < deadline) record = source.take(deadline);
+  ASSERT_TRUE(record);
+  EXPECT_EQ(record->kind, MessageKind::kReferee2013);
+  EXPECT_EQ(record->bytes, "stop");
+}
+
+TEST(BroadcastAddress, BelongsToAnInterface) {
+  EXPECT_EQ(broadcast_address(kLoopback), "127.255.255.255");
+  EXPECT_EQ(broadcast_address("192.0.2.99"), std::nullopt);
 }
 
 }  // namespace

@@ -241,6 +241,38 @@ TEST_F(DisturbedLog, FromAPipe) {
   }
 }
 
+// Nobody has switched the ends in the controller after half-time.
+TEST_F(DisturbedLog, WhoseEndsWereNotSwitchedIsJudgedByThoseThatAreSeen) {
+  std::optional<bool> first;
+  write_each([&first](const LogRecord& record, Records& records) {
+    records.push_back(record);
+    league::RefereePacket packet;
+    if (kind_of(record) != MessageKind::kReferee2013 || !packet.ParseFromString(record.message))
+      return;
+    first = first.value_or(packet.blue_team_on_positive_half());
+    packet.set_blue_team_on_positive_half(*first);
+    records.back().message = packet.SerializeAsString();
+  });
+  expect_judged_alike(
+      "both keepers are at the other ends than the referee packets say in SECOND_HALF_PRE, "
+      "SECOND_HALF; using those that are seen");
+}
+
+// Nor at the beginning, so that they are wrong in the first half and right in the second.
+TEST_F(DisturbedLog, WhoseEndsAreWrongFromTheBeginningIsJudgedByThoseThatAreSeen) {
+  write_each([](const LogRecord& record, Records& records) {
+    records.push_back(record);
+    league::RefereePacket packet;
+    if (kind_of(record) != MessageKind::kReferee2013 || !packet.ParseFromString(record.message))
+      return;
+    packet.set_blue_team_on_positive_half(!packet.blue_team_on_positive_half());
+    records.back().message = packet.SerializeAsString();
+  });
+  const Answer answer = judged(log_);
+  EXPECT_EQ(answer.out, judged_.out);
+  EXPECT_NE(answer.err.find("both keepers are at the other ends"), std::string::npos) << answer.err;
+}
+
 // A recorder that is killed leaves what it had written; what is missing is the last second.
 TEST_F(DisturbedLog, OfARecorderThatWasKilled) {
   for (const char* ending : {"log", "log.gz"}) {

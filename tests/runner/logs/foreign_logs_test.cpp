@@ -208,6 +208,13 @@ TEST_F(ForeignLog, WithRecordsOutOfOrderIsJudged) {
   expect_judged();
 }
 
+TEST_F(ForeignLog, WithoutABallSaysSo) {
+  write({.change_detection = [](league::DetectionFrame& detection) { detection.clear_balls(); }});
+  expect_judged("no ball is ever detected");
+  write({});
+  EXPECT_EQ(referee().err.find("no ball"), std::string::npos);
+}
+
 TEST_F(ForeignLog, WithoutVisionIsRefused) {
   write({.has_vision = false});
   EXPECT_EQ(run("info", {}).code, kDone);
