@@ -9,6 +9,7 @@ namespace {
 // A camera heard within that time is a reference. A packet that is farther off has been delayed, or
 // its clock was set.
 constexpr double kOff_s = 0.1;
+constexpr double kShortly_s = 0.02;         // packets that arrive so shortly after each other
 constexpr double kLeap_s = 1;               // larger steps are restarts
 constexpr double kImpossibleLeap_s = 1000;  // whatever the pace
 constexpr int kLeaps = 5;                   // packets in a row that establish a restarted clock
@@ -71,13 +72,15 @@ CameraClocks::Clocks::const_iterator CameraClocks::reference(std::uint32_t camer
   });
 }
 
-// The median over the other cameras that are heard and keep pace; nullopt if there are none.
-std::optional<double> CameraClocks::ahead_of_others_s(std::uint32_t camera,
-                                                      const Heard& heard) const {
+// The median over the other cameras that are heard and keep pace, or may do so if `else_paced`;
+// nullopt if there are none.
+std::optional<double> CameraClocks::ahead_of_others_s(std::uint32_t camera, const Heard& heard,
+                                                      bool else_paced) const {
   const Clock& clock = clocks_.at(camera);
   std::vector<double> all_s;
   for (const auto& [number, other] : clocks_) {
-    if (number != camera && is_heard(other, heard.received_s) && other.keeps_pace.value_or(false))
+    if (number != camera && is_heard(other, heard.received_s) &&
+        other.keeps_pace.value_or(else_paced))
       all_s.push_back(ahead_s(clock, other, heard));
   }
   return all_s.empty() ? std::nullopt : std::optional(median_of(all_s));
@@ -90,18 +93,23 @@ CameraClocks::Clock CameraClocks::first_clock(std::uint32_t camera, const Heard&
   if (other == clocks_.end()) return clock;
   clock.start_s = other->second.start_s;
   const double apart_s = ahead_s(clock, other->second, heard);
-  if (std::abs(apart_s) > kSameClock_s && other->second.keeps_pace.value_or(true))
+  // Unless it is large, slow motion may be the reason, in which little time passes between captures
+  // and much between arrivals.
+  const double between_arrivals_s = std::abs(heard.received_s - other->second.last->received_s);
+  const bool is_plain = between_arrivals_s <= kShortly_s || std::abs(apart_s) > 2 * kOff_s;
+  if (std::abs(apart_s) > kSameClock_s && is_plain && other->second.keeps_pace.value_or(true))
     clock.start_s += apart_s;
   return clock;
 }
 
 // Whether the clock is off by so much that the packet cannot be used.
 bool CameraClocks::is_off(std::uint32_t camera, const Heard& heard) const {
-  if (const auto apart_s = ahead_of_others_s(camera, heard)) return std::abs(*apart_s) > kOff_s;
+  if (const auto apart_s = ahead_of_others_s(camera, heard, false))
+    return std::abs(*apart_s) > kOff_s;
   const Clock& clock = clocks_.at(camera);
   if (!clock.last) return false;
   const double leap_s = ahead_s(clock, clock, heard);
-  return leap_s > (clock.keeps_pace.value_or(false) ? kLeap_s : kImpossibleLeap_s);
+  return leap_s > (clock.keeps_pace.value_or(true) ? kLeap_s : kImpossibleLeap_s);
 }
 
 // Compares with the reference, and adjusts the clock if it is usually off by a little.
@@ -146,7 +154,7 @@ bool CameraClocks::has_changed(Clock& clock, const Heard& heard) const {
 void CameraClocks::restart(std::uint32_t camera, const Heard& heard, double after_s) {
   Clock& clock = clocks_.at(camera);
   const double before_s = clock.start_s;
-  if (const auto apart_s = ahead_of_others_s(camera, heard)) {
+  if (const auto apart_s = ahead_of_others_s(camera, heard, true)) {
     clock.start_s += *apart_s;
   } else {
     const double earliest_s = std::max(after_s, latest_s_) + kRestartPause_s;

@@ -80,7 +80,8 @@ class CameraClocks {
   static bool is_heard(const Clock& clock, double received_s);
   static double ahead_s(const Clock& clock, const Clock& other, const Heard& heard);
   Clocks::const_iterator reference(std::uint32_t camera, double received_s) const;
-  std::optional<double> ahead_of_others_s(std::uint32_t camera, const Heard& heard) const;
+  std::optional<double> ahead_of_others_s(std::uint32_t camera, const Heard& heard,
+                                          bool else_paced) const;
   Clock first_clock(std::uint32_t camera, const Heard& heard) const;
   bool is_off(std::uint32_t camera, const Heard& heard) const;
   void compare(std::uint32_t camera, const Heard& heard);

@@ -156,7 +156,7 @@ bool LogReader::read(LogRecord& record) {
   offset_ = gztell(zlib_file(file_));
   Header header{};
   std::size_t size = get(header.data(), header.size());
-  // Another log, appended to this one, begins anew.
+  // Another log that was appended to this one.
   while (size == header.size() && has_signature(header)) {
     if (version_of(header) != kVersion)
       return fail(fmt::format("a log of version {} follows; only version {} is supported",

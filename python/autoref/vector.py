@@ -12,6 +12,7 @@ import numpy as np
 from .environments import GymnasiumEnv
 
 _LONGEST_STEP_S = 600.0
+_RESET, _STEP = "reset", "step"
 
 
 class _Shared:
@@ -40,11 +41,11 @@ def _work(pipe: Connection, others: list[Connection], shared: _Shared, mine: ran
     envs = [GymnasiumEnv(**options) for _ in mine]
     try:
         while True:
-            order = pipe.recv()
+            order, seed = pipe.recv()
             infos: dict[int, Any] = {}
             for k, i in enumerate(mine):
-                if order is not None:
-                    shared.observations[i], _ = envs[k].reset(seed=order + i)
+                if order == _RESET:
+                    shared.observations[i], _ = envs[k].reset(seed=None if seed is None else seed + i)
                     continue
                 observation, reward, over, late, info = envs[k].step(shared.actions[i])
                 shared.rewards[i], shared.terminated[i], shared.truncated[i] = reward, over, late
@@ -91,19 +92,17 @@ class VectorEnv:
         self._seed = seed
 
     def reset(self, *, seed: int | None = None) -> tuple[np.ndarray, dict[int, Any]]:
-        """Begins an episode in each environment. Environment i takes seed + i, or that of the
-        constructor, the first time, and then goes on by its own random numbers; without any seed,
-        the games are others every time."""
-        seed = self._seed if seed is None else seed
-        self._seed = None
-        infos = self._all(int(np.random.default_rng().integers(2**62)) if seed is None else seed)
-        return self._shared.observations, infos
+        """Begins an episode in each environment. Environment i takes seed + i, at first that of the
+        constructor, and then goes on by its own random numbers; without any seed, every reset plays
+        other games."""
+        seed, self._seed = self._seed if seed is None else seed, None
+        return self._shared.observations, self._all((_RESET, seed))
 
     def step(self, actions: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, dict[int, Any]]:
         """Returns observations, rewards, terminated and truncated (1 or 0), and infos by index."""
         shared = self._shared
         shared.actions[:] = actions
-        infos = self._all(None)
+        infos = self._all((_STEP, None))
         return shared.observations, shared.rewards, shared.terminated, shared.truncated, infos
 
     def close(self) -> None:
@@ -123,7 +122,7 @@ class VectorEnv:
     def __exit__(self, *_: Any) -> None:
         self.close()
 
-    def _all(self, order: int | None) -> dict[int, Any]:
+    def _all(self, order: tuple[str, int | None]) -> dict[int, Any]:
         for pipe in self._pipes:
             pipe.send(order)
         infos: dict[int, Any] = {}

@@ -327,13 +327,13 @@ class Experiment {
   }
 
   // Whether the game was played by the former or the new version is not known.
-  void refuse_changed_programs() const {
+  void refuse_changed_programs() {
     const std::vector<std::string> changed = programs_.changed();
     if (changed.empty()) return;
-    throw InputError({changed.front()}, "",
-                     fmt::format("was changed during the run, and belongs to a team's program; the "
-                                 "games played before are kept; play those of the new version in "
-                                 "another folder, with -o instead of {}",
+    throw InputError({}, changed.front(),
+                     fmt::format("a file of the program was changed during the run; the games "
+                                 "played before are kept; play those of the new version in another "
+                                 "folder, with -o instead of {}",
                                  options_.folder.string()));
   }
 
@@ -385,7 +385,7 @@ class Experiment {
   const ExperimentOptions& options_;
   const RowFormat format_;
   const Outcomes outcomes_;
-  const ProgramWatch programs_{scenario_};
+  ProgramWatch programs_{scenario_};
   const std::string host_ = host_name();
   const std::string cpu_ = cpu_name();
   std::optional<Shard> shard_;   // locked during run()

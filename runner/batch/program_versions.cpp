@@ -10,6 +10,7 @@
 #include "runner/io/checksum.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/settings/command_text.hpp"
+#include "runner/settings/fields.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -25,16 +26,15 @@ struct ProgramFile {
 };
 using ProgramFileList = std::vector<ProgramFile>;
 
-// A team of a scenario, or several that share their settings.
 struct VersionedTeam {
   TeamSettings* team = nullptr;
-  std::string path;                                // of its settings
-  std::vector<std::vector<std::string>> commands;  // with the values that a factor gives it
+  std::string path;                    // of its settings
+  std::vector<TeamSettings> variants;  // the team, or one for each value of a factor
 };
 using VersionedTeams = std::vector<VersionedTeam>;
 
 void add(TeamSettings& team, std::string path, VersionedTeams& all) {
-  all.push_back({&team, std::move(path), {team.command}});
+  all.push_back({&team, std::move(path), {team}});
 }
 
 void add(Teams& teams, std::string_view branch, VersionedTeams& all) {
@@ -46,15 +46,40 @@ void list(GameSettings& game, VersionedTeams& all) {
   add(game.b, "teams.b", all);
 }
 
-// The values of a factor share the files of all of them.
+// Changes what determines the files; returns false for other settings.
+bool set(const std::string& name, const std::string& text, TeamSettings& team) {
+  if (name == "directory") {
+    team.directory = text;
+  } else if (name == "command") {
+    team.command = words_of_command(text);
+  } else if (name == "files") {
+    team.files = words_of_command(text);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void vary(const Factor& factor, VersionedTeam& team) {
+  const std::string path = full_path(factor.path);
+  if (!path.starts_with(team.path + ".")) return;
+  const std::string name = path.substr(team.path.size() + 1);
+  std::vector<TeamSettings> variants;
+  for (const TeamSettings& one : team.variants) {
+    for (const SettingValue& value : factor.values) {
+      TeamSettings varied = one;
+      const auto* text = std::get_if<std::string>(&value);
+      if (text == nullptr || !set(name, *text, varied)) return;
+      variants.push_back(std::move(varied));
+    }
+  }
+  team.variants = std::move(variants);
+}
+
 void list(Sweep& sweep, VersionedTeams& all) {
   list(sweep.base, all);
   for (const Factor& factor : sweep.factors) {
-    for (VersionedTeam& team : all) {
-      if ("teams." + factor.path != team.path + ".command") continue;
-      for (const SettingValue& value : factor.values)
-        team.commands.push_back(words_of_command(std::get<std::string>(value)));
-    }
+    for (VersionedTeam& team : all) vary(factor, team);
   }
 }
 
@@ -79,66 +104,83 @@ VersionedTeams teams_of(Scenario& scenario) {
   return all;
 }
 
-[[noreturn]] void refuse(const VersionedTeam& team, const std::string& why) {
-  throw InputError({}, team.path + ".files", why);
+[[noreturn]] void refuse(const std::string& team_path, const std::string& why) {
+  throw InputError({}, team_path + ".files", why);
+}
+
+bool is_left_out(const fs::path& path) {
+  const std::string name = path.filename().string();
+  return name.starts_with('.') || name == "__pycache__";
 }
 
 void add_folder(const std::string& name, const fs::path& folder, ProgramFileList& files) {
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    if (!entry.is_regular_file()) continue;
-    files.push_back({name + "/" + entry.path().lexically_relative(folder).string(), entry.path()});
-    if (files.size() > kMostFiles) return;
-  }
-}
-
-void add_named(const VersionedTeam& team, const std::string& name, ProgramFileList& files) {
-  const fs::path path = fs::path(team.team->directory) / name;
-  if (fs::is_directory(path)) return add_folder(name, path, files);
-  if (!fs::is_regular_file(path)) refuse(team, fmt::format("there is no file {}", path.string()));
-  files.push_back({name, path});
-}
-
-ProgramFileList files_of(const VersionedTeam& team) {
-  ProgramFileList files;
-  try {
-    for (const std::string& name : team.team->files) add_named(team, name, files);
-    if (team.team->files.empty()) {
-      for (const auto& command : team.commands) {
-        for (const std::string& word : command) {
-          const fs::path path = fs::path(team.team->directory) / word;
-          std::error_code error;
-          if (fs::is_regular_file(path, error)) files.push_back({word, path});
-        }
-      }
+  for (fs::recursive_directory_iterator entry(folder), end; entry != end; ++entry) {
+    if (is_left_out(entry->path())) {
+      entry.disable_recursion_pending();
+    } else if (entry->is_regular_file()) {
+      files.push_back(
+          {name + "/" + entry->path().lexically_relative(folder).string(), entry->path()});
+      if (files.size() > kMostFiles) return;
     }
-  } catch (const fs::filesystem_error& error) {
-    refuse(team, error.what());
   }
-  if (files.size() > kMostFiles) refuse(team, fmt::format("more than {} files", kMostFiles));
-  std::sort(files.begin(), files.end(),
-            [](const ProgramFile& a, const ProgramFile& b) { return a.name < b.name; });
+}
+
+void add_files(const TeamSettings& team, ProgramFileList& files) {
+  for (const std::string& name : team.files) {
+    const fs::path path = fs::path(team.directory) / name;
+    if (fs::is_directory(path)) {
+      add_folder(name, path, files);
+    } else if (fs::is_regular_file(path)) {
+      files.push_back({name, path});
+    } else {
+      throw fs::filesystem_error("there is no file", path, {});
+    }
+  }
+  if (!team.files.empty()) return;
+  for (const std::string& word : team.command) {
+    const fs::path path = fs::path(team.directory) / word;
+    std::error_code error;
+    if (fs::is_regular_file(path, error)) files.push_back({word, path});
+  }
+}
+
+ProgramFileList files_of(const std::string& path, const std::vector<TeamSettings>& variants) {
+  ProgramFileList files;
+  for (const TeamSettings& team : variants) {
+    ProgramFileList its;
+    try {
+      if (!team.command.empty()) add_files(team, its);
+    } catch (const fs::filesystem_error& error) {
+      refuse(path, fmt::format("there is no file or folder {}, or it cannot be read",
+                               error.path1().string()));
+    }
+    std::sort(its.begin(), its.end(),
+              [](const ProgramFile& a, const ProgramFile& b) { return a.name < b.name; });
+    files.insert(files.end(), its.begin(), its.end());
+  }
+  if (files.size() > kMostFiles) refuse(path, fmt::format("more than {} files", kMostFiles));
   return files;
 }
 
 // Empty without files.
-std::string hash_of(const VersionedTeam& team) {
-  const ProgramFileList files = files_of(team);
+std::string hash_of(const std::string& path, const std::vector<TeamSettings>& variants) {
+  const ProgramFileList files = files_of(path, variants);
   if (files.empty()) return {};
   ByteHash hash;
   std::uintmax_t bytes = 0;
   std::string chunk(std::size_t{1} << 16, '\0');
   for (const ProgramFile& file : files) {
-    hash.add(fmt::format("{}\n{}\n", file.name, fs::file_size(file.path)));
+    std::error_code error;
+    hash.add(fmt::format("{}\n{}\n", file.name, fs::file_size(file.path, error)));
     std::ifstream stream(file.path, std::ios::binary);
     while (stream) {
       stream.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
       const auto size = static_cast<std::size_t>(stream.gcount());
       hash.add(std::string_view(chunk).substr(0, size));
       bytes += size;
-      if (bytes > kMostBytes)
-        refuse(team, "its files have more than 1 GiB; name those that matter");
+      if (bytes > kMostBytes) refuse(path, "more than 1 GiB; name the files that matter");
     }
-    if (!stream.eof()) refuse(team, fmt::format("{} cannot be read", file.path.string()));
+    if (!stream.eof()) refuse(path, fmt::format("{} cannot be read", file.path.string()));
   }
   return hash_text(hash.value());
 }
@@ -146,28 +188,45 @@ std::string hash_of(const VersionedTeam& team) {
 }  // namespace
 
 void note_program_versions(Scenario& scenario) {
-  for (const VersionedTeam& team : teams_of(scenario)) team.team->files_hash = hash_of(team);
+  for (const VersionedTeam& team : teams_of(scenario))
+    team.team->files_hash = hash_of(team.path, team.variants);
 }
 
 ProgramWatch::ProgramWatch(const Scenario& scenario) {
   Scenario copy = scenario;
   for (const VersionedTeam& team : teams_of(copy)) {
     if (team.team->files_hash.empty()) continue;
-    for (const ProgramFile& file : files_of(team)) files_.push_back(look_at(file.path));
+    WatchedProgram program{team.path, team.variants, {}};
+    program.files = look_at(program);
+    programs_.push_back(std::move(program));
   }
 }
 
-ProgramWatch::Watched ProgramWatch::look_at(const fs::path& file) {
-  std::error_code error;
-  return {file, fs::last_write_time(file, error), fs::file_size(file, error)};
+std::vector<ProgramWatch::Watched> ProgramWatch::look_at(const WatchedProgram& program) {
+  std::vector<Watched> seen;
+  for (const ProgramFile& file : files_of(program.path, program.variants)) {
+    std::error_code error;
+    seen.push_back(
+        {file.path, fs::last_write_time(file.path, error), fs::file_size(file.path, error)});
+  }
+  return seen;
 }
 
-std::vector<std::string> ProgramWatch::changed() const {
-  std::vector<std::string> names;
-  for (const Watched& watched : files_) {
-    if (!(look_at(watched.file) == watched)) names.push_back(watched.file.string());
+std::vector<std::string> ProgramWatch::changed() {
+  std::vector<std::string> settings;
+  for (WatchedProgram& program : programs_) {
+    bool is_same = false;
+    try {
+      const std::vector<Watched> seen = look_at(program);
+      is_same = seen == program.files ||
+                hash_of(program.path, program.variants) == program.variants.front().files_hash;
+      program.files = seen;
+    } catch (const InputError&) {
+      // A file is missing.
+    }
+    if (!is_same) settings.push_back(program.path + ".files");
   }
-  return names;
+  return settings;
 }
 
 }  // namespace autoref::runner

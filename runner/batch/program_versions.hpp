@@ -11,19 +11,22 @@ namespace autoref::runner {
 
 // Notes in every team whose program consists of known files what these contain now, so that games
 // of another version of the program are other games (TeamSettings::files_hash). The files are those
-// that the setting `files` names, with everything below its folders, or else the words of the
-// command that are files; relative paths begin in the program's directory. A program that is found
-// in PATH is not looked at. Throws InputError if a file is missing or cannot be read, or if there
-// are more than 10,000 files or more than 1 GiB.
+// that the setting `files` names, with what is below its folders except hidden files and Python's
+// __pycache__, or else the words of the command that are files; relative paths begin in the
+// program's directory. A program that is found in PATH is not looked at. The levels of a factor
+// share the files of all of them. Throws InputError if a file is missing or cannot be read, or if
+// there are more than 10,000 files or more than 1 GiB.
 void note_program_versions(Scenario& scenario);
 
-// Notices whether a file of the programs is changed, by its time and size.
+// Notices whether what a program's files contain is changed. A file that has kept its time and size
+// is taken to be the same.
 class ProgramWatch {
  public:
   explicit ProgramWatch(const Scenario& scenario);
 
-  // The files that are not as they were when this object was made.
-  std::vector<std::string> changed() const;
+  // The settings, such as "teams.mine.files", of the programs that are not as they were when this
+  // object was made.
+  std::vector<std::string> changed();
 
  private:
   struct Watched {
@@ -32,9 +35,14 @@ class ProgramWatch {
     std::uintmax_t size = 0;
     bool operator==(const Watched&) const = default;
   };
-  static Watched look_at(const std::filesystem::path& file);
+  struct WatchedProgram {
+    std::string path;                    // of the team's settings
+    std::vector<TeamSettings> variants;  // one for each value of a factor
+    std::vector<Watched> files;
+  };
+  static std::vector<Watched> look_at(const WatchedProgram& program);
 
-  std::vector<Watched> files_;
+  std::vector<WatchedProgram> programs_;
 };
 
 }  // namespace autoref::runner

@@ -243,8 +243,8 @@ int help_verb(const CLI::App& app, const std::string& word);  // empty: lists th
 
 // Adds a verb to the command line; parsing sets `chosen` to the work to do.
 using Chosen = std::function<int()>;
-// Reads a whole log. Throws InputError if the file is not a log.
-RecordedFacts read_facts(const std::string& log,
+// Reads a whole log from `copy` (seekable_log()). Throws InputError if the file is not a log.
+RecordedFacts read_facts(const std::string& path, const std::string& copy,
                          league::FrameSource source = league::FrameSource::kFirst);
 // Reads an experiment of one of the arguments' verbs and applies --set, --pairs and --seed. Throws
 // InputError for a scenario of another kind, naming the verb that plays it.

@@ -10,16 +10,17 @@
 
 namespace autoref::runner {
 
-RecordedFacts read_facts(const std::string& log, league::FrameSource source) {
+RecordedFacts read_facts(const std::string& path, const std::string& copy,
+                         league::FrameSource source) {
   try {
-    return facts_of(log, source);
+    return facts_of(copy, source);
   } catch (const league::LogError& error) {
-    throw InputError({}, "", error.what());
+    throw InputError({}, "", text_of(error, copy, path));
   }
 }
 
 int info_verb(const InfoArguments& arguments) {
-  const RecordedFacts facts = read_facts(seekable_log(arguments.log));
+  const RecordedFacts facts = read_facts(arguments.log, seekable_log(arguments.log));
   fmt::print("{}\n", arguments.json ? info_json(facts) : info_text(facts, arguments.commands));
   write_message(stderr, damage_text(arguments.log, facts));
   return facts.log.damage ? kBadInput : kDone;

@@ -96,7 +96,7 @@ int referee_verb(const RefereeArguments& arguments) {
   open_output(page, "--report", arguments.report);
   const std::vector<Call> annotated = annotated_calls(arguments);
   const std::string log = seekable_log(arguments.log);
-  RecordedFacts facts = read_facts(log, source_of(arguments));
+  RecordedFacts facts = read_facts(arguments.log, log, source_of(arguments));
   write_message(stderr, damage_text(arguments.log, facts));
   if (facts.log.frames == 0) {
     throw InputError({arguments.log}, "",
@@ -126,8 +126,8 @@ int referee_verb(const RefereeArguments& arguments) {
   if (events) events->commit(evaluation.events);
   if (game_events) game_events->commit(game_event_lines(evaluation.game_events));
   if (page)
-    page->commit(
-        log_page(log, games.front().field, decisions, evaluation.agreement, facts.log.source));
+    page->commit(log_page(log, arguments.log, games.front().field, decisions, evaluation.agreement,
+                          facts.log.source));
   fmt::print("{}\n", arguments.json ? referee_log_json(evaluation, facts, comparison)
                                     : referee_log_text(evaluation, facts, comparison));
   return facts.log.damage ? kBadInput : kDone;

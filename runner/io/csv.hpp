@@ -24,7 +24,7 @@ std::string first_cell(std::string_view line);
 // Returns the complete lines of a text; anything after the last line end is dropped.
 std::vector<std::string_view> complete_lines(std::string_view text);
 
-// The same, of a file that an editor or a spreadsheet may have written anew: without a byte order
+// The same, of a file that an editor or a spreadsheet may have rewritten: without a byte order
 // mark, and without the carriage returns of lines that end in CR LF.
 std::vector<std::string_view> lines_as_written(std::string_view text);
 

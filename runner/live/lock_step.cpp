@@ -12,10 +12,9 @@ namespace autoref::runner {
 namespace {
 
 constexpr std::size_t kMostWaitingRequests = 64;
-constexpr std::size_t kBesideDetections_bytes =
-    4096;                                  // of a response: errors, and what robots feel
-constexpr std::size_t kFraming_bytes = 6;  // of a detection in a response
-constexpr double kRoundingFrames = 1e-3;   // of steps, which are floats
+constexpr std::size_t kReserved_bytes = 4096;  // of a response: errors, and what robots feel
+constexpr std::size_t kFraming_bytes = 6;      // of a detection in a response
+constexpr double kRoundingFrames = 1e-3;       // of steps, which are floats
 constexpr std::array<Participant, 3> kParticipants = {Side::kWest, Side::kEast, std::nullopt};
 
 }  // namespace
@@ -65,15 +64,18 @@ std::int64_t LockStep::target(const Member& member) const {
 
 // Leaves out the oldest detections if the response would become too long.
 void LockStep::fit_detections(Member& member, std::int64_t frame, Waiting& done) const {
-  const std::size_t room = done.longest_bytes - kBesideDetections_bytes;
+  const std::size_t room = done.longest_bytes - kReserved_bytes;
   if (member.detections_bytes <= room && member.kept_bytes == member.detections_bytes) return;
   while (member.kept_bytes > room) drop_first_detection(member);
-  const double step_s = static_cast<double>(frame - member.answered) / rate_hz_;
+  const auto frames = static_cast<double>(frame - member.answered);
   const double share = static_cast<double>(room) / static_cast<double>(member.detections_bytes);
+  const double most_s = std::floor(0.9 * share * frames) / rate_hz_;
   done.request.commands.errors.push_back(
       {"STEP", fmt::format("the detections of {:.3f} s take {} bytes, and a response has room for "
-                           "{}: the oldest are missing; ask for steps of at most {:.3f} s",
-                           step_s, member.detections_bytes, room, 0.9 * share * step_s)});
+                           "{}: the oldest are missing; {}",
+                           frames / rate_hz_, member.detections_bytes, room,
+                           most_s > 0 ? fmt::format("ask for steps of at most {:.3f} s", most_s)
+                                      : "connect by TCP, or use fewer cameras")});
 }
 
 void LockStep::answer(Member& member, std::int64_t frame, const std::bitset<kMaxRobots>& contact) {

@@ -19,7 +19,7 @@ std::vector<ComparedCall> compared_calls(const Agreement& agreement) {
   return calls;
 }
 
-std::string log_page(const std::filesystem::path& log, const Field& field,
+std::string log_page(const std::filesystem::path& log, const std::string& name, const Field& field,
                      const std::vector<RecordedDecision>& decisions, const Agreement& agreement,
                      league::FrameSource source) {
   LogRecorder recorder;
@@ -28,7 +28,7 @@ std::string log_page(const std::filesystem::path& log, const Field& field,
   return page_of({recorder.recording,
                   field,
                   recorder.names,
-                  {{"log", log.filename().string()},
+                  {{"log", std::filesystem::path(name).filename().string()},
                    {"right", fmt::format("{} of {} calls; recorded {}", agreement.right,
                                          agreement.refereed, agreement.recorded)},
                    {"page made by build", std::string(build_id())}},

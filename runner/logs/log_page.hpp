@@ -14,8 +14,8 @@ namespace autoref::runner {
 // The calls of both referees in order of time.
 std::vector<ComparedCall> compared_calls(const Agreement& agreement);
 
-// `decisions` are AutoRef's. Throws league::LogError.
-std::string log_page(const std::filesystem::path& log, const Field& field,
+// `decisions` are AutoRef's, and `name` is what the user calls the log. Throws league::LogError.
+std::string log_page(const std::filesystem::path& log, const std::string& name, const Field& field,
                      const std::vector<RecordedDecision>& decisions, const Agreement& agreement,
                      league::FrameSource source = league::FrameSource::kFirst);
 

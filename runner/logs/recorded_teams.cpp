@@ -48,7 +48,7 @@ class DutyCounter final : public league::LogVisitor {
 
   RecordedTeams teams() const {
     RecordedTeams teams{end_.end(), {}, turned()};
-    // The first stage of the log tells what holds before its first packet.
+    // Before the first packet, the ends are those of its stage.
     if (said_ && first_stage_ && teams.turned.contains(*first_stage_))
       teams.yellow_end = opponent_of(*said_);
     const Side end = end_.end().value_or(Side::kWest);

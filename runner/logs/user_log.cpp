@@ -29,26 +29,22 @@ std::string clocks_text(const std::map<std::uint32_t, double>& clocks_ahead_s) {
   return text;
 }
 
-std::string quoted(const std::string& referee) {
+std::string quoted_name(const std::string& referee) {
   return referee.empty() ? "one without a name" : fmt::format("'{}'", printable(referee));
 }
 
 // "1 message is", "2 messages are".
-std::string counted(std::int64_t count, std::string_view what) {
+std::string count_text(std::int64_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? " is" : "s are");
 }
 
 std::string referees_text(const league::MessageFaults& faults) {
-  std::string text =
-      fmt::format("{} of another referee {} ignored, the first from {}; ",
-                  faults.of_other_referee == 1 ? "1 packet"
-                                               : fmt::format("{} packets", faults.of_other_referee),
-                  faults.of_other_referee == 1 ? "is" : "are", quoted(faults.other_referee));
-  text += faults.referee_changes == 0
-              ? fmt::format("the referee followed is {}", quoted(faults.referee))
-              : fmt::format("the referee followed has changed, the last one is {}",
-                            quoted(faults.referee));
-  return text;
+  return fmt::format("{} of another referee and ignored, first of {}; {} {}",
+                     count_text(faults.of_other_referee, "packet"),
+                     quoted_name(faults.other_referee),
+                     faults.referee_changes == 0 ? "the referee followed is"
+                                                 : "the referee followed has changed, it is now",
+                     quoted_name(faults.referee));
 }
 
 class Descriptor {
@@ -115,10 +111,16 @@ std::string seekable_log(const std::string& path) {
   return fmt::format("/proc/self/fd/{}", to.release());
 }
 
+std::string text_of(const league::LogError& error, const std::string& copy,
+                    const std::string& path) {
+  const std::string_view what = error.what();
+  return what.starts_with(copy) ? path + std::string(what.substr(copy.size())) : std::string(what);
+}
+
 std::vector<std::string> texts_of(const league::MessageFaults& faults) {
   std::vector<std::string> texts;
   const auto add = [&texts](std::int64_t count, std::string_view what, std::string_view text) {
-    if (count > 0) texts.push_back(fmt::format("{} {}", counted(count, what), text));
+    if (count > 0) texts.push_back(fmt::format("{} {}", count_text(count, what), text));
   };
   add(faults.unreadable, "unreadable message", "ignored");
   add(faults.late, "late packet", "ignored");
@@ -129,8 +131,9 @@ std::vector<std::string> texts_of(const league::MessageFaults& faults) {
                                 clocks_text(faults.clocks_ahead_s)));
   }
   if (faults.clock_restarts > 0) {
-    texts.push_back(fmt::format("the cameras' clock restarts {} times; adjusted to continue",
-                                faults.clock_restarts));
+    texts.push_back(fmt::format(
+        "the cameras' clock restarts {}; adjusted to continue",
+        faults.clock_restarts == 1 ? "once" : fmt::format("{} times", faults.clock_restarts)));
   }
   return texts;
 }
@@ -146,7 +149,7 @@ std::string damage_text(const std::string& path, const league::LogSummary& log) 
   };
   if (const auto unknown = log.records.find(league::MessageKind::kUnknown);
       unknown != log.records.end())
-    add(fmt::format("{} of an unknown kind and ignored", counted(unknown->second, "message")));
+    add(fmt::format("{} of an unknown kind and ignored", count_text(unknown->second, "message")));
   for (const std::string& line : texts_of(log.faults)) add(line);
   if (log.faults.unreadable > 0)
     add(fmt::format("the first unreadable message is at byte {}", log.unreadable_at));
@@ -183,10 +186,11 @@ std::string damage_text(const std::string& path, const RecordedFacts& facts) {
 
 league::LogSummary read_user_log(const std::string& path, league::LogVisitor& visitor) {
   league::LogSummary log;
+  const std::string copy = seekable_log(path);
   try {
-    log = league::read_log(seekable_log(path), visitor);
+    log = league::read_log(copy, visitor);
   } catch (const league::LogError& error) {
-    throw InputError({}, "", error.what());
+    throw InputError({}, "", text_of(error, copy, path));
   }
   write_message(stderr, damage_text(path, log));
   if (log.frames > 0) return log;

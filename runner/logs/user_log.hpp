@@ -14,6 +14,10 @@ namespace autoref::runner {
 // opened, and InputOutputError if it cannot be copied.
 std::string seekable_log(const std::string& path);
 
+// The message of an error in such a copy, with the name that the user gave.
+std::string text_of(const league::LogError& error, const std::string& copy,
+                    const std::string& path);
+
 // What is wrong with the messages of a game, recorded or live; without line ends.
 std::vector<std::string> texts_of(const league::MessageFaults& faults);
 

@@ -49,8 +49,12 @@ class RecordedTeam final : public strategies::Strategy {
 class ComparedTeam final : public strategies::Strategy {
  public:
   ComparedTeam(std::unique_ptr<strategies::Strategy> team, char letter, CommandsReader& file,
-               bool& is_equal)
-      : team_(std::move(team)), letter_(letter), file_(&file), is_equal_(&is_equal) {}
+               bool& is_equal, bool& was_killed)
+      : team_(std::move(team)),
+        letter_(letter),
+        file_(&file),
+        is_equal_(&is_equal),
+        was_killed_(&was_killed) {}
 
   bool has_sensors() const override { return team_->has_sensors(); }
   void sense(const strategies::SensorReadings& readings) override { team_->sense(readings); }
@@ -58,7 +62,12 @@ class ComparedTeam final : public strategies::Strategy {
   TeamRequests requests() const override { return team_->requests(); }
 
   void decide(const TeamView& view, TeamCommands& commands) override {
-    team_->decide(view, commands);
+    try {
+      team_->decide(view, commands);
+    } catch (const ProgramKilled&) {
+      *was_killed_ = true;
+      throw;
+    }
     const TeamEntry& entry = file_->next(letter_);
     if (!entry.fault.empty() || !is_same(entry, {commands, team_->requests(), {}}))
       *is_equal_ = false;
@@ -69,6 +78,7 @@ class ComparedTeam final : public strategies::Strategy {
   char letter_;
   CommandsReader* file_;
   bool* is_equal_;
+  bool* was_killed_;
 };
 
 // Plays the commands of a file.
@@ -190,19 +200,22 @@ bool GamePrograms::finish(const GameRecord& record) {
   return !reader_ || reader_->final_state() == record.state_hash;
 }
 
-bool repeats(const GameConfiguration& game, const std::filesystem::path& commands, double seconds) {
+std::optional<bool> repeats(const GameConfiguration& game, const std::filesystem::path& commands,
+                            double seconds) {
   CommandsReader reader(commands);
   bool is_equal = true;
+  bool was_killed = false;
   Game again(game, nullptr, [&](const TeamConfiguration& team, const strategies::TeamContext& c) {
     std::unique_ptr<strategies::Strategy> made = make_program_or_registered_team(team, c);
     if (!team.program) return made;
     const char letter = c.side == game.match.a_plays ? 'a' : 'b';
-    made = std::make_unique<ComparedTeam>(std::move(made), letter, reader, is_equal);
+    made = std::make_unique<ComparedTeam>(std::move(made), letter, reader, is_equal, was_killed);
     return made;
   });
   for (int frames = static_cast<int>(seconds * game.sim.frame_rate_hz); frames > 0; --frames) {
     if (!again.step() || !is_equal) break;
   }
+  if (was_killed) return std::nullopt;
   return is_equal && again.record().status == Status::kOk;
 }
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "runner/game/configuration.hpp"
 #include "runner/game/game_record.hpp"
@@ -83,7 +84,8 @@ class GamePrograms {
 };
 
 // Starts the programs again and plays the first `seconds` of a game that was recorded. Returns
-// whether they send the recorded commands.
-bool repeats(const GameConfiguration& game, const std::filesystem::path& commands, double seconds);
+// whether they send the recorded commands; nullopt if one was killed from outside.
+std::optional<bool> repeats(const GameConfiguration& game, const std::filesystem::path& commands,
+                            double seconds);
 
 }  // namespace autoref::runner

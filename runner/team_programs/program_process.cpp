@@ -226,7 +226,7 @@ bool ProgramProcess::was_killed_from_outside() const {
   return out_ < 0 && !report_ && has_reports_ended_ && supervisor_.has_namespace;
 }
 
-// The system's killer looks for processes with much memory, and does not say whom it has killed.
+// The system ends processes with much memory, and only counts how many.
 bool ProgramProcess::lacked_memory() const {
   const bool is_killed = report_ && report_->kind == SupervisorReport::kEnded &&
                          WIFSIGNALED(report_->value) && WTERMSIG(report_->value) == SIGKILL;

@@ -33,7 +33,7 @@ class ProgramError : public std::runtime_error {
   explicit ProgramError(const std::string& what, bool is_from_outside = false)
       : std::runtime_error(what), was_killed_from_outside(is_from_outside) {}
 
-  bool was_killed_from_outside;  // which was not its own doing
+  bool was_killed_from_outside;  // so that it is not to blame
 };
 
 }  // namespace autoref::runner

@@ -12,7 +12,7 @@
 
 namespace autoref::runner {
 
-// The program was killed from outside, which was not its own doing.
+// The program was killed from outside, so that it is not to blame.
 class ProgramKilled : public strategies::StrategyFault {
  public:
   using StrategyFault::StrategyFault;

@@ -37,6 +37,7 @@ struct MergedStream {
   int frames = 0;
   std::set<double> frame_times_s;
   double latest_s = 0;
+  double longest_gap_s = 0;
   std::int64_t late = 0;
   int restarts = 0;
   std::map<std::uint32_t, double> ahead_s;
@@ -77,7 +78,9 @@ MergedStream merged(Arrivals arrivals) {
   MergedStream result;
   const auto note = [&result](const Frame* frame) {
     if (frame == nullptr) return;
-    EXPECT_GT(frame->time_s, result.frames == 0 ? -1 : result.latest_s);
+    EXPECT_GT(frame->time_s, result.frames == 0 ? -1e9 : result.latest_s);
+    if (result.frames > 0)
+      result.longest_gap_s = std::max(result.longest_gap_s, frame->time_s - result.latest_s);
     result.latest_s = frame->time_s;
     result.frame_times_s.insert(frame->time_s);
     ++result.frames;
@@ -206,6 +209,48 @@ TEST(CameraClocks, PlaybackSpeedIsNotADifferenceOfClocks) {
       EXPECT_EQ(result.late, 0) << speed;
       EXPECT_NEAR(result.frames, kFrames, 2) << speed;
       EXPECT_TRUE(result.ahead_s.empty()) << speed;
+    }
+  }
+}
+
+// A recorded game that is sent more slowly or faster, with the phases of its cameras.
+TEST(CameraClocks, AReplayAtAnotherSpeedIsUsedAsAWhole) {
+  for (const double speed : {0.05, 0.1, 0.2, 0.5, 2.0, 10.0}) {
+    PacketStream stream;
+    stream.arrival_s = [speed](std::uint32_t, double time_s) { return time_s / speed; };
+    const MergedStream result = merged(stream);
+    EXPECT_EQ(result.late, 0) << speed;
+    EXPECT_NEAR(result.frames, kFrames, 2) << speed;
+  }
+}
+
+// All clocks at once: the vision computer is set, or the simulator restarted.
+TEST(CameraClocks, ClocksThatAreSetTogetherContinue) {
+  for (const double at_s : {0.5, 5.0}) {
+    for (const double step_s : {-86400.0, -100.0, -0.5, 0.5, 100.0, 86400.0}) {
+      PacketStream stream;
+      stream.capture_s = [=](std::uint32_t, double time_s) {
+        return time_s + (time_s > kBegin_s + at_s ? step_s : 0);
+      };
+      const MergedStream result = merged(stream);
+      EXPECT_LE(result.late, kCameraCount * 21) << at_s << " " << step_s;
+      EXPECT_GE(result.frames, kFrames - 45) << at_s << " " << step_s;
+      EXPECT_NEAR(result.latest_s, taken_s(3, kFrames - 1), 0.6) << at_s << " " << step_s;
+    }
+  }
+}
+
+// Before it is known whether arrival keeps pace.
+TEST(CameraClocks, AWrongTimeAtTheBeginningIsForgotten) {
+  for (const double wrong_s : {0.0, kBegin_s + 30, kBegin_s + 900, kBegin_s + 0.5, 1e12, -1e12}) {
+    for (const int at : {0, 1, 3, 30 * static_cast<int>(kCameraCount)}) {
+      Arrivals arrivals = packets_of({});
+      VisionPacket& packet = arrivals[static_cast<std::size_t>(at)].second;
+      packet.mutable_detection()->set_t_capture(wrong_s);
+      const MergedStream result = merged(std::move(arrivals));
+      EXPECT_LE(result.late, 30) << wrong_s << " " << at;
+      EXPECT_GE(result.frames, kFrames - 25) << wrong_s << " " << at;
+      EXPECT_LE(result.longest_gap_s, 0.6) << wrong_s << " " << at;
     }
   }
 }

@@ -118,6 +118,8 @@ class SeedsTest(unittest.TestCase):
                 seen = [envs.reset(seed=seed)[0].copy()]
                 for _ in range(8):
                     seen.append(envs.step(np.zeros((2, 6, 6)))[0].copy())
+                seen.append(envs.reset()[0].copy())
+                seen.append(envs.step(np.zeros((2, 6, 6)))[0].copy())
                 shown.append(np.array(seen))
         self.assertFalse(np.array_equal(shown[0], shown[1]))
         np.testing.assert_array_equal(shown[2], shown[3])

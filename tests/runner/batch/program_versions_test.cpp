@@ -67,6 +67,17 @@ TEST_F(ProgramVersions, AreThoseOfTheFilesAndFoldersThatTheScenarioNames) {
   EXPECT_NE(hash_of(team({"lib"})), changed);
 }
 
+// What Python leaves behind when it runs, and what an editor or a repository hides, does not count.
+TEST_F(ProgramVersions, DoNotDependOnWhatIsHidden) {
+  const std::string before = hash_of(team({"lib"}));
+  fs::create_directories(folder_ / "team/lib/__pycache__");
+  fs::create_directories(folder_ / "team/lib/.git");
+  write("team/lib/__pycache__/pass.cpython-311.pyc", "compiled");
+  write("team/lib/.git/index", "x");
+  write("team/lib/.pass.py.swp", "x");
+  EXPECT_EQ(hash_of(team({"lib"})), before);
+}
+
 // The same bytes in other files are another version.
 TEST_F(ProgramVersions, DependOnWhichFileContainsWhat) {
   write("team/lib/pass.py", "1");
@@ -99,6 +110,25 @@ TEST_F(ProgramVersions, AreOneForAllValuesOfAFactor) {
   const std::string before = noted(sweep);
   write("team/two.py", "another");
   EXPECT_NE(noted(sweep), before);
+}
+
+// Two versions in two folders, which a sweep compares.
+TEST_F(ProgramVersions, OfAFactorMayBeInFoldersOfTheirOwn) {
+  fs::create_directories(folder_ / "new");
+  write("new/main.py", "new");
+  Sweep sweep;
+  sweep.base.b.command = {"python3", "main.py"};
+  sweep.base.b.files = {"main.py"};
+  sweep.factors = {{"b.directory", {(folder_ / "team").string(), (folder_ / "new").string()}}};
+  const auto noted = [&sweep] {
+    Scenario scenario{"", sweep};
+    note_program_versions(scenario);
+    return std::get<Sweep>(scenario.content).base.b.files_hash;
+  };
+  const std::string before = noted();
+  EXPECT_EQ(before.size(), 16U);
+  write("new/main.py", "newer");
+  EXPECT_NE(noted(), before);
 }
 
 TEST_F(ProgramVersions, BelongToTheIdentityOfAGame) {
@@ -150,6 +180,15 @@ TEST_F(VersionedRun, IsRefusedIfTheProgramWasChangedBefore) {
     EXPECT_NE(std::string(error.what()).find("teams.mine.files_hash is"), std::string::npos)
         << error.what();
   }
+}
+
+TEST_F(VersionedRun, GoesOnIfAFileIsOnlyTouched) {
+  ExperimentOptions options = fake_options(folder_ / "run");
+  options.play = [this](const GameConfiguration& game) {
+    fs::last_write_time(folder_ / "team/main.py", fs::file_time_type::clock::now());
+    return fake_game(game);
+  };
+  EXPECT_EQ(run_experiment(scenario(5), options).played, 10);
 }
 
 TEST_F(VersionedRun, StopsIfTheProgramIsChangedMeanwhile) {

@@ -164,15 +164,15 @@ TEST_F(LockStepTest, AResponseThatWouldBeTooLongSaysHowLongAStepMayBe) {
   ASSERT_EQ(response_.robot_control_response().errors_size(), 1);
   const simulation::SimulatorError& error = response_.robot_control_response().errors(0);
   EXPECT_EQ(error.code(), "STEP");
-  EXPECT_NE(error.message().find("steps of at most 0.913 s"), std::string::npos) << error.message();
+  EXPECT_NE(error.message().find("steps of at most 0.900 s"), std::string::npos) << error.message();
   // The newest, up to the last frame.
   EXPECT_GT(response_.detection_size(), 55);
   EXPECT_EQ(response_.detection(response_.detection_size() - 1).substr(0, 3), "599");
 }
 
 TEST_F(LockStepTest, StepsOfTheLengthThatWasNamedHoldAllDetections) {
-  play_step(0.913, std::string(1000, 'x'), kLongestSent);
-  EXPECT_EQ(response_.detection_size(), 55);
+  play_step(0.9, std::string(1000, 'x'), kLongestSent);
+  EXPECT_EQ(response_.detection_size(), 54);
   EXPECT_EQ(response_.robot_control_response().errors_size(), 0);
 }
 

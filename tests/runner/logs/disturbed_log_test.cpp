@@ -146,9 +146,10 @@ TEST_F(DisturbedLog, WithASecondGameController) {
     records.push_back(forgotten(record));
     ++others;
   });
-  expect_judged_alike(std::to_string(others) +
-                      " packets of another referee are ignored, the first from 'forgotten?'; the "
-                      "referee followed is one without a name");
+  expect_judged_alike(
+      std::to_string(others) +
+      " packets are of another referee and ignored, first of 'forgotten?'; the referee "
+      "followed is one without a name");
 }
 
 TEST_F(DisturbedLog, WithoutTheKindsOfItsMessages) {
