@@ -17,6 +17,7 @@
 #include "runner/live/referee_status.hpp"
 #include "runner/live/web_address.hpp"
 #include "runner/live/web_view.hpp"
+#include "runner/logs/user_log.hpp"
 #include "runner/settings/resolved.hpp"
 
 namespace autoref::runner {

@@ -72,9 +72,11 @@ class DutyCounter final : public league::LogVisitor {
     for (const auto& [stage, frames] : turned_) {
       const auto found = as_said_.find(stage);
       const PerSide<int> said = found == as_said_.end() ? PerSide<int>() : found->second;
-      const bool are_all = std::all_of(kSides.begin(), kSides.end(), [&](Side team) {
-        return frames[team] >= kEnough && frames[team] >= kClearly * said[team];
-      });
+      bool are_all = true;
+      for (const Side team : kSides) {
+        const int least = std::max(kEnough, kClearly * said[team]);
+        are_all = are_all && frames[team] >= least;
+      }
       if (are_all) stages.insert(stage);
     }
     return stages;
