@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "runner/experiments/reading/effective.hpp"
 #include "runner/experiments/reading/scenario_reader.hpp"
+#include "runner/io/csv.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/settings/fields.hpp"
 #include "tests/runner/batch/fake_games.hpp"
@@ -194,9 +198,16 @@ TEST_F(VersionedRun, GoesOnIfAFileIsOnlyTouched) {
 TEST_F(VersionedRun, StopsIfTheProgramIsChangedMeanwhile) {
   ExperimentOptions options = fake_options(folder_ / "run");
   options.workers = 1;
-  options.play = [this](const GameConfiguration& game) {
-    if (fs::exists(folder_ / "played")) write("team/main.py", "changed meanwhile");
-    write("played", "");
+  const auto lines = [this] {
+    return complete_lines(content_of(folder_ / "run/games/shard-0-of-1.csv")).size();
+  };
+  // The second game changes the file once the first one's row is there.
+  options.play = [&](const GameConfiguration& game) {
+    if (!fs::create_directory(folder_ / "played")) {
+      for (int i = 0; i < 60'000 && lines() < 2; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      write("team/main.py", "changed meanwhile");
+    }
     return fake_game(game);
   };
   EXPECT_THROW(run_experiment(scenario(5), options), InputError);
