@@ -72,15 +72,15 @@ CameraClocks::Clocks::const_iterator CameraClocks::reference(std::uint32_t camer
   });
 }
 
-// The median over the other cameras that are heard and keep pace, or may do so if `else_paced`;
+// The median over the other cameras that are heard and keep pace, or may do so if `counts_unknown`;
 // nullopt if there are none.
 std::optional<double> CameraClocks::ahead_of_others_s(std::uint32_t camera, const Heard& heard,
-                                                      bool else_paced) const {
+                                                      bool counts_unknown) const {
   const Clock& clock = clocks_.at(camera);
   std::vector<double> all_s;
   for (const auto& [number, other] : clocks_) {
     if (number != camera && is_heard(other, heard.received_s) &&
-        other.keeps_pace.value_or(else_paced))
+        other.keeps_pace.value_or(counts_unknown))
       all_s.push_back(ahead_s(clock, other, heard));
   }
   return all_s.empty() ? std::nullopt : std::optional(median_of(all_s));

@@ -24,8 +24,8 @@ namespace autoref::league {
 // than a second, the clock has changed: it continues with the time of arrival. Packets that waited
 // somewhere arrive at once; then it takes 250.
 //
-// None of this applies while arrival does not keep pace with the cameras, as in slow or fast
-// motion.
+// Clocks are not compared while packets arrive more slowly or faster than they are captured, as in
+// slow or fast motion.
 class CameraClocks {
  public:
   static constexpr double kSameClock_s = 0.01;
@@ -54,19 +54,18 @@ class CameraClocks {
   // How far the clocks of other cameras are ahead of that one, if that was corrected.
   std::map<std::uint32_t, double> ahead_s() const;
 
-  int cameras() const { return static_cast<int>(clocks_.size()); }
   int restarts() const { return restarts_; }  // several at the same time count once
 
  private:
-  // Of the last packet used, and of one about a second before.
+  // When a packet was captured, by its camera's clock, and when it arrived.
   struct Heard {
     double capture_s = 0;
     double received_s = 0;
   };
   struct Clock {
-    double start_s = 0;  // the capture time of the frames' time 0
-    std::optional<Heard> last;
-    std::optional<Heard> before;
+    double start_s = 0;              // the capture time of the frames' time 0
+    std::optional<Heard> last;       // packet used
+    std::optional<Heard> before;     // about a second before it
     std::optional<bool> keeps_pace;  // whether arrival keeps pace with it; nullopt while unknown
     int used = 0;                    // packets
     double interval_s = 0;
@@ -81,7 +80,7 @@ class CameraClocks {
   static double ahead_s(const Clock& clock, const Clock& other, const Heard& heard);
   Clocks::const_iterator reference(std::uint32_t camera, double received_s) const;
   std::optional<double> ahead_of_others_s(std::uint32_t camera, const Heard& heard,
-                                          bool else_paced) const;
+                                          bool counts_unknown) const;
   Clock first_clock(std::uint32_t camera, const Heard& heard) const;
   bool is_off(std::uint32_t camera, const Heard& heard) const;
   void compare(std::uint32_t camera, const Heard& heard);

@@ -192,7 +192,7 @@ class PythonGame {
 
   void place_robot(char team, int number, const std::array<double, 4>& at) {
     if (team != 'a' && team != 'b')
-      throw py::value_error(fmt::format("there is no team '{}': write 'a' or 'b'", team));
+      throw py::value_error(fmt::format("unknown team '{}'; expected 'a' or 'b'", team));
     const Side a = playing().configuration().match.a_plays;
     const RobotId id{team == 'a' ? a : opponent_of(a), number};
     const auto& robots = playing().world().state().robots[id.side];

@@ -79,15 +79,15 @@ class VectorEnv:
         context = multiprocessing.get_context("fork")
         bounds = np.linspace(0, environments, min(workers, environments) + 1).astype(int)
         for low, high in zip(bounds[:-1], bounds[1:]):
-            ours, theirs = context.Pipe()
+            parent_end, worker_end = context.Pipe()
             process = context.Process(
                 target=_work,
                 daemon=True,
-                args=(theirs, [*self._pipes, ours], self._shared, range(low, high), options),
+                args=(worker_end, [*self._pipes, parent_end], self._shared, range(low, high), options),
             )
             process.start()
-            theirs.close()
-            self._pipes.append(ours)
+            worker_end.close()
+            self._pipes.append(parent_end)
             self._processes.append(process)
         self._seed = seed
 

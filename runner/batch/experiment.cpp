@@ -328,7 +328,7 @@ class Experiment {
 
   // Whether the game was played by the former or the new version is not known.
   void refuse_changed_programs() {
-    const std::vector<std::string> changed = programs_.changed();
+    const std::vector<std::string> changed = programs_.changed_settings();
     if (changed.empty()) return;
     throw InputError({}, changed.front(),
                      fmt::format("a file of the program was changed during the run; the games "

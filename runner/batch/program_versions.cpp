@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <functional>
 
 #include "runner/experiments/with_kind.hpp"
 #include "runner/io/checksum.hpp"
@@ -133,7 +132,7 @@ void add_files(const TeamSettings& team, ProgramFileList& files) {
     } else if (fs::is_regular_file(path)) {
       files.push_back({name, path});
     } else {
-      throw fs::filesystem_error("there is no file", path, {});
+      throw fs::filesystem_error("not a file or folder", path, {});
     }
   }
   if (!team.files.empty()) return;
@@ -151,8 +150,7 @@ ProgramFileList files_of(const std::string& path, const std::vector<TeamSettings
     try {
       if (!team.command.empty()) add_files(team, its);
     } catch (const fs::filesystem_error& error) {
-      refuse(path, fmt::format("there is no file or folder {}, or it cannot be read",
-                               error.path1().string()));
+      refuse(path, fmt::format("cannot read the file or folder {}", error.path1().string()));
     }
     std::sort(its.begin(), its.end(),
               [](const ProgramFile& a, const ProgramFile& b) { return a.name < b.name; });
@@ -212,7 +210,7 @@ std::vector<ProgramWatch::Watched> ProgramWatch::look_at(const WatchedProgram& p
   return seen;
 }
 
-std::vector<std::string> ProgramWatch::changed() {
+std::vector<std::string> ProgramWatch::changed_settings() {
   std::vector<std::string> settings;
   for (WatchedProgram& program : programs_) {
     bool is_same = false;

@@ -1,4 +1,4 @@
-// Which version of a team's program plays: the files that it consists of.
+// The versions of teams' programs, by the content of their files.
 #pragma once
 
 #include <filesystem>
@@ -26,7 +26,7 @@ class ProgramWatch {
 
   // The settings, such as "teams.mine.files", of the programs that are not as they were when this
   // object was made.
-  std::vector<std::string> changed();
+  std::vector<std::string> changed_settings();
 
  private:
   struct Watched {

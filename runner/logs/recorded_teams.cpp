@@ -47,7 +47,7 @@ class DutyCounter final : public league::LogVisitor {
   }
 
   RecordedTeams teams() const {
-    RecordedTeams teams{end_.end(), {}, turned()};
+    RecordedTeams teams{end_.end(), {}, turned_stages()};
     // Before the first packet, the ends are those of its stage.
     if (said_ && first_stage_ && teams.turned.contains(*first_stage_))
       teams.yellow_end = opponent_of(*said_);
@@ -67,7 +67,7 @@ class DutyCounter final : public league::LogVisitor {
     }
   }
 
-  TurnedStages turned() const {
+  TurnedStages turned_stages() const {
     TurnedStages stages;
     for (const auto& [stage, frames] : turned_) {
       const auto found = as_said_.find(stage);

@@ -220,8 +220,8 @@ bool ProgramProcess::take_report(Clock::time_point deadline) {
   return true;
 }
 
-// If there is no report, the supervisor was killed. A program cannot do that from its namespace; it
-// can kill itself.
+// Without a report, the supervisor was killed. In a namespace of its own, a program can kill
+// itself, but not its supervisor.
 bool ProgramProcess::was_killed_from_outside() const {
   return out_ < 0 && !report_ && has_reports_ended_ && supervisor_.has_namespace;
 }

@@ -71,7 +71,7 @@ Arrivals packets_of(const PacketStream& stream) {
   return arrivals;
 }
 
-MergedStream merged(Arrivals arrivals) {
+MergedStream merge(Arrivals arrivals) {
   std::stable_sort(arrivals.begin(), arrivals.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   DetectionMerger merger;
@@ -94,7 +94,7 @@ MergedStream merged(Arrivals arrivals) {
   return result;
 }
 
-MergedStream merged(const PacketStream& stream) { return merged(packets_of(stream)); }
+MergedStream merge(const PacketStream& stream) { return merge(packets_of(stream)); }
 
 void expect_all_used(const MergedStream& result) {
   EXPECT_EQ(result.late, 0);
@@ -103,7 +103,7 @@ void expect_all_used(const MergedStream& result) {
 }
 
 TEST(CameraClocks, OneClockIsLeftAlone) {
-  const MergedStream result = merged(PacketStream());
+  const MergedStream result = merge(PacketStream());
   expect_all_used(result);
   EXPECT_TRUE(result.ahead_s.empty());
 }
@@ -114,7 +114,7 @@ TEST(CameraClocks, ALostPacketCostsNothingElse) {
     stream.is_lost = [lost](std::uint32_t camera, int frame) {
       return camera == lost && frame == 30;
     };
-    expect_all_used(merged(stream));
+    expect_all_used(merge(stream));
   }
 }
 
@@ -123,7 +123,7 @@ TEST(CameraClocks, ManyLostPacketsCostNothingElse) {
   stream.is_lost = [](std::uint32_t camera, int frame) {
     return (frame * 7 + static_cast<int>(camera) * 13) % 20 == 0;
   };
-  const MergedStream result = merged(stream);
+  const MergedStream result = merge(stream);
   EXPECT_EQ(result.late, 0);
   // A frame may begin with another camera afterwards.
   EXPECT_NEAR(result.frames, kFrames, kFrames / 10);
@@ -136,7 +136,7 @@ TEST_P(ClockApart, IsAdjusted) {
   stream.capture_s = [](std::uint32_t camera, double time_s) {
     return time_s + (camera >= 2 ? GetParam() : 0);
   };
-  const MergedStream result = merged(stream);
+  const MergedStream result = merge(stream);
   expect_all_used(result);
   ASSERT_EQ(result.ahead_s.size(), 2U);
   EXPECT_NEAR(result.ahead_s.at(2), GetParam(), 1e-3);
@@ -149,7 +149,7 @@ TEST_P(ClockApart, IsAdjustedWhenItIsSetDuringTheGame) {
   stream.capture_s = [](std::uint32_t camera, double time_s) {
     return time_s + (camera >= 2 && time_s > kBegin_s + 5 ? GetParam() : 0);
   };
-  const MergedStream result = merged(stream);
+  const MergedStream result = merge(stream);
   EXPECT_LE(result.late, 2 * 20);
   EXPECT_NEAR(result.frames, kFrames, 2);
   EXPECT_EQ(result.restarts, std::abs(GetParam()) > 1 ? 1 : 0);
@@ -171,7 +171,7 @@ TEST(CameraClocks, AClockThatRunsFastIsFollowed) {
   stream.capture_s = [](std::uint32_t camera, double time_s) {
     return camera == 1 ? kBegin_s + (time_s - kBegin_s) * 1.001 : time_s;
   };
-  const MergedStream result = merged(stream);
+  const MergedStream result = merge(stream);
   EXPECT_EQ(result.late, 0);
   EXPECT_NEAR(result.frames, kFrames, 3);
   EXPECT_NEAR(result.ahead_s.at(1), 0.02, 0.011);
@@ -186,7 +186,7 @@ TEST(CameraClocks, PacketsThatWaitedAreLateAndChangeNoClock) {
         const bool waits = camera == slow && time_s > 5 && time_s < 5 + wait_s;
         return waits ? 5 + wait_s : time_s;
       };
-      const MergedStream result = merged(stream);
+      const MergedStream result = merge(stream);
       EXPECT_LE(result.late, wait_s * kRate_hz) << wait_s << " " << slow;
       EXPECT_NEAR(result.frames, kFrames, 2) << wait_s << " " << slow;
       EXPECT_TRUE(result.ahead_s.empty()) << wait_s << " " << slow;
@@ -205,7 +205,7 @@ TEST(CameraClocks, PlaybackSpeedIsNotADifferenceOfClocks) {
         const std::uint32_t place = is_descending ? kCameraCount - camera : camera;
         return (time_s - taken_s(camera, 0)) / speed + 1e-9 * place;
       };
-      const MergedStream result = merged(stream);
+      const MergedStream result = merge(stream);
       EXPECT_EQ(result.late, 0) << speed;
       EXPECT_NEAR(result.frames, kFrames, 2) << speed;
       EXPECT_TRUE(result.ahead_s.empty()) << speed;
@@ -218,7 +218,7 @@ TEST(CameraClocks, AReplayAtAnotherSpeedIsUsedAsAWhole) {
   for (const double speed : {0.05, 0.1, 0.2, 0.5, 2.0, 10.0}) {
     PacketStream stream;
     stream.arrival_s = [speed](std::uint32_t, double time_s) { return time_s / speed; };
-    const MergedStream result = merged(stream);
+    const MergedStream result = merge(stream);
     EXPECT_EQ(result.late, 0) << speed;
     EXPECT_NEAR(result.frames, kFrames, 2) << speed;
   }
@@ -232,7 +232,7 @@ TEST(CameraClocks, ClocksThatAreSetTogetherContinue) {
       stream.capture_s = [=](std::uint32_t, double time_s) {
         return time_s + (time_s > kBegin_s + at_s ? step_s : 0);
       };
-      const MergedStream result = merged(stream);
+      const MergedStream result = merge(stream);
       EXPECT_LE(result.late, kCameraCount * 21) << at_s << " " << step_s;
       EXPECT_GE(result.frames, kFrames - 45) << at_s << " " << step_s;
       EXPECT_NEAR(result.latest_s, taken_s(3, kFrames - 1), 0.6) << at_s << " " << step_s;
@@ -247,7 +247,7 @@ TEST(CameraClocks, AWrongTimeAtTheBeginningIsForgotten) {
       Arrivals arrivals = packets_of({});
       VisionPacket& packet = arrivals[static_cast<std::size_t>(at)].second;
       packet.mutable_detection()->set_t_capture(wrong_s);
-      const MergedStream result = merged(std::move(arrivals));
+      const MergedStream result = merge(std::move(arrivals));
       EXPECT_LE(result.late, 30) << wrong_s << " " << at;
       EXPECT_GE(result.frames, kFrames - 25) << wrong_s << " " << at;
       EXPECT_LE(result.longest_gap_s, 0.6) << wrong_s << " " << at;
@@ -280,7 +280,7 @@ TEST(CameraClocks, UnlikeCamerasAreAllUsed) {
           arrivals.emplace_back(last_s, captured_packet(camera, kBegin_s + time_s));
         }
       }
-      const MergedStream result = merged(std::move(arrivals));
+      const MergedStream result = merge(std::move(arrivals));
       EXPECT_LT(static_cast<double>(result.late), 0.002 * 20 * 60) << jitter_s << setup[0].rate_hz;
       EXPECT_EQ(result.restarts, 0);
     }
@@ -312,7 +312,7 @@ TEST(CameraClocks, ACameraThatComesLaterIsAdjusted) {
   stream.capture_s = [](std::uint32_t camera, double time_s) {
     return time_s - (camera == 0 ? 100 : 0);
   };
-  const MergedStream result = merged(stream);
+  const MergedStream result = merge(stream);
   expect_all_used(result);
   EXPECT_NEAR(result.ahead_s.at(0), -100, 1e-3);
 }

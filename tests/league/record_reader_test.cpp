@@ -88,15 +88,15 @@ TEST_F(ReaderOfRecords, DoesNotGoBackToAnOlderCommand) {
 
 TEST_F(ReaderOfRecords, FollowsOneRefereeUntilItIsSilent) {
   for (int i = 0; i < 40; ++i) {
-    take_command(command(7, 0.025 * i, "ours"), 0.025 * i);
+    take_command(command(7, 0.025 * i, "field A"), 0.025 * i);
     EXPECT_EQ(take_command(command(1, 500 + 0.025 * i, "forgotten"), 0.025 * i + 0.01),
               Taken::kOtherReferee);
   }
   EXPECT_EQ(received_.commands, std::vector<std::uint32_t>(40, 7));
   EXPECT_EQ(reader_.faults().of_other_referee, 40);
-  EXPECT_EQ(reader_.faults().referee, "ours");
+  EXPECT_EQ(reader_.faults().referee, "field A");
   EXPECT_EQ(reader_.faults().other_referee, "forgotten");
-  // "ours" is restarted under another name; the forgotten one was ended meanwhile.
+  // "field A" is restarted under another name; the forgotten one was ended meanwhile.
   EXPECT_EQ(take_command(command(8, 1.5, "restarted"), 1.5), Taken::kOtherReferee);
   EXPECT_EQ(take_command(command(8, 2.1, "restarted"), 2.1), Taken::kUsed);
   EXPECT_EQ(reader_.faults().referee, "restarted");

@@ -43,7 +43,7 @@ LogRecord with_clock_ahead(const LogRecord& record, double ahead_s) {
 }
 
 // A packet of another game controller, in HALT before the first half.
-LogRecord forgotten(const LogRecord& record) {
+LogRecord packet_of_another_controller(const LogRecord& record) {
   league::RefereePacket packet;
   packet.ParseFromString(record.message);
   packet.set_stage(0);
@@ -72,7 +72,7 @@ class DisturbedLog : public testing::Test {
     league::LogReader reader(log);
     LogRecord record;
     while (reader.read(record)) whole_.push_back(record);
-    judged_ = judged(log);
+    judged_ = referee_answer(log);
     std::smatch calls;
     ASSERT_TRUE(std::regex_search(judged_.out, calls, std::regex(", (\\d+) by AutoRef")));
     ASSERT_GE(std::stoi(calls[1]), 5) << judged_.out;
@@ -80,7 +80,7 @@ class DisturbedLog : public testing::Test {
     cameras_ = packets_of_cameras(answer_to({"info", log.c_str()}).out);
   }
 
-  static Answer judged(const std::string& log) {
+  static Answer referee_answer(const std::string& log) {
     return answer_to({"referee", log.c_str(), "--camera", "realistic", "--rules", "2026-b"});
   }
 
@@ -100,7 +100,7 @@ class DisturbedLog : public testing::Test {
 
   // The same calls and the same packets of every camera; `said` is said once, and nothing else.
   void expect_judged_alike(const std::string& said) const {
-    const Answer answer = judged(log_);
+    const Answer answer = referee_answer(log_);
     EXPECT_EQ(answer.code, kDone);
     EXPECT_EQ(answer.out, judged_.out);
     EXPECT_EQ(answer.err, said.empty() ? "" : "autoref: " + log_ + ": " + said + "\n");
@@ -143,7 +143,7 @@ TEST_F(DisturbedLog, WithASecondGameController) {
   write_each([&others](const LogRecord& record, Records& records) {
     records.push_back(record);
     if (kind_of(record) != MessageKind::kReferee2013) return;
-    records.push_back(forgotten(record));
+    records.push_back(packet_of_another_controller(record));
     ++others;
   });
   expect_judged_alike(
@@ -199,7 +199,7 @@ TEST_F(DisturbedLog, WithLostPacketsLosesNothingElse) {
     if (!is_lost) records.push_back(record);
   });
   EXPECT_GT(lost, 20);
-  EXPECT_EQ(judged(log_).err, "");
+  EXPECT_EQ(referee_answer(log_).err, "");
   const std::string info = answer_to({"info", log_.c_str(), "--json"}).out;
   EXPECT_NE(info.find("\"late\": 0"), std::string::npos) << info;
   std::ptrdiff_t used = 0;
@@ -230,7 +230,7 @@ TEST_F(DisturbedLog, FromAPipe) {
     std::thread writer(
         [this] { write_content(log_, content_of(folder_ / "game.log.gz"), std::ios::app); });
     const Answer answer =
-        verb == std::string("referee") ? judged(log_) : answer_to({"info", log_.c_str()});
+        verb == std::string("referee") ? referee_answer(log_) : answer_to({"info", log_.c_str()});
     writer.join();
     EXPECT_EQ(answer.code, kDone) << answer.err;
     if (verb == std::string("referee")) {
@@ -269,7 +269,7 @@ TEST_F(DisturbedLog, WhoseEndsAreWrongFromTheBeginningIsJudgedByThoseThatAreSeen
     packet.set_blue_team_on_positive_half(!packet.blue_team_on_positive_half());
     records.back().message = packet.SerializeAsString();
   });
-  const Answer answer = judged(log_);
+  const Answer answer = referee_answer(log_);
   EXPECT_EQ(answer.out, judged_.out);
   EXPECT_NE(answer.err.find("both keepers are at the other ends"), std::string::npos) << answer.err;
 }
