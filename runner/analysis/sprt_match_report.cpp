@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "runner/analysis/standings_report.hpp"
 #include "runner/experiments/sprt_settings.hpp"
 #include "runner/io/csv.hpp"
@@ -32,12 +30,6 @@ std::string sentence(const SprtMatch& match, const SprtMatchState& state) {
                      match.sprt.d0, match.sprt.d1);
 }
 
-// With four decimals; "inf" or "-inf" if infinite.
-std::string ratio_text(double ratio) {
-  if (std::isinf(ratio)) return ratio > 0 ? "inf" : "-inf";
-  return fmt::format("{:.4f}", ratio);
-}
-
 }  // namespace
 
 std::string name_of(Verdict verdict) {
@@ -61,7 +53,8 @@ std::string sprt_match_csv(const SprtMatch& match, const Group& matchup,
                    "alpha", "beta", "min_pairs", "max_pairs"});
   Cells cells = matchup_cells(matchup);
   append(cells, {name_of(state.test.verdict), std::to_string(state.test.pairs),
-                 std::to_string(state.void_pairs), ratio_text(state.test.log_likelihood_ratio)});
+                 std::to_string(state.void_pairs),
+                 fmt::format("{:.4f}", state.test.log_likelihood_ratio)});
   SequentialTest test = match.sprt;
   for (const Setting& setting : settings_of(test)) cells.push_back(value_of(setting));
   return csv_line(columns) + "\n" + csv_line(cells) + "\n";

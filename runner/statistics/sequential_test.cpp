@@ -1,5 +1,6 @@
 #include "runner/statistics/sequential_test.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -20,13 +21,25 @@ Verdict verdict_of(const SequentialTest& test, const SequentialState& state) {
   return state.pairs < test.max_pairs ? Verdict::kGoOn : Verdict::kUndecided;
 }
 
+// The log-likelihood of n normal differences with this mean square from the hypothesis's mean,
+// maximised over the variances from `least` on, without terms that are the same for any mean.
+double log_likelihood(int n, double mean_square, double least_variance) {
+  const double variance = std::max(mean_square, least_variance);
+  return -n / 2.0 * (std::log(variance) + mean_square / variance);
+}
+
 }  // namespace
+
+double least_variance_of(const SequentialTest& test) {
+  return std::max(std::abs(test.d0), std::abs(test.d1));
+}
 
 double bound_of_d0(const SequentialTest& test) { return std::log(test.beta / (1 - test.alpha)); }
 double bound_of_d1(const SequentialTest& test) { return std::log((1 - test.beta) / test.alpha); }
 
 SequentialState decided_by(const SequentialTest& test, std::span<const double> pair_differences) {
   check(test);
+  const double least_variance = least_variance_of(test);
   SequentialState state;
   double squares_from_d0 = 0;
   double squares_from_d1 = 0;
@@ -35,7 +48,10 @@ SequentialState decided_by(const SequentialTest& test, std::span<const double> p
     squares_from_d0 += (difference - test.d0) * (difference - test.d0);
     squares_from_d1 += (difference - test.d1) * (difference - test.d1);
     ++state.pairs;
-    state.log_likelihood_ratio = state.pairs / 2.0 * std::log(squares_from_d0 / squares_from_d1);
+    const auto likelihood = [&](double squares) {
+      return log_likelihood(state.pairs, squares / state.pairs, least_variance);
+    };
+    state.log_likelihood_ratio = likelihood(squares_from_d1) - likelihood(squares_from_d0);
     state.verdict = verdict_of(test, state);
     if (state.verdict != Verdict::kGoOn) break;
   }

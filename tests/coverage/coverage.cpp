@@ -35,7 +35,7 @@ int measure(int trials) {
   const int round_robins = trials / kTrialsPerRoundRobin;
   fmt::print("\nCoverage for ratings, {} round robins:\n", round_robins);
   bad += print(rating_coverage(round_robins));
-  fmt::print("\nError rate of {} sequential tests (d0 0, d1 1, alpha and beta 0.05):\n", trials);
+  fmt::print("\nError rates of the sequential test, at most {} tests each:\n", trials);
   bad += print(sequential_errors(trials));
   fmt::print("\n{} outside the bounds\n", bad);
   return bad == 0 ? 0 : 1;

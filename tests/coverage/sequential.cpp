@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <boost/random/gamma_distribution.hpp>
+#include <cmath>
 #include <functional>
 #include <numbers>
 
@@ -14,64 +17,172 @@ using runner::SequentialState;
 using runner::SequentialTest;
 using runner::Verdict;
 
-constexpr SequentialTest kTest;  // d0 = 0, d1 = 1, alpha = beta = 0.05, 10 to 200 pairs
-constexpr double kMostErrors = 0.06;
+constexpr double kLeads[] = {0.05, 0.1, 0.2, 0.5, 1};  // d1, in goals per game; d0 is 0
+constexpr double kSpreads[] = {0.2, 0.5, 1, 2, 4};     // standard deviations of a game's difference
+constexpr int kMostPairs = 9999;
+// The errors may exceed what is promised by a factor, and by the standard errors of the share.
+constexpr double kAllowance = 1.2;
+// Goals that come in bursts make differences lopsided.
+constexpr double kUnevenAllowance = 1.4;
+constexpr double kVeryUnevenAllowance = 2;
+constexpr double kStandardErrors = 2;
+// Tests that need more pairs than this are run less often.
+constexpr double kManyPairs = 1000;
+constexpr double kLeastMean = 1e-9;
 
 // Draws the mean goal difference of the next pair of legs.
 using Pairs = std::function<double(RandomStream&)>;
+
+struct Goals {
+  const char* name;
+  Pairs (*pairs)(double mean, double sd);
+};
 
 // Pairs whose legs are independent and each have the standard deviation `sd`.
 Pairs normal_pairs(double mean, double sd) {
   return [=](RandomStream& random) { return mean + sd / std::numbers::sqrt2 * random.normal(); };
 }
 
-// The variance of a game's difference is the sum of both teams' expected goals.
-Pairs poisson_pairs(double mean, double sd) {
-  const Means means{(sd * sd + mean) / 2, (sd * sd - mean) / 2};
-  return [=](RandomStream& random) { return pair_differences(play(means, 2, random)).front(); };
+double pair_of(const Means& means, RandomStream& random) {
+  return pair_differences(play(means, 2, random)).front();
 }
 
-SequentialState test_until_decided(const Pairs& next, RandomStream& random) {
+// The variance of a game's difference is the sum of both teams' expected goals.
+Means means_of(double mean, double variance) {
+  return {std::max((variance + mean) / 2, kLeastMean), std::max((variance - mean) / 2, kLeastMean)};
+}
+
+Pairs poisson_pairs(double mean, double sd) {
+  return [means = means_of(mean, sd * sd)](RandomStream& random) { return pair_of(means, random); };
+}
+
+// Pairs that differ in how much is scored: both teams' expected goals have a common factor with the
+// mean 1 and the variance `uneven`, which adds that share of the lead's square to a game's
+// variance.
+Pairs uneven_pairs(double mean, double sd, double uneven) {
+  const Means means = means_of(mean, sd * sd - uneven * mean * mean);
+  return [=](RandomStream& random) {
+    const double factor = boost::random::gamma_distribution<double>(1 / uneven, uneven)(random);
+    return pair_of({std::max(means.a * factor, kLeastMean), std::max(means.b * factor, kLeastMean)},
+                   random);
+  };
+}
+
+constexpr Goals kNormal = {"normal", normal_pairs};
+constexpr Goals kPoisson = {"Poisson", poisson_pairs};
+constexpr Goals kUneven = {"uneven",
+                           [](double mean, double sd) { return uneven_pairs(mean, sd, 0.25); }};
+constexpr Goals kVeryUneven = {"very uneven",
+                               [](double mean, double sd) { return uneven_pairs(mean, sd, 1); }};
+
+// A test whose true lead is one of its hypotheses.
+struct Trial {
+  SequentialTest test;
+  double sd = 0;  // of a game's difference
+  Goals goals;
+  double allowance = kAllowance;
+};
+
+SequentialState run_until_decided(const SequentialTest& test, const Pairs& next,
+                                  RandomStream& random) {
   std::vector<double> differences;
   SequentialState state;
-  while (state.verdict == Verdict::kGoOn) {  // ends at kTest.max_pairs
-    for (int i = 0; i < kTest.min_pairs; ++i) differences.push_back(next(random));
-    state = runner::decided_by(kTest, differences);
+  while (state.verdict == Verdict::kGoOn) {  // ends at test.max_pairs
+    const std::size_t more = std::max<std::size_t>(differences.size(), test.min_pairs);
+    for (std::size_t i = 0; i < more; ++i) differences.push_back(next(random));
+    state = runner::decided_by(test, differences);
   }
   return state;
 }
 
-Measured errors_of(const std::string& what, const Pairs& next, Verdict wrong, int trials) {
-  RandomStream random(1945);
-  int errors = 0;
+// About as many as the test needs if the spread is known: twice the bounds by the information that
+// a pair gives.
+double pairs_needed(const Trial& trial) {
+  const double lead = trial.test.d1 - trial.test.d0;
+  return 2 * runner::bound_of_d1(trial.test) * trial.sd * trial.sd / 2 / (lead * lead);
+}
+
+struct Errors {
+  int tests = 0;
+  int wrong = 0;
   int undecided = 0;
   double pairs = 0;
-  for (int i = 0; i < trials; ++i) {
-    const SequentialState state = test_until_decided(next, random);
-    errors += state.verdict == wrong ? 1 : 0;
-    undecided += state.verdict == Verdict::kUndecided ? 1 : 0;
-    pairs += state.pairs;
+};
+
+Errors errors_of(const Trial& trial, double truth, Verdict wrong, int trials) {
+  RandomStream random(1945);
+  const Pairs next = trial.goals.pairs(truth, trial.sd);
+  Errors errors;
+  errors.tests =
+      static_cast<int>(std::ceil(trials * std::min(1.0, kManyPairs / pairs_needed(trial))));
+  for (int i = 0; i < errors.tests; ++i) {
+    const SequentialState state = run_until_decided(trial.test, next, random);
+    errors.wrong += state.verdict == wrong ? 1 : 0;
+    errors.undecided += state.verdict == Verdict::kUndecided ? 1 : 0;
+    errors.pairs += state.pairs;
   }
-  const auto share = [trials](double count) { return count / trials; };
-  return {what, share(errors), 0, kMostErrors,
-          fmt::format("undecided {:.4f}, mean {:.1f} pairs", share(undecided), share(pairs))};
+  return errors;
+}
+
+Measured measured(const Trial& trial, bool is_d1_true, int trials) {
+  const SequentialTest& test = trial.test;
+  const double truth = is_d1_true ? test.d1 : test.d0;
+  const double promised = is_d1_true ? test.beta : test.alpha;
+  const Errors errors =
+      errors_of(trial, truth, is_d1_true ? Verdict::kAcceptD0 : Verdict::kAcceptD1, trials);
+  const auto share = [&errors](double count) { return count / errors.tests; };
+  const double error = std::sqrt(promised * (1 - promised) / errors.tests);
+  return {fmt::format("{}, sd {:.2f}, d0 {}, d1 {}, true {}", trial.goals.name, trial.sd, test.d0,
+                      test.d1, truth),
+          share(errors.wrong), 0, trial.allowance * promised + kStandardErrors * error,
+          fmt::format("undecided {:.4f}, mean {:.1f} pairs, {} tests", share(errors.undecided),
+                      share(errors.pairs), errors.tests)};
+}
+
+bool is_possible(const Trial& trial) {
+  const bool has_goals = trial.goals.pairs != normal_pairs;
+  const double most = std::max(std::abs(trial.test.d0), std::abs(trial.test.d1));
+  return pairs_needed(trial) < kMostPairs && (!has_goals || trial.sd * trial.sd >= most);
+}
+
+std::vector<Trial> leads_and_spreads() {
+  std::vector<Trial> all;
+  for (const double lead : kLeads) {
+    const SequentialTest test{.d0 = 0, .d1 = lead, .max_pairs = kMostPairs};
+    for (const double sd : kSpreads) {
+      all.push_back({test, sd, kNormal});
+      all.push_back({test, sd, kPoisson});
+    }
+    // As few goals as the lead needs, and little more: where the differences are most lopsided.
+    for (const double more : {1.0, 1.5, 2.0}) {
+      all.push_back({test, more * std::sqrt(lead), kPoisson});
+    }
+    all.push_back({test, 2, kUneven, kUnevenAllowance});
+  }
+  return all;
+}
+
+std::vector<Trial> other_settings() {
+  return {{{.d0 = -0.1, .d1 = 0.1, .max_pairs = kMostPairs}, 0.5, kPoisson},
+          {{.d0 = 0.5, .d1 = 0.7, .max_pairs = kMostPairs}, 1, kPoisson},
+          {{.d0 = 0, .d1 = -0.2, .max_pairs = kMostPairs}, 0.7, kPoisson},
+          {{.d0 = 0, .d1 = 0.5, .alpha = 0.01, .beta = 0.1, .max_pairs = kMostPairs}, 1, kPoisson},
+          {{.d0 = 0, .d1 = 1, .min_pairs = 2, .max_pairs = kMostPairs}, 2, kPoisson},
+          {{.d0 = 0, .d1 = 0.5, .max_pairs = kMostPairs}, 2, kVeryUneven, kVeryUnevenAllowance}};
 }
 
 }  // namespace
 
 std::vector<Measured> sequential_errors(int trials) {
-  std::vector<Measured> all;
-  for (const double sd : {2.0, 4.0}) {
-    for (const double truth : {kTest.d0, kTest.d1}) {
-      const Verdict wrong = truth == kTest.d0 ? Verdict::kAcceptD1 : Verdict::kAcceptD0;
-      const std::string where = fmt::format("sd {}, true difference {}", sd, truth);
-      all.push_back(
-          errors_of("sequential, normal, " + where, normal_pairs(truth, sd), wrong, trials));
-      all.push_back(
-          errors_of("sequential, Poisson, " + where, poisson_pairs(truth, sd), wrong, trials));
-    }
+  std::vector<Trial> all = leads_and_spreads();
+  for (const Trial& other : other_settings()) all.push_back(other);
+  std::vector<Measured> lines;
+  for (const Trial& trial : all) {
+    if (!is_possible(trial)) continue;
+    for (const bool is_d1_true : {false, true})
+      lines.push_back(measured(trial, is_d1_true, trials));
   }
-  return all;
+  return lines;
 }
 
 }  // namespace autoref::coverage

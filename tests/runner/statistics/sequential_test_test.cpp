@@ -8,13 +8,13 @@
 namespace autoref::runner {
 namespace {
 
-// Ratios from SciPy 1.10, for the pair differences x: norm.logpdf(x, 1, sqrt(((x -
-// 1)**2).mean())).sum() - norm.logpdf(x, 0, sqrt((x**2).mean())).sum(). Wald's bounds for alpha =
-// beta = 0.05 are -+log(19) = -+2.944439.
+// Ratios from SciPy 1.10, for the pair differences x: f(1) - f(0) with f(d) = norm.logpdf(x, d,
+// sqrt(max(((x - d)**2).mean(), 1))).sum(). Wald's bounds for alpha = beta = 0.05 are -+log(19) =
+// -+2.944439.
 const std::vector<double> kNotQuiteEnough = {0.5, 1.5, 0, -0.5, 2, 1, 1, 0.5, 1.5, 0};
-constexpr double kNotQuiteEnoughRatio = 2.9389333245105953;
+constexpr double kNotQuiteEnoughRatio = 2.463915178281919;
 const std::vector<double> kMuch = {2.5, 1.5, 0, 0.5, 2, 1, 1, 1.5, 1.5, 2};
-constexpr double kMuchRatio = 6.568618341425278;
+constexpr double kMuchRatio = 6.093600195196601;
 
 std::vector<double> repeated(double difference, int pairs) {
   return std::vector<double>(static_cast<std::size_t>(pairs), difference);
@@ -44,8 +44,8 @@ TEST(SequentialTest, AcceptsD0BelowTheLowerBound) {
 }
 
 TEST(SequentialTest, DerivesBoundsFromTheErrorRates) {
-  // The bounds log((1 - 0.05) / 0.06) = 2.76 and log((1 - 0.5) / 0.05) = 2.30 are below the ratio.
-  EXPECT_EQ(decided_by({.alpha = 0.06}, kNotQuiteEnough).verdict, Verdict::kAcceptD1);
+  // The bounds log((1 - 0.05) / 0.1) = 2.25 and log((1 - 0.5) / 0.05) = 2.30 are below the ratio.
+  EXPECT_EQ(decided_by({.alpha = 0.1}, kNotQuiteEnough).verdict, Verdict::kAcceptD1);
   EXPECT_EQ(decided_by({.beta = 0.5}, kNotQuiteEnough).verdict, Verdict::kAcceptD1);
   EXPECT_EQ(decided_by({.alpha = 0.001}, kMuch).verdict, Verdict::kGoOn);
 }
@@ -79,6 +79,21 @@ TEST(SequentialTest, DecidesIfAllPairsAreTheSame) {
   EXPECT_EQ(decided_by({}, repeated(0, 10)).verdict, Verdict::kAcceptD0);
   EXPECT_EQ(decided_by({}, repeated(1, 10)).verdict, Verdict::kAcceptD1);
   EXPECT_EQ(decided_by({}, repeated(0.5, 10)).log_likelihood_ratio, 0.0);
+}
+
+TEST(SequentialTest, DoesNotTakeTheFirstGoallessPairsForCertainty) {
+  const SequentialTest rare{.d0 = 0, .d1 = 0.1};
+  const SequentialState state = decided_by(rare, repeated(0, 10));
+  EXPECT_EQ(state.verdict, Verdict::kGoOn);
+  EXPECT_NEAR(state.log_likelihood_ratio, -10 * 0.1 * 0.1 / (2 * 0.1), 1e-12);
+  EXPECT_EQ(decided_by(rare, repeated(0, 59)).verdict, Verdict::kAcceptD0);
+  EXPECT_EQ(decided_by(rare, repeated(0.1, 58)).verdict, Verdict::kGoOn);
+  EXPECT_EQ(decided_by(rare, repeated(0.1, 59)).verdict, Verdict::kAcceptD1);
+}
+
+TEST(SequentialTest, KnowsTheLeastVarianceFromTheLargerHypothesis) {
+  EXPECT_DOUBLE_EQ(least_variance_of({.d0 = -3, .d1 = -2}), 3);
+  EXPECT_DOUBLE_EQ(least_variance_of({.d0 = 0, .d1 = 0.5}), 0.5);
 }
 
 TEST(SequentialTest, ContinuesBeforeTheFirstPair) {
