@@ -25,7 +25,7 @@ void refuse_other_builds(const std::vector<GameRow>& rows, const std::string& bu
 
 void refuse_other_configuration(const GameRow& row, const ScheduledGame& game,
                                 const std::filesystem::path& folder, const std::string& changes) {
-  if (row.config_hash == configuration_hash(game.configuration)) return;
+  if (row.config_hash == configuration_hash(game.settings.whole())) return;
   throw InputError({folder.string()}, "",
                    fmt::format("holds game {} with another configuration ({}); choose another "
                                "folder with -o",

@@ -42,11 +42,11 @@ struct Entry {
   std::vector<const ScheduledGame*> games;  // the first kMostWholeGames
   std::vector<RehearsedPart> samples;       // of parts that were not void, the shortest first
 
-  const MatchSettings& match() const { return games.front()->configuration.match; }
   // Scenes are short enough to be played whole.
   double first_share() const {
-    if (games.front()->configuration.scene) return 1;
-    return std::min(1.0, kRehearsedHalf_s / match().half_s);
+    const GameSettings game = games.front()->settings.whole();
+    if (game.scene) return 1;
+    return std::min(1.0, kRehearsedHalf_s / game.match.half_s);
   }
   bool plays() const { return !samples.empty() && rehearsal.void_reason.empty(); }
   double first_estimate_s() const { return samples.front().wall_s / samples.front().share; }
@@ -123,7 +123,7 @@ class Rehearsals {
   std::string played(const Part& part) const {
     try {
       const GameRecord record =
-          options_.play(resolved(part_of(part.game->configuration, part.share)));
+          options_.play(resolved(part_of(part.game->settings.whole(), part.share)));
       return record.void_reason.empty() ? kWell : "void: " + record.void_reason;
     } catch (const std::exception& error) {
       if (environment_failure(error)) throw;

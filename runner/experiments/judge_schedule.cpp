@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
+#include <utility>
 
 #include "runner/experiments/cells.hpp"
 #include "runner/experiments/dealt_matchups.hpp"
@@ -16,19 +18,52 @@ namespace {
 
 using Matchups = std::vector<std::array<std::string, 2>>;
 
+SharedSettings checked(const GameSettings& game) {
+  refuse_network(game.a, "teams.a");
+  refuse_network(game.b, "teams.b");
+  refuse_game_controller(game);
+  check_game(game);
+  return SharedSettings(game);
+}
+
 // A rule book with a camera.
-struct JudgeCell {
-  std::string rules;
-  std::string camera;
-  GameSettings configuration;
+class JudgeCell {
+ public:
+  JudgeCell(const JudgeSchedule& schedule, std::string its_rules, std::string its_camera)
+      : rules(std::move(its_rules)),
+        camera(std::move(its_camera)),
+        base_(configured(schedule, rules, camera)) {}
+
+  // Settings of a pair of legs; the base's teams play if there are no matchups.
+  const SharedSettings& settings(const Matchups& matchups, int pair) {
+    if (matchups.empty()) return known({}, base_);
+    const auto& matchup = matchups[static_cast<std::size_t>(pair - 1) % matchups.size()];
+    GameSettings game = base_;
+    game.a.strategy = matchup[0];
+    game.b.strategy = matchup[1];
+    game.a.command.clear();
+    game.b.command.clear();
+    return known(matchup, game);
+  }
+
+  const std::string rules;
+  const std::string camera;
+
+ private:
+  const SharedSettings& known(const std::array<std::string, 2>& matchup, const GameSettings& game) {
+    const auto entry = settings_.find(matchup);
+    if (entry != settings_.end()) return entry->second;
+    return settings_.emplace(matchup, checked(game)).first->second;
+  }
+
+  GameSettings base_;
+  std::map<std::array<std::string, 2>, SharedSettings> settings_;
 };
 
 std::vector<JudgeCell> cells_of(const JudgeSchedule& schedule) {
   std::vector<JudgeCell> cells;
   for (const std::string& rules : schedule.rules) {
-    for (const std::string& camera : schedule.cameras) {
-      cells.push_back({rules, camera, configured(schedule, rules, camera)});
-    }
+    for (const std::string& camera : schedule.cameras) cells.emplace_back(schedule, rules, camera);
   }
   return cells;
 }
@@ -40,28 +75,19 @@ Matchups matchups_of(const JudgeSchedule& schedule, const NamedSeed& seed) {
                         static_cast<std::size_t>(schedule.games + 1) / 2);
 }
 
-JudgeGame game_of(const JudgeCell& cell, const Matchups& matchups, const NamedSeed& seed,
-                  int number) {
+JudgeGame game_of(JudgeCell& cell, const Matchups& matchups, const NamedSeed& seed, int number) {
   const int pair = (number + 1) / 2;
   const int leg = 2 - number % 2;
-  JudgeGame game{"", seed.name, cell.rules, cell.camera, cell.configuration};
-  if (!matchups.empty()) {
-    const auto& matchup = matchups[static_cast<std::size_t>(pair - 1) % matchups.size()];
-    game.configuration.a.strategy = matchup[0];
-    game.configuration.b.strategy = matchup[1];
-    game.configuration.a.command.clear();
-    game.configuration.b.command.clear();
-  }
-  set_leg(game.configuration, seed.value, pair, leg);
-  std::vector<std::string> names = {
-      cell.rules, cell.camera,
-      name_of({name_of(game.configuration.a), name_of(game.configuration.b)})};
+  const SharedSettings& settings = cell.settings(matchups, pair);
+  JudgeGame game{"", seed.name, cell.rules, cell.camera,
+                 settings.with(leg_of(seed.value, pair, leg))};
+  std::vector<std::string> names = {cell.rules, cell.camera,
+                                    name_of({name_of(settings.a()), name_of(settings.b())})};
   if (!seed.name.empty()) names.insert(names.begin(), seed.name);
   game.id = fmt::format("{} {}", fmt::join(names, " "), number);
   game.game_id = game_id(fmt::format("{}", fmt::join(names, "+")), pair, leg);
   game.pair = pair;
   game.leg = leg;
-  check_game(game.configuration);
   return game;
 }
 
@@ -102,14 +128,14 @@ std::vector<JudgeGame> games_of(const JudgeSchedule& schedule) {
                       static_cast<double>(schedule.cameras.size()) *
                       static_cast<double>(schedule.seeds.size()) * schedule.games,
                   "games");
-  const std::vector<JudgeCell> cells = cells_of(schedule);
+  std::vector<JudgeCell> cells = cells_of(schedule);
   std::vector<Matchups> matchups;
   matchups.reserve(schedule.seeds.size());
   for (const NamedSeed& seed : schedule.seeds) matchups.push_back(matchups_of(schedule, seed));
   std::vector<JudgeGame> games;
   for (int number = 1; number <= schedule.games; ++number) {
     for (std::size_t i = 0; i < schedule.seeds.size(); ++i) {
-      for (const JudgeCell& cell : cells) {
+      for (JudgeCell& cell : cells) {
         games.push_back(game_of(cell, matchups[i], schedule.seeds[i], number));
       }
     }
@@ -120,14 +146,13 @@ std::vector<JudgeGame> games_of(const JudgeSchedule& schedule) {
 std::vector<ScheduledGame> scheduled_games(const JudgeSchedule& schedule) {
   std::vector<ScheduledGame> games;
   for (const JudgeGame& game : games_of(schedule)) {
-    const GameSettings& c = game.configuration;
     games.push_back({game.game_id,
                      {game.seeds, game.rules, game.camera},
                      game.pair,
                      game.leg,
-                     c,
-                     name_of(c.a),
-                     name_of(c.b),
+                     game.settings,
+                     name_of(game.settings.a()),
+                     name_of(game.settings.b()),
                      static_cast<std::size_t>(game.pair - 1)});
   }
   return games;

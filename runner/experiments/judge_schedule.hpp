@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "runner/settings/game_settings.hpp"
+#include "runner/experiments/shared_settings.hpp"
 
 namespace autoref::runner {
 
@@ -39,7 +39,7 @@ struct JudgeGame {
   std::string seeds;  // name of its master seed
   std::string rules;
   std::string camera;
-  GameSettings configuration;
+  SharedSettings settings;
   std::string game_id = {};  // id of its row: "test+2014+realistic+basic~basic-p0002-1"
   int pair = 1;
   int leg = 1;

@@ -15,13 +15,14 @@ std::vector<ScheduledGame> scheduled_games(const Knockout& knockout) {
 }
 
 std::vector<ScheduledGame> games_of(const Knockout& knockout, const std::vector<Tie>& ties) {
+  const MatchupScheduler scheduler(knockout);
   std::vector<ScheduledGame> games;
   for (const Tie& tie : ties) {
     if (!tie.is_known()) continue;
     const auto played = static_cast<int>(tie.games.size());
     const int attempts = tie.is_decided() ? played : played + 1;
     for (int attempt = 1; attempt <= attempts; ++attempt) {
-      games.push_back(scheduled(knockout, {*tie.a, *tie.b}, tie.number, attempt));
+      games.push_back(scheduler.game({*tie.a, *tie.b}, tie.number, attempt));
       games.back().unit = static_cast<std::size_t>(tie.number - 1);
     }
   }

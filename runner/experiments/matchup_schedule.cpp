@@ -11,11 +11,13 @@ namespace {
 std::vector<ScheduledGame> scheduled(const NamedTeams& named, const std::vector<Matchup>& matchups,
                                      int pairs) {
   refuse_too_many(2.0 * pairs * static_cast<double>(matchups.size()));
+  const MatchupScheduler scheduler(named);
   std::vector<ScheduledGame> games;
+  games.reserve(2 * static_cast<std::size_t>(pairs) * matchups.size());
   for (int pair = 1; pair <= pairs; ++pair) {
     for (const Matchup& matchup : matchups) {
       for (const int leg : {1, 2}) {
-        games.push_back(scheduled(named, matchup, pair, leg));
+        games.push_back(scheduler.game(matchup, pair, leg));
         games.back().unit = (games.size() - 1) / 2;
       }
     }
@@ -32,20 +34,25 @@ void check(const GameSettings& base, const Teams& teams, std::string_view branch
     refuse_network(team, path);
     check_team(base, team, path);
   }
+  refuse_game_controller(base);
 }
 
-ScheduledGame scheduled(const NamedTeams& named, const Matchup& matchup, int pair, int leg) {
-  ScheduledGame game{game_id(matchup_name(matchup), pair, leg),
-                     {},
-                     pair,
-                     leg,
-                     named.base,
-                     matchup.team_a,
-                     matchup.team_b};
-  game.configuration.a = named.teams.at(matchup.team_a);
-  game.configuration.b = named.teams.at(matchup.team_b);
-  set_leg(game.configuration, named.seed, pair, leg);
-  return game;
+MatchupScheduler::MatchupScheduler(const NamedTeams& named) : base_(named.base), seed_(named.seed) {
+  for (const auto& [name, team] : named.teams) {
+    teams_[name] = std::make_shared<const TeamSettings>(team);
+  }
+}
+
+ScheduledGame MatchupScheduler::game(const Matchup& matchup, int pair, int leg) const {
+  const SharedSettings settings =
+      base_.between(teams_.at(matchup.team_a), teams_.at(matchup.team_b));
+  return {game_id(matchup_name(matchup), pair, leg),
+          {},
+          pair,
+          leg,
+          settings.with(leg_of(seed_, pair, leg)),
+          matchup.team_a,
+          matchup.team_b};
 }
 
 std::vector<ScheduledGame> scheduled_games(const RoundRobin& robin) {

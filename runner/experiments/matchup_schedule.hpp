@@ -1,6 +1,10 @@
 // Schedules the games of experiments between named teams.
 #pragma once
 
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,9 +20,9 @@ namespace autoref::runner {
 // "bold~zone-p0007-2".
 //
 // A game depends only on its two teams, its pair and its leg, so adding teams or pairs changes no
-// other game. set_leg() sets sides, first kick-off and seed; equal pair numbers have equal seeds in
-// every matchup. Throws std::invalid_argument if a setting is invalid; the message starts with the
-// setting's path, such as "teams.bold.params.pass_risk".
+// other game. Sides, first kick-off and seed are those of leg_of(); equal pair numbers have equal
+// seeds in every matchup. Throws std::invalid_argument if a setting is invalid; the message starts
+// with the setting's path, such as "teams.bold.params.pass_risk".
 std::vector<ScheduledGame> scheduled_games(const RoundRobin& robin);
 
 // The games of a round robin between the two teams with the maximum number of pairs. The test
@@ -29,8 +33,19 @@ std::vector<ScheduledGame> scheduled_games(const SprtMatch& match);
 // opponent's (compared as bytes); otherwise teams a and b are swapped.
 std::vector<ScheduledGame> scheduled_games(const Gauntlet& gauntlet);
 
-// One game between two of the teams. Does not check their settings.
-ScheduledGame scheduled(const NamedTeams& named, const Matchup& matchup, int pair, int leg);
+// Schedules games between named teams, which share their settings. Does not check these.
+class MatchupScheduler {
+ public:
+  explicit MatchupScheduler(const NamedTeams& named);
+
+  // A game between two of the teams.
+  ScheduledGame game(const Matchup& matchup, int pair, int leg) const;
+
+ private:
+  SharedSettings base_;
+  std::map<std::string, std::shared_ptr<const TeamSettings>> teams_;
+  std::uint64_t seed_;
+};
 
 // Throws std::invalid_argument if a setting of the base or of a team is invalid. `branch` is the
 // path of the teams in the file.

@@ -14,16 +14,22 @@ namespace {
 constexpr int kMostGames = 100000;
 
 ScheduledGame scheduled(const Sweep& sweep, const std::vector<SettingValue>& values,
-                        const GameSettings& configuration, int pair, int leg) {
-  ScheduledGame game{game_id(cell_name(sweep, values), pair, leg),
-                     spelt(values),
-                     pair,
-                     leg,
-                     configuration,
-                     name_of(configuration.a),
-                     name_of(configuration.b)};
-  set_leg(game.configuration, sweep.seed, pair, leg);
-  return game;
+                        const SharedSettings& settings, int pair, int leg) {
+  return {game_id(cell_name(sweep, values), pair, leg),
+          spelt(values),
+          pair,
+          leg,
+          settings.with(leg_of(sweep.seed, pair, leg)),
+          name_of(settings.a()),
+          name_of(settings.b())};
+}
+
+SharedSettings settings_of_cell(const Sweep& sweep, const std::vector<SettingValue>& values) {
+  GameSettings game = configured(sweep, values);
+  refuse_network(game.a, "teams.a");
+  refuse_network(game.b, "teams.b");
+  refuse_game_controller(game);
+  return SharedSettings(std::move(game));
 }
 
 // Counts in floating point, since the product of many factors could overflow an integer.
@@ -36,7 +42,7 @@ double games_in(const Sweep& sweep) {
 }  // namespace
 
 GameConfiguration resolved(const ScheduledGame& game) {
-  GameConfiguration configuration = resolved(game.configuration);
+  GameConfiguration configuration = resolved(game.settings.whole());
   configuration.id = game.id;
   return configuration;
 }
@@ -51,14 +57,14 @@ void refuse_network(const TeamSettings& team, std::string_view path) {
                      ": a team on the network plays only in autoref live");
 }
 
-void set_leg(GameSettings& game, std::uint64_t master_seed, int pair, int leg) {
-  refuse_network(game.a, "teams.a");
-  refuse_network(game.b, "teams.b");
-  if (game.match.control == referee::Control::kGameController)
-    throw SettingError("match.control", ": a game controller commands only games of autoref play");
-  game.match.a_plays = leg % 2 == 1 ? Side::kWest : Side::kEast;
-  game.match.first_kickoff = pair % 2 == 1 ? Side::kWest : Side::kEast;
-  game.seed = seed_of(master_seed, pair, leg);
+void refuse_game_controller(const GameSettings& game) {
+  if (game.match.control != referee::Control::kGameController) return;
+  throw SettingError("match.control", ": a game controller commands only games of autoref play");
+}
+
+LegSettings leg_of(std::uint64_t master_seed, int pair, int leg) {
+  return {leg % 2 == 1 ? Side::kWest : Side::kEast, pair % 2 == 1 ? Side::kWest : Side::kEast,
+          seed_of(master_seed, pair, leg)};
 }
 
 void refuse_too_many(double games, std::string_view key) {
@@ -95,16 +101,16 @@ std::vector<std::vector<SettingValue>> combinations(const std::vector<Factor>& f
 std::vector<ScheduledGame> scheduled_games(const Sweep& sweep) {
   refuse_too_many(games_in(sweep));
   const std::vector<std::vector<SettingValue>> all = combinations(sweep.factors);
-  std::vector<GameSettings> configurations;
-  configurations.reserve(all.size());
+  std::vector<SharedSettings> settings;
+  settings.reserve(all.size());
   for (const std::vector<SettingValue>& values : all) {
-    configurations.push_back(configured(sweep, values));
+    settings.push_back(settings_of_cell(sweep, values));
   }
   std::vector<ScheduledGame> games;
   for (int pair = 1; pair <= sweep.pairs; ++pair) {
     for (std::size_t i = 0; i < all.size(); ++i) {
       for (const int leg : {1, 2}) {
-        games.push_back(scheduled(sweep, all[i], configurations[i], pair, leg));
+        games.push_back(scheduled(sweep, all[i], settings[i], pair, leg));
         games.back().unit = (games.size() - 1) / 2;
       }
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runner/experiments/scenario.hpp"
+#include "runner/experiments/shared_settings.hpp"
 
 namespace autoref::runner {
 
@@ -15,7 +16,7 @@ struct ScheduledGame {
   std::vector<std::string> values;  // text of the factors' values, in the sweep's order
   int pair = 1;                     // counted from 1
   int leg = 1;                      // odd: team a in the west; even: team a in the east
-  GameSettings configuration;
+  SharedSettings settings;
   std::string team_a = {};  // the team's name in result rows; its strategy or program in a sweep
   std::string team_b = {};
   std::size_t unit = 0;  // games of one unit, such as a pair's legs, go to the same shard
@@ -42,10 +43,13 @@ std::string game_id(std::string_view played, int pair, int leg);
 // those. `path` is the team's in the scenario.
 void refuse_network(const TeamSettings& team, std::string_view path);
 
-// Sets what depends on the leg: the teams' sides, the first kick-off and the seed. In both legs of
-// a pair, the same side kicks off first: west in odd pairs, east in even pairs. So each team kicks
-// off first in one leg of every pair, and once from each side over two pairs.
-void set_leg(GameSettings& game, std::uint64_t master_seed, int pair, int leg);
+// Throws SettingError if a game controller commands the games: only `autoref play` has one.
+void refuse_game_controller(const GameSettings& game);
+
+// What depends on the leg. In both legs of a pair, the same side kicks off first: west in odd
+// pairs, east in even pairs. So each team kicks off first in one leg of every pair, and once from
+// each side over two pairs.
+LegSettings leg_of(std::uint64_t master_seed, int pair, int leg);
 
 // Throws SettingError if there are too many games for one experiment; `key` is the setting to
 // blame.

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <map>
+#include <memory>
+#include <utility>
+
 #include "runner/experiments/matchup_schedule.hpp"
 #include "runner/settings/setting_error.hpp"
 
@@ -31,19 +35,21 @@ void check(const Situations& situations) {
   }
 }
 
-ScheduledGame scheduled(const Situations& situations, const SituationMatchup& matchup,
-                        const StartState& start, int pair, int leg) {
+// Settings of the scenes of a matchup.
+SharedSettings settings_of(const Situations& situations, const SituationMatchup& matchup) {
+  GameSettings game = situations.base;
+  game.a = situations.attackers.at(matchup.attackers);
+  game.b = situations.defenders.at(matchup.defenders);
+  game.scene = situations.situations.at(matchup.situation).scene;
+  return SharedSettings(std::move(game));
+}
+
+ScheduledGame scheduled(const SituationMatchup& matchup, const SharedSettings& settings,
+                        const LegSettings& its_leg, int pair, int leg) {
   const std::string played =
       fmt::format("{}+{}~{}", matchup.situation, matchup.attackers, matchup.defenders);
-  ScheduledGame game{game_id(played, pair, leg), {matchup.situation}, pair, leg, situations.base,
-                     matchup.attackers,          matchup.defenders};
-  GameSettings& configuration = game.configuration;
-  configuration.a = situations.attackers.at(matchup.attackers);
-  configuration.b = situations.defenders.at(matchup.defenders);
-  configuration.scene = situations.situations.at(matchup.situation).scene;
-  set_leg(configuration, situations.seed, pair, leg);
-  configuration.start = configuration.match.a_plays == Side::kWest ? start : mirrored(start);
-  return game;
+  return {game_id(played, pair, leg), {matchup.situation}, pair, leg, settings.with(its_leg),
+          matchup.attackers,          matchup.defenders};
 }
 
 }  // namespace
@@ -52,14 +58,21 @@ std::vector<ScheduledGame> scheduled_games(const Situations& situations) {
   const std::vector<SituationMatchup> matchups = matchups_of(situations);
   refuse_too_many(2.0 * situations.pairs * static_cast<double>(matchups.size()));
   check(situations);
+  std::vector<SharedSettings> settings;
+  settings.reserve(matchups.size());
+  for (const SituationMatchup& matchup : matchups)
+    settings.push_back(settings_of(situations, matchup));
   std::vector<ScheduledGame> games;
   for (int pair = 1; pair <= situations.pairs; ++pair) {
-    std::map<std::string, StartState> states;
+    std::map<std::string, std::shared_ptr<const StartState>> starts;
     for (const auto& [name, situation] : situations.situations)
-      states[name] = drawn_state(situation, name, situations.base.field, situations.seed, pair);
-    for (const SituationMatchup& matchup : matchups) {
+      starts[name] = std::make_shared<const StartState>(
+          drawn_state(situation, name, situations.base.field, situations.seed, pair));
+    for (std::size_t i = 0; i < matchups.size(); ++i) {
+      const SharedSettings scene = settings[i].starting_from(starts.at(matchups[i].situation));
       for (const int leg : {1, 2}) {
-        games.push_back(scheduled(situations, matchup, states.at(matchup.situation), pair, leg));
+        games.push_back(
+            scheduled(matchups[i], scene, leg_of(situations.seed, pair, leg), pair, leg));
         games.back().unit = (games.size() - 1) / 2;
       }
     }

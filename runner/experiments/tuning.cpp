@@ -164,6 +164,7 @@ std::vector<std::string> paths_of(const Tuning& tuning) {
 
 void check(const Tuning& tuning) {
   check_game(tuning.base);
+  refuse_game_controller(tuning.base);
   refuse_network(tuning.team, "team");
   check_team(tuning.base, tuning.team, "team");
   for (const TunedParameter& parameter : tuning.parameters) {

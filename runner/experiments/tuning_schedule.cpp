@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <memory>
 
 #include "runner/experiments/sprt_settings.hpp"
 #include "runner/settings/setting_error.hpp"
@@ -21,18 +22,15 @@ std::uint64_t seed_in(const Tuning& tuning, std::uint64_t stream, int iteration,
   return mix_bits(mix_bits(of_stream + static_cast<std::uint64_t>(iteration)) + opponent);
 }
 
-ScheduledGame scheduled(const Tuning& tuning, const TuningMatchup& matchup, int pair, int leg) {
-  ScheduledGame game{game_id(matchup.played, pair, leg),
-                     spelt(matchup.a_values),
-                     pair,
-                     leg,
-                     tuning.base,
-                     matchup.names.team_a,
-                     matchup.names.team_b};
-  game.configuration.a = team_with(tuning, matchup.a_values);
-  game.configuration.b = matchup.b;
-  set_leg(game.configuration, matchup.seed, pair, leg);
-  return game;
+ScheduledGame scheduled(const TuningMatchup& matchup, const SharedSettings& settings, int pair,
+                        int leg) {
+  return {game_id(matchup.played, pair, leg),
+          spelt(matchup.a_values),
+          pair,
+          leg,
+          settings.with(leg_of(matchup.seed, pair, leg)),
+          matchup.names.team_a,
+          matchup.names.team_b};
 }
 
 std::vector<TuningMatchup> matchups_between(const Tuning& tuning, const std::string& name,
@@ -112,12 +110,20 @@ std::vector<TuningMatchup> test_matchups_of(const Tuning& tuning, const ParamVal
 
 std::vector<ScheduledGame> games_of(const Tuning& tuning,
                                     const std::vector<TuningMatchup>& matchups, int pairs) {
+  const SharedSettings base(tuning.base);
+  std::vector<SharedSettings> settings;
+  settings.reserve(matchups.size());
+  for (const TuningMatchup& matchup : matchups) {
+    settings.push_back(
+        base.between(std::make_shared<const TeamSettings>(team_with(tuning, matchup.a_values)),
+                     std::make_shared<const TeamSettings>(matchup.b)));
+  }
   std::vector<ScheduledGame> games;
   games.reserve(2 * matchups.size() * static_cast<std::size_t>(pairs));
   for (int pair = 1; pair <= pairs; ++pair) {
-    for (const TuningMatchup& matchup : matchups) {
+    for (std::size_t i = 0; i < matchups.size(); ++i) {
       for (const int leg : {1, 2}) {
-        games.push_back(scheduled(tuning, matchup, pair, leg));
+        games.push_back(scheduled(matchups[i], settings[i], pair, leg));
         games.back().unit = (games.size() - 1) / 2;
       }
     }

@@ -20,8 +20,8 @@ std::string fault_line(const JudgeGame& game, std::size_t number,
                        const ground_truth::Verdict& verdict) {
   const bool is_missed = verdict.outcome == Outcome::kMissed;
   return csv_line({game.seeds, game.rules, game.camera, game.id,
-                   std::to_string(game.configuration.seed),
-                   std::string(name_of(game.configuration.match.a_plays)), verdict.name,
+                   std::to_string(game.settings.leg().seed),
+                   std::string(name_of(game.settings.leg().a_plays)), verdict.name,
                    is_missed ? "missed" : "wrong", fmt::format("{:.3f}", verdict.time_s),
                    verdict.offender ? std::string(name_of(*verdict.offender)) : "",
                    verdict.is_borderline ? "yes" : "no",

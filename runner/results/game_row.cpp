@@ -15,9 +15,9 @@ GameRow row_of(const ScheduledGame& game) {
   row.values = game.values;
   row.team_a = game.team_a;
   row.team_b = game.team_b;
-  row.side_a = game.configuration.match.a_plays;
-  row.seed = game.configuration.seed;
-  row.config_hash = configuration_hash(game.configuration);
+  row.side_a = game.settings.leg().a_plays;
+  row.seed = game.settings.leg().seed;
+  row.config_hash = configuration_hash(game.settings.whole());
   return row;
 }
 

@@ -25,7 +25,7 @@ GameRow rows_played(const ScheduledGame& game, const GameRecord& record, const s
 }
 
 GameRow rows_played(const ScheduledGame& game, const std::string& build = "x") {
-  return rows_played(game, fake_game(resolved(game.configuration)), build);
+  return rows_played(game, fake_game(resolved(game.settings.whole())), build);
 }
 
 CompletedGames completed_games_of(const std::vector<GameRow>& rows,
@@ -48,7 +48,7 @@ TEST(CompletedGames, CountsDuplicateRowsOnce) {
 
 TEST(CompletedGames, ReportsNondeterminismIfTwoRowsOfOneGameDiffer) {
   const ScheduledGame game = scheduled_games()[0];
-  GameRecord other = fake_game(resolved(game.configuration));
+  GameRecord other = fake_game(resolved(game.settings.whole()));
   ++other.state_hash;
   try {
     completed_games_of({rows_played(game), rows_played(game, other, "x")});
@@ -86,7 +86,9 @@ TEST(CompletedGames, CountsAllowedRowsOfAnotherBuildSeparately) {
 
 TEST(CompletedGames, RefusesAGameOfAnotherConfiguration) {
   ScheduledGame game = scheduled_games()[0];
-  game.configuration.match.half_s = 60;
+  GameSettings longer = game.settings.whole();
+  longer.match.half_s = 60;
+  game.settings = SharedSettings(longer);
   EXPECT_THROW(completed_games_of({rows_played(game)}), InputError);
 }
 

@@ -102,7 +102,7 @@ TEST_P(EveryScenario, PlaysShortenedGames) {
   }
   if (auto* schedule = std::get_if<JudgeSchedule>(&scenario.content)) {
     for (const JudgeGame& game : games_of(*schedule))
-      EXPECT_EQ(evaluate_calls(resolved(game.configuration)).record.void_reason, "") << game.id;
+      EXPECT_EQ(evaluate_calls(resolved(game.settings.whole())).record.void_reason, "") << game.id;
     return;
   }
   const TemporaryFolder folder;

@@ -140,7 +140,7 @@ TEST(Tuning, TestsWithSeedsOfItsOwn) {
   std::set<std::uint64_t> searched;
   std::set<std::uint64_t> tested;
   for (const ScheduledGame& game : games)
-    (game.id.starts_with("test-") ? tested : searched).insert(game.configuration.seed);
+    (game.id.starts_with("test-") ? tested : searched).insert(game.settings.leg().seed);
   ASSERT_FALSE(tested.empty());
   for (const std::uint64_t seed : tested) EXPECT_FALSE(searched.contains(seed));
 }
@@ -148,7 +148,7 @@ TEST(Tuning, TestsWithSeedsOfItsOwn) {
 TEST(Tuning, PlaysAllCandidatesOfAnIterationWithTheSameSeeds) {
   std::map<std::string, std::set<std::uint64_t>> seeds;  // by candidate
   for (const ScheduledGame& game : scheduled_games(small_tuning("cma_es"))) {
-    if (game.id.starts_with("k0002-")) seeds[game.team_a].insert(game.configuration.seed);
+    if (game.id.starts_with("k0002-")) seeds[game.team_a].insert(game.settings.leg().seed);
   }
   ASSERT_GT(seeds.size(), 2U);
   for (const auto& [candidate, its] : seeds) EXPECT_EQ(its, seeds.begin()->second) << candidate;

@@ -11,11 +11,10 @@ namespace autoref::runner {
 namespace {
 
 ScheduledGame short_scheduled_game(const std::string& id, std::uint64_t seed) {
-  ScheduledGame game;
-  game.id = id;
-  game.configuration.match.half_s = 2;
-  game.configuration.seed = seed;
-  return game;
+  GameSettings game;
+  game.match.half_s = 2;
+  game.seed = seed;
+  return {id, {}, 1, 1, SharedSettings(game)};
 }
 
 TEST(StartedGames, HaveAPageOfTheSameGame) {
@@ -39,9 +38,9 @@ TEST(StartedGames, AreForgottenOldestFirst) {
 
 TEST(StartedGames, OfProgramsHaveNoPage) {
   StartedGames games;
-  ScheduledGame game = short_scheduled_game("p0001-1", 1);
-  game.configuration.b.command = {"my_team"};
-  EXPECT_FALSE(games.add(game, 2));
+  GameSettings game;
+  game.b.command = {"my_team"};
+  EXPECT_FALSE(games.add({"p0001-1", {}, 1, 1, SharedSettings(game)}, 2));
   EXPECT_FALSE(games.page("p0001-1"));
 }
 

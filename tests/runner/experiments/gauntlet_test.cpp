@@ -36,12 +36,12 @@ TEST(Gauntlet, PairsEachChallengerWithEachTeamOfTheField) {
 TEST(Gauntlet, HasTheGamesOfARoundRobin) {
   std::map<std::string, std::uint64_t> robins;
   for (const ScheduledGame& game : scheduled_games(small_roundrobin({6, 5, 4, 3}))) {
-    robins[game.id] = configuration_hash(game.configuration);
+    robins[game.id] = configuration_hash(game.settings.whole());
   }
   const std::vector<ScheduledGame> games = scheduled_games(first_gauntlet());
   EXPECT_EQ(games.size(), 16U);
   for (const ScheduledGame& game : games) {
-    EXPECT_EQ(robins.at(game.id), configuration_hash(game.configuration)) << game.id;
+    EXPECT_EQ(robins.at(game.id), configuration_hash(game.settings.whole())) << game.id;
   }
 }
 

@@ -46,16 +46,16 @@ TEST(RoundRobinSchedule, GivesEachTeamItsOwnSettingsAndName) {
   robin.base.match.half_s = 60;
   const ScheduledGame game = scheduled_games(robin).back();
   EXPECT_EQ(game.team_a, "bold");
-  EXPECT_EQ(game.configuration.a.robots, robin.teams["bold"].robots);
-  EXPECT_EQ(game.configuration.b.robots, robin.teams["zone"].robots);
-  EXPECT_EQ(game.configuration.match.half_s, 60);
+  EXPECT_EQ(game.settings.whole().a.robots, robin.teams["bold"].robots);
+  EXPECT_EQ(game.settings.whole().b.robots, robin.teams["zone"].robots);
+  EXPECT_EQ(game.settings.whole().match.half_s, 60);
 }
 
 TEST(RoundRobinSchedule, DerivesSeedAndSidesFromMasterSeedPairAndLegOnly) {
   std::map<std::pair<int, int>, std::set<std::uint64_t>> seeds;
   for (const ScheduledGame& game : scheduled_games(robin_of({"zone", "bold", "calm"}, 4))) {
-    seeds[{game.pair, game.leg}].insert(game.configuration.seed);
-    EXPECT_EQ(game.configuration.match.a_plays, game.leg == 1 ? Side::kWest : Side::kEast);
+    seeds[{game.pair, game.leg}].insert(game.settings.whole().seed);
+    EXPECT_EQ(game.settings.whole().match.a_plays, game.leg == 1 ? Side::kWest : Side::kEast);
   }
   EXPECT_EQ(seeds.size(), 8U);
   for (const auto& [leg, its] : seeds) {
@@ -68,10 +68,10 @@ TEST(RoundRobinSchedule, KeepsAllGamesWhenTeamsOrPairsAreAdded) {
   RoundRobin many = robin_of({"zone", "bold"}, 5);
   many.teams["calm"] = {};
   for (const ScheduledGame& game : scheduled_games(many)) {
-    hashes[game.id] = configuration_hash(game.configuration);
+    hashes[game.id] = configuration_hash(game.settings.whole());
   }
   for (const ScheduledGame& game : scheduled_games(robin_of({"zone", "bold"}, 2))) {
-    EXPECT_EQ(hashes.at(game.id), configuration_hash(game.configuration)) << game.id;
+    EXPECT_EQ(hashes.at(game.id), configuration_hash(game.settings.whole())) << game.id;
   }
 }
 

@@ -21,7 +21,7 @@ Sweep handicap_sweep(std::vector<SettingValue> values, int pairs) {
 std::map<std::string, std::uint64_t> hashes_of(const Sweep& sweep) {
   std::map<std::string, std::uint64_t> hashes;
   for (const ScheduledGame& game : scheduled_games(sweep)) {
-    hashes[game.id] = configuration_hash(game.configuration);
+    hashes[game.id] = configuration_hash(game.settings.whole());
   }
   return hashes;
 }
@@ -31,7 +31,7 @@ TEST(Schedule, NamesGamesByValuePairAndLeg) {
   ASSERT_EQ(games.size(), 28U);
   EXPECT_EQ(games.front().id, "b.handicap=1.0-p0001-1");
   EXPECT_EQ(games.back().id, "b.handicap=0.8-p0007-2");
-  EXPECT_EQ(games.back().configuration.b.speed_factor, 0.8);
+  EXPECT_EQ(games.back().settings.whole().b.speed_factor, 0.8);
 }
 
 TEST(Schedule, PlaysTheLegsBackToBackAndPairByPairOverAllValues) {
@@ -47,7 +47,7 @@ TEST(Schedule, PlaysTheLegsBackToBackAndPairByPairOverAllValues) {
 TEST(Schedule, GivesEachTeamEachSideAndTheFirstKickOffEquallyOften) {
   std::map<std::pair<Side, bool>, int> counts;  // side of team a, whether a kicks off
   for (const ScheduledGame& game : scheduled_games(handicap_sweep({1.0}, 10))) {
-    const MatchSettings& match = game.configuration.match;
+    const MatchSettings match = game.settings.whole().match;
     EXPECT_EQ(match.a_plays, game.leg == 1 ? Side::kWest : Side::kEast);
     ++counts[{match.a_plays, match.a_plays == match.first_kickoff}];
   }
@@ -65,8 +65,8 @@ TEST(Schedule, GivesEveryLegItsOwnSeedIndependentOfTheValue) {
   std::map<std::pair<int, int>, std::set<std::uint64_t>> by_leg;
   std::set<std::uint64_t> all;
   for (const ScheduledGame& game : scheduled_games(handicap_sweep({1.0, 0.8}, 50))) {
-    by_leg[{game.pair, game.leg}].insert(game.configuration.seed);
-    all.insert(game.configuration.seed);
+    by_leg[{game.pair, game.leg}].insert(game.settings.whole().seed);
+    all.insert(game.settings.whole().seed);
   }
   EXPECT_EQ(all.size(), 100U);
   for (const auto& [leg, seeds] : by_leg) EXPECT_EQ(seeds.size(), 1U);
@@ -78,7 +78,7 @@ TEST(Schedule, CombinesAllValuesOfSeveralFactors) {
   const std::vector<ScheduledGame> games = scheduled_games(sweep);
   ASSERT_EQ(games.size(), 12U);
   EXPECT_EQ(games[2].id, "b.handicap=1.0+a.robots=5-p0001-1");
-  EXPECT_EQ(games[2].configuration.a.robots, 5);
+  EXPECT_EQ(games[2].settings.whole().a.robots, 5);
 }
 
 TEST(Schedule, SweepsATeamsParameter) {
@@ -87,8 +87,8 @@ TEST(Schedule, SweepsATeamsParameter) {
   const std::vector<ScheduledGame> games = scheduled_games(sweep);
   ASSERT_EQ(games.size(), 4U);
   EXPECT_EQ(games[2].id, "a.params.shot_mps=4.0-p0001-1");
-  EXPECT_EQ(games[2].configuration.a.params.at("shot_mps"), 4);
-  EXPECT_TRUE(games[2].configuration.b.params.empty());
+  EXPECT_EQ(games[2].settings.whole().a.params.at("shot_mps"), 4);
+  EXPECT_TRUE(games[2].settings.whole().b.params.empty());
 }
 
 TEST(SeedOf, StaysBelowTwoToThe53AndDependsOnTheMasterSeed) {

@@ -33,10 +33,10 @@ TEST(SituationsSchedule, PlaysEverySituationWithEveryTeamInTwoLegs) {
 
 TEST(SituationsSchedule, TurnsTheStartStateInTheSecondLeg) {
   const std::vector<ScheduledGame> games = small_schedule();
-  const StartState& first = *games[0].configuration.start;
-  const StartState& second = *games[1].configuration.start;
-  EXPECT_EQ(games[0].configuration.match.a_plays, Side::kWest);
-  EXPECT_EQ(games[1].configuration.match.a_plays, Side::kEast);
+  const StartState first = *games[0].settings.whole().start;
+  const StartState second = *games[1].settings.whole().start;
+  EXPECT_EQ(games[0].settings.whole().match.a_plays, Side::kWest);
+  EXPECT_EQ(games[1].settings.whole().match.a_plays, Side::kEast);
   EXPECT_EQ(first.ball.velocity_mps, Vec2(3, 0));
   EXPECT_EQ(second.ball.position_m, Vec2(-first.ball.position_m));
   EXPECT_EQ(second.robots[Side::kEast].size(), 2U);
@@ -44,8 +44,8 @@ TEST(SituationsSchedule, TurnsTheStartStateInTheSecondLeg) {
 
 TEST(SituationsSchedule, GivesAllTeamsTheSameStatesAndSeeds) {
   const std::vector<ScheduledGame> games = small_schedule();
-  const GameSettings& one = scheduled_scene(games, "goal+one~still-p0002-1").configuration;
-  const GameSettings& two = scheduled_scene(games, "goal+two~still-p0002-1").configuration;
+  const GameSettings one = scheduled_scene(games, "goal+one~still-p0002-1").settings.whole();
+  const GameSettings two = scheduled_scene(games, "goal+two~still-p0002-1").settings.whole();
   EXPECT_EQ(one.start->ball.position_m, two.start->ball.position_m);
   EXPECT_EQ(one.start->robots[Side::kEast][0].position_m,
             two.start->robots[Side::kEast][0].position_m);
@@ -60,13 +60,13 @@ TEST(SituationsSchedule, ChangesNoGameIfSituationsTeamsOrPairsAreAdded) {
   situations.pairs = 3;
   const std::vector<ScheduledGame> after = scheduled_games(situations);
   for (const ScheduledGame& game : before) {
-    EXPECT_EQ(configuration_hash(game.configuration),
-              configuration_hash(scheduled_scene(after, game.id).configuration));
+    EXPECT_EQ(configuration_hash(game.settings.whole()),
+              configuration_hash(scheduled_scene(after, game.id).settings.whole()));
   }
 }
 
 TEST(ConfigurationHash, CoversTheStartStateAndTheScene) {
-  const GameSettings game = small_schedule().front().configuration;
+  const GameSettings game = small_schedule().front().settings.whole();
   GameSettings other = game;
   other.start->robots[Side::kWest][0].position_m.x() += 0.001;
   EXPECT_NE(configuration_hash(other), configuration_hash(game));

@@ -40,8 +40,8 @@ TEST(SprtMatchSchedule, HasTheGamesOfARoundRobinOfItsTwoTeams) {
   ASSERT_EQ(games.size(), robins.size());
   for (std::size_t i = 0; i < games.size(); ++i) {
     EXPECT_EQ(games[i].id, robins[i].id);
-    EXPECT_EQ(configuration_hash(games[i].configuration),
-              configuration_hash(robins[i].configuration));
+    EXPECT_EQ(configuration_hash(games[i].settings.whole()),
+              configuration_hash(robins[i].settings.whole()));
   }
 }
 
@@ -102,7 +102,7 @@ TEST(SprtMatchRun, EndsUndecidedAfterItsLastPair) {
 }
 
 TEST(SprtMatchRun, LeavesPairsWithAVoidLegOutOfTheTest) {
-  const std::uint64_t void_seed = scheduled_games(small_sprt_match())[3].configuration.seed;
+  const std::uint64_t void_seed = scheduled_games(small_sprt_match())[3].settings.whole().seed;
   const TemporaryFolder folder;
   ExperimentOptions options = fake_options(folder.path());
   options.play = [void_seed](const GameConfiguration& game) -> GameRecord {
@@ -152,7 +152,7 @@ SprtMatchState state_without(int missing_pair, int pairs) {
   RowsById rows;
   for (const ScheduledGame& game : scheduled_games(scenario)) {
     if (game.pair == missing_pair || game.pair > pairs) continue;
-    rows[game.id].record = fake_game(resolved(game.configuration));
+    rows[game.id].record = fake_game(resolved(game.settings.whole()));
   }
   return state_of(std::get<SprtMatch>(scenario.content), rows);
 }

@@ -111,11 +111,11 @@ TEST(Quantile, IsTheSmallestValueNotExceededByTheShare) {
 TEST(JudgeSchedule, PlaysTheSameSeedsWithEachCameraAndChangesSides) {
   const std::vector<JudgeGame> games = games_of(schedule());
   ASSERT_EQ(games.size(), 4U);
-  EXPECT_EQ(games[0].configuration.seed, games[1].configuration.seed);
+  EXPECT_EQ(games[0].settings.whole().seed, games[1].settings.whole().seed);
   EXPECT_NE(games[0].camera, games[1].camera);
-  EXPECT_EQ(games[0].configuration.match.a_plays, Side::kWest);
-  EXPECT_EQ(games[2].configuration.match.a_plays, Side::kEast);
-  EXPECT_EQ(games[0].configuration.match.half_s, 20);
+  EXPECT_EQ(games[0].settings.whole().match.a_plays, Side::kWest);
+  EXPECT_EQ(games[2].settings.whole().match.a_plays, Side::kEast);
+  EXPECT_EQ(games[0].settings.whole().match.half_s, 20);
 }
 
 TEST(JudgeSchedule, PlaysEveryGameWithEachNamedSeed) {
@@ -127,7 +127,7 @@ TEST(JudgeSchedule, PlaysEveryGameWithEachNamedSeed) {
   EXPECT_EQ(games[0].game_id, "tuning+paper+none+basic~basic-p0001-1");
   EXPECT_EQ(games[1].game_id, "test+paper+none+basic~basic-p0001-1");
   EXPECT_EQ(games[1].id, "test paper none basic~basic 1");
-  EXPECT_NE(games[0].configuration.seed, games[1].configuration.seed);
+  EXPECT_NE(games[0].settings.whole().seed, games[1].settings.whole().seed);
 }
 
 TEST(JudgeSchedule, PlaysTheSameGamesIfOnlyOneSeedIsKept) {
@@ -157,9 +157,9 @@ TEST(JudgeSchedule, DealsTheSameTeamsToEveryCamera) {
   const std::vector<JudgeGame> games = games_of(dealt);
   std::set<std::string> matchups;
   for (std::size_t i = 0; i < games.size(); i += 2) {
-    EXPECT_EQ(games[i].configuration.a.strategy, games[i + 1].configuration.a.strategy);
-    EXPECT_EQ(games[i].configuration.b.strategy, games[i + 1].configuration.b.strategy);
-    matchups.insert(games[i].configuration.a.strategy + games[i].configuration.b.strategy);
+    EXPECT_EQ(games[i].settings.whole().a.strategy, games[i + 1].settings.whole().a.strategy);
+    EXPECT_EQ(games[i].settings.whole().b.strategy, games[i + 1].settings.whole().b.strategy);
+    matchups.insert(games[i].settings.whole().a.strategy + games[i].settings.whole().b.strategy);
   }
   EXPECT_EQ(matchups.size(), 6U);
 }
@@ -178,7 +178,7 @@ TEST(JudgeSchedule, RefusesAnUnknownCamera) {
 
 TEST(CallEvaluation, ReadsBackEqualFromItsText) {
   const CallEvaluation evaluation =
-      evaluate_calls(resolved(games_of(schedule())[1].configuration)).evaluation;
+      evaluate_calls(resolved(games_of(schedule())[1].settings.whole())).evaluation;
   EXPECT_FALSE(evaluation.verdicts.empty());
   EXPECT_EQ(text_of(evaluation_in(text_of(evaluation)).value()), text_of(evaluation));
 }
@@ -212,7 +212,7 @@ TEST(JudgeReport, HasATableForEveryBookAndCamera) {
   const JudgeSchedule the_schedule = schedule();
   RowsById rows;
   for (const JudgeGame& one : games_of(the_schedule)) {
-    const GameConfiguration game = resolved(one.configuration);
+    const GameConfiguration game = resolved(one.settings.whole());
     GamePrograms programs = GamePrograms::live(game, {});
     play_judged(game, programs, rows[one.game_id]);
   }

@@ -16,7 +16,7 @@ const RowFormat kFormat({"b.robots"});
 GameRow sample_row() {
   const ScheduledGame game = scheduled_games(std::get<Sweep>(small_sweep().content)).front();
   GameRow row = row_of(game);
-  row.record = fake_game(resolved(game.configuration));
+  row.record = fake_game(resolved(game.settings.whole()));
   row.circumstances = {.build = "build",
                        .host = "host",
                        .cpu = "A, \"fast\" CPU",

@@ -115,7 +115,7 @@ const RowFormat kShardFormat({"b.robots"});
 std::string row_line() {
   const ScheduledGame game = scheduled_games(std::get<Sweep>(small_sweep().content)).front();
   GameRow row = row_of(game);
-  row.record = fake_game(resolved(game.configuration));
+  row.record = fake_game(resolved(game.settings.whole()));
   return kShardFormat.line(row);
 }
 

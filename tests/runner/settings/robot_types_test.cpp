@@ -69,9 +69,9 @@ TEST_F(ScenarioWithTypes, VariesThemAsFactorsWithReadableIds) {
                             "  b.players.3.handicap: [1.0, 0.7]\n"));
   ASSERT_EQ(games.size(), 8U);
   EXPECT_EQ(games.back().id, "b.type=slow+b.players.3.handicap=0.7-p0001-2");
-  EXPECT_EQ(speed_mps(games.front().configuration, 3), 3.0);
-  EXPECT_EQ(speed_mps(games.back().configuration, 3), 2.2);
-  const GameSettings& last = games.back().configuration;
+  EXPECT_EQ(speed_mps(games.front().settings.whole(), 3), 3.0);
+  EXPECT_EQ(speed_mps(games.back().settings.whole(), 3), 2.2);
+  const GameSettings last = games.back().settings.whole();
   EXPECT_EQ(spec_of(last, last.b, "teams.b").robots[3].speed_factor, 0.7);
   EXPECT_EQ(spec_of(last, last.b, "teams.b").robots[2].speed_factor, 1.0);
 }
@@ -80,7 +80,7 @@ TEST_F(ScenarioWithTypes, VariesATypeTogetherWithTheTeamsValues) {
   const std::vector<ScheduledGame> games = scheduled_games(
       sweep("base: { teams: { b: { type: robots/fast.yaml, robot: { mass_kg: 3 } } } }\n"
             "factors: { b.type: [robots/slow.yaml] }\n"));
-  const GameSettings& it = games[0].configuration;
+  const GameSettings it = games[0].settings.whole();
   EXPECT_EQ(speed_mps(it, 0), 2.2);
   EXPECT_EQ(spec_of(it, it.b, "teams.b").robots[0].body.mass_kg, 3);
 }
@@ -102,8 +102,8 @@ TEST_F(ScenarioWithTypes, HasItsSweepReproducedFromTheEffectiveText) {
   ASSERT_EQ(games_back.size(), games.size());
   for (std::size_t i = 0; i < games.size(); ++i) {
     EXPECT_EQ(games_back[i].id, games[i].id);
-    EXPECT_EQ(configuration_hash(games_back[i].configuration),
-              configuration_hash(games[i].configuration));
+    EXPECT_EQ(configuration_hash(games_back[i].settings.whole()),
+              configuration_hash(games[i].settings.whole()));
   }
 }
 

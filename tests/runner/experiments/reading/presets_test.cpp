@@ -172,7 +172,7 @@ Sweep preset_sweep_of(const std::string& lines) {
 std::map<std::string, GameSettings> cells_of(const Sweep& sweep) {
   std::map<std::string, GameSettings> cells;
   for (const ScheduledGame& game : scheduled_games(sweep)) {
-    cells[game.id.substr(0, game.id.find("-p"))] = game.configuration;
+    cells[game.id.substr(0, game.id.find("-p"))] = game.settings.whole();
   }
   return cells;
 }

@@ -65,8 +65,8 @@ TEST(EffectiveConfiguration, OfARoundRobinReadsBackEqual) {
   ASSERT_EQ(back.size(), there.size());
   for (std::size_t i = 0; i < back.size(); ++i) {
     EXPECT_EQ(back[i].id, there[i].id);
-    EXPECT_EQ(configuration_hash(back[i].configuration),
-              configuration_hash(there[i].configuration));
+    EXPECT_EQ(configuration_hash(back[i].settings.whole()),
+              configuration_hash(there[i].settings.whole()));
   }
 }
 
