@@ -5,6 +5,7 @@ import csv
 import gzip
 import json
 import os
+import stat
 import struct
 from collections.abc import Iterator
 from pathlib import Path
@@ -54,8 +55,17 @@ def _converted(texts: list[str]) -> list[Cell]:
     return list(texts)
 
 
+def _regular_file(name: str, flags: int) -> int:
+    """Opens a file of results, but does not wait for a FIFO that has taken its name."""
+    descriptor = os.open(name, flags | os.O_NONBLOCK)
+    if stat.S_ISREG(os.fstat(descriptor).st_mode):
+        return descriptor
+    os.close(descriptor)
+    raise ValueError(f"{name}: is not a regular file; remove it")
+
+
 def _columns(file: Path) -> dict[str, list[Cell]]:
-    with open(file, newline="", encoding="utf-8") as stream:
+    with open(file, newline="", encoding="utf-8", opener=_regular_file) as stream:
         header, *lines = csv.reader(stream)
     columns = zip(*lines) if lines else ([] for _ in header)
     return {name: list(cells) if name in _TEXTS else _converted(list(cells)) for name, cells in zip(header, columns)}
@@ -65,7 +75,7 @@ def rows(folder: PathLike, table: str = "results.csv") -> list[dict[str, Cell]]:
     """The rows of a table as dictionaries; needs nothing but Python.
 
     Numbers are int or float; an empty cell of a column of numbers is None.
-    docs/schemas.md lists the columns.
+    docs/schemas.md lists the columns. Raises ValueError if a FIFO or a device has the table's name.
     """
     columns = _columns(Path(folder, table))
     return [dict(zip(columns, cells)) for cells in zip(*columns.values())]

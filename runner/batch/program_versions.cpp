@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "runner/experiments/with_kind.hpp"
 #include "runner/io/checksum.hpp"
 #include "runner/io/errors.hpp"
+#include "runner/io/files.hpp"
 #include "runner/settings/command_text.hpp"
 #include "runner/settings/fields.hpp"
 
@@ -160,25 +160,30 @@ ProgramFileList files_of(const std::string& path, const std::vector<TeamSettings
   return files;
 }
 
+bool is_read(const fs::path& file, const TakePiece& take) {
+  try {
+    return read_pieces(file, take);
+  } catch (const InputOutputError&) {
+    return false;
+  }
+}
+
 // Empty without files.
 std::string hash_of(const std::string& path, const std::vector<TeamSettings>& variants) {
   const ProgramFileList files = files_of(path, variants);
   if (files.empty()) return {};
   ByteHash hash;
   std::uintmax_t bytes = 0;
-  std::string chunk(std::size_t{1} << 16, '\0');
   for (const ProgramFile& file : files) {
     std::error_code error;
     hash.add(fmt::format("{}\n{}\n", file.name, fs::file_size(file.path, error)));
-    std::ifstream stream(file.path, std::ios::binary);
-    while (stream) {
-      stream.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
-      const auto size = static_cast<std::size_t>(stream.gcount());
-      hash.add(std::string_view(chunk).substr(0, size));
-      bytes += size;
+    const auto add = [&](std::string_view piece) {
+      hash.add(piece);
+      bytes += piece.size();
       if (bytes > kMostBytes) refuse(path, "more than 1 GiB; name the files that matter");
-    }
-    if (!stream.eof()) refuse(path, fmt::format("{} cannot be read", file.path.string()));
+    };
+    if (!is_read(file.path, add))
+      refuse(path, fmt::format("{} cannot be read", file.path.string()));
   }
   return hash_text(hash.value());
 }

@@ -53,13 +53,14 @@ std::vector<std::string> lost_games(const fs::path& folder, const StoredRows& st
 
 Scenario scenario_in(const fs::path& folder) {
   const fs::path file = folder / kEffectiveFile;
-  if (!fs::exists(file) || !fs::is_directory(folder / kGamesFolder)) {
+  const std::optional<std::string> text = read_file(file);
+  if (!text || !fs::is_directory(folder / kGamesFolder)) {
     throw InputError({folder.string()}, "",
                      fmt::format("holds no results: expected {} and a folder {}, as written by "
                                  "autoref run and autoref judge",
                                  kEffectiveFile, kGamesFolder));
   }
-  Scenario scenario = read_scenario(file);
+  Scenario scenario = read_scenario_text(*text, file.string());
   if (keeps_rows(scenario)) return scenario;
   throw InputError({file.string()}, "kind",
                    fmt::format("this is of kind {}, not an experiment", kind_of(scenario)));

@@ -39,7 +39,7 @@ GameRecord play_controlled(const GameConfiguration& game, const PlayArguments& a
   player.play = [&](Observer* observer, GamePrograms& programs) {
     return controlled.play(observer, programs);
   };
-  GameRecord record = play_one(game, arguments.output, inputs, arguments.commands, player);
+  GameRecord record = play_one(game, arguments.output, inputs, {arguments.commands}, player);
   say(controlled.report());
   return record;
 }

@@ -67,7 +67,7 @@ std::optional<PendingFile>& open_output(std::optional<PendingFile>& file, const 
                                         const std::string& path) {
   if (path.empty()) return file;
   try {
-    return file.emplace(path), file;
+    return file.emplace(path, FileKind::kFileOrPipe), file;
   } catch (const InputOutputError& error) {
     throw InputError({flag}, "", error.what());
   }

@@ -75,7 +75,7 @@ int play_verb(const PlayArguments& arguments) {
   blame(arguments.file.empty() ? "--from" : arguments.file, [&] {
     record = game.match.control == referee::Control::kGameController
                  ? play_controlled(resolved(game), arguments, inputs)
-                 : play_one(resolved(game), arguments.output, inputs, arguments.commands);
+                 : play_one(resolved(game), arguments.output, inputs, {arguments.commands});
   });
   return record.status == Status::kVoid ? kTooManyVoid : kDone;
 }

@@ -99,13 +99,14 @@ void open_log(std::optional<league::GameLog>& log, const GameConfiguration& game
 }
 
 GamePrograms programs_of(const GameConfiguration& game, const GameOutput& output,
-                         const std::filesystem::path& commands, const GamePlayer& player) {
+                         const RecordedCommands& commands, const GamePlayer& player) {
   if (!has_programs(game) && !output.record.empty())
     throw InputError({"--record"}, "",
                      "neither team is a program or on the network, so there is nothing to record");
-  if (!commands.empty()) return GamePrograms::recorded(game, commands);
+  if (!commands.file.empty()) return GamePrograms::recorded(game, commands.file, commands.kind);
   ProgramFiles files;
   files.commands = output.record;
+  files.commands_kind = FileKind::kFileOrPipe;
   files.show_stderr = true;
   return GamePrograms::live(game, files, player.make_network_team);
 }
@@ -174,7 +175,7 @@ void add_speed_option(CLI::App& verb, GameOutput& output) {
 }
 
 GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
-                    const std::vector<std::string>& inputs, const std::filesystem::path& commands,
+                    const std::vector<std::string>& inputs, const RecordedCommands& commands,
                     const GamePlayer& player) {
   GameFiles files;
   open_files(files, output, inputs);
@@ -192,7 +193,7 @@ GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
   GameRecord record = player.play ? player.play(&shown.observer(), programs)
                                   : played(game, &shown.observer(), programs, frames_per_s);
   if (!programs.finish(record)) {
-    throw InputError({commands.string()}, "",
+    throw InputError({commands.file.string()}, "",
                      "its commands lead to another final state: they are from another game, other "
                      "settings or another build");
   }

@@ -30,6 +30,12 @@ struct GamePlayer {
   std::function<GameRecord(Observer* observer, GamePrograms& programs)> play;
 };
 
+// Recorded commands to play instead of the programs. An empty path: the programs play.
+struct RecordedCommands {
+  std::filesystem::path file = {};
+  FileKind kind = FileKind::kFileOrPipe;
+};
+
 // From now on, Ctrl-C is noted; a second one ends the program at once, since the game may hang.
 void note_interrupts();
 
@@ -49,10 +55,9 @@ void add_speed_option(CLI::App& verb, GameOutput& output);
 // Throws InputError before the game if an output is one of `inputs` or the same file as another
 // output.
 //
-// `commands` is a file of recorded commands to play instead of the programs; empty: the programs
-// play. Throws InputError if the file belongs to another game.
+// Throws InputError if `commands` belong to another game.
 GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
-                    const std::vector<std::string>& inputs,
-                    const std::filesystem::path& commands = {}, const GamePlayer& player = {});
+                    const std::vector<std::string>& inputs, const RecordedCommands& commands = {},
+                    const GamePlayer& player = {});
 
 }  // namespace autoref::runner

@@ -55,7 +55,7 @@ int replay_verb(const ReplayArguments& arguments) {
   const fs::path commands = commands_file(folder.path, game.id);
   const GameRecord record =
       play_one(resolved(game), arguments.output, files_of_results(folder.path),
-               fs::exists(commands) ? commands : fs::path());
+               {fs::exists(commands) ? commands : fs::path(), FileKind::kFile});
   const auto row = folder.completed_games.done.find(game.id);
   if (row == folder.completed_games.done.end()) return kDone;
   const std::uint64_t stored = row->second.record.state_hash;

@@ -212,7 +212,7 @@ class Replays {
                                  id, why, folder_.build));
   }
 
-  std::string events_of(std::size_t game) const { return read_user_file(log_of(game)); }
+  std::string events_of(std::size_t game) const { return read_file(log_of(game)).value_or(""); }
 
  private:
   std::filesystem::path log_of(std::size_t game) const { return logs_ / std::to_string(game); }

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "runner/io/errors.hpp"
+#include "runner/io/regular_file.hpp"
 #include "runner/io/same_file.hpp"
 
 namespace autoref::runner {
@@ -28,42 +29,62 @@ InputOutputError cannot_write(const fs::path& path) {
   return io_error(fmt::format("{} cannot be written", path.string()), errno);
 }
 
-// Returns the content. On failure, sets `error_number`; if there are more than `most` bytes (as in
-// /dev/zero), sets it to EFBIG.
-std::string read_through(const fs::path& path, std::size_t most, int& error_number) {
-  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  error_number = descriptor < 0 ? errno : 0;
-  if (descriptor < 0) return {};
-  std::string text;
+// Closes a descriptor.
+class OpenInput {
+ public:
+  explicit OpenInput(int descriptor) : descriptor_(descriptor) {}
+  ~OpenInput() { close(descriptor_); }
+  OpenInput(const OpenInput&) = delete;
+  OpenInput& operator=(const OpenInput&) = delete;
+
+ private:
+  int descriptor_;
+};
+
+// Calls `take` with the content, piece by piece. Returns 0 or the error number: EFBIG if there are
+// more than `most` bytes (as in /dev/zero).
+int take_pieces(int descriptor, std::size_t most, const TakePiece& take) {
+  if (descriptor < 0) return errno;
+  const OpenInput input(descriptor);
   std::array<char, 65536> buffer{};
+  std::size_t size = 0;
   ssize_t count = 0;
-  while ((count = read(descriptor, buffer.data(), buffer.size())) > 0 ||
-         (count < 0 && errno == EINTR)) {
-    if (count > 0) text.append(buffer.data(), static_cast<std::size_t>(count));
-    if (text.size() > most) break;
+  while (size <= most && ((count = read(descriptor, buffer.data(), buffer.size())) > 0 ||
+                          (count < 0 && errno == EINTR))) {
+    if (count < 0) continue;
+    take({buffer.data(), static_cast<std::size_t>(count)});
+    size += static_cast<std::size_t>(count);
   }
-  if (count != 0) error_number = count < 0 ? errno : EFBIG;
-  close(descriptor);
-  return text;
+  if (size > most) return EFBIG;
+  return count < 0 ? errno : 0;
+}
+
+TakePiece append_to(std::string& text) {
+  return [&text](std::string_view piece) { text += piece; };
 }
 
 }  // namespace
 
 std::string read_user_file(const fs::path& path) {
-  int error_number = 0;
-  std::string text = read_through(path, kLongestUserFile, error_number);
+  std::string text;
+  const int error_number =
+      take_pieces(open(path.c_str(), O_RDONLY | O_CLOEXEC), kLongestUserFile, append_to(text));
   if (error_number == 0) return text;
   throw InputError(
       {path.string()}, "",
       fmt::format("the file cannot be read: {}", std::generic_category().message(error_number)));
 }
 
-std::optional<std::string> read_file(const fs::path& path) {
-  int error_number = 0;
-  std::string text = read_through(path, kLongestFile, error_number);
-  if (error_number == 0) return text;
-  if (error_number == ENOENT) return std::nullopt;
+bool read_pieces(const fs::path& path, const TakePiece& take) {
+  const int error_number = take_pieces(open_regular_file(path, O_RDONLY), kLongestFile, take);
+  if (error_number == ENOENT) return false;
+  if (error_number == 0) return true;
   throw io_error(fmt::format("{} cannot be read", path.string()), error_number);
+}
+
+std::optional<std::string> read_file(const fs::path& path) {
+  std::string text;
+  return read_pieces(path, append_to(text)) ? std::optional(std::move(text)) : std::nullopt;
 }
 
 void write_all(int descriptor, std::string_view text, const fs::path& path) {
@@ -75,10 +96,12 @@ void write_all(int descriptor, std::string_view text, const fs::path& path) {
   }
 }
 
-PendingFile::PendingFile(fs::path path, double patience_s) : path_(std::move(path)), part_(path_) {
+PendingFile::PendingFile(fs::path path, FileKind kind, double patience_s)
+    : path_(std::move(path)), part_(path_) {
   std::error_code error;
   const fs::file_status status = fs::status(path_, error);
-  if (!fs::exists(status) || fs::is_regular_file(status)) part_ += ".part";
+  const bool is_own = kind == FileKind::kFile;
+  if (is_own || !fs::exists(status) || fs::is_regular_file(status)) part_ += ".part";
   if (is_direct()) {
     descriptor_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
     if (descriptor_ < 0) throw cannot_write(path_);
@@ -101,7 +124,7 @@ void PendingFile::wait_for_part(double patience_s) {
 }
 
 bool PendingFile::take_part() {
-  descriptor_ = open(part_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  descriptor_ = open_regular_file(part_, O_WRONLY | O_CREAT | O_NOFOLLOW);
   if (descriptor_ < 0) throw cannot_write(path_);
   const bool is_locked = flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
   const bool is_busy = !is_locked && (errno == EWOULDBLOCK || errno == EINTR);
@@ -136,7 +159,7 @@ void PendingFile::commit(std::string_view text) {
 
 void replace_file(const fs::path& path, std::string_view text) {
   if (read_file(path) == text) return;
-  PendingFile file(path, kPatience_s);
+  PendingFile file(path, FileKind::kFile, kPatience_s);
   // Another run of the same experiment may just have written the same content.
   if (read_file(path) != text) file.commit(text);
 }

@@ -2,30 +2,45 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace autoref::runner {
 
-// Returns the content of a file named by the user. Throws InputError if it cannot be read.
+// Returns the content of a file named by the user, which may be a pipe. Throws InputError if it
+// cannot be read.
 std::string read_user_file(const std::filesystem::path& path);
 
-// Returns the content, or nullopt if the file does not exist. Throws InputOutputError on other
-// failures.
+// Returns the content of one of AutoRef's own files, or nullopt if it does not exist. Throws
+// InputOutputError on other failures, as if another program has replaced it by a FIFO.
 std::optional<std::string> read_file(const std::filesystem::path& path);
+
+// Receives a part of a file's content.
+using TakePiece = std::function<void(std::string_view piece)>;
+
+// As read_file(), but passes the content on in pieces. Returns false if the file does not exist.
+bool read_pieces(const std::filesystem::path& path, const TakePiece& take);
 
 // Writes all of `text` to a descriptor. Throws InputOutputError naming `path`.
 void write_all(int descriptor, std::string_view text, const std::filesystem::path& path);
 
-// New content for a file, which appears under its final name only at commit(). If the path is not a
-// regular file (but a pipe or /dev/stdout, for example), commit() writes to it directly. A process
+// What may have a file's name.
+enum class FileKind {
+  kFile,        // in one of AutoRef's folders
+  kFileOrPipe,  // named by the user: also a pipe, or a device such as /dev/stdout
+};
+
+// New content for a file, which appears under its final name only at commit(). If the user names
+// something else (a pipe or /dev/stdout, for example), commit() writes to it directly. A process
 // killed before commit() leaves `path`.part behind, which the next process overwrites.
 class PendingFile {
  public:
   // Throws InputOutputError if the file cannot be created, or if another process is still writing
   // it after `patience_s`.
-  explicit PendingFile(std::filesystem::path path, double patience_s = 2);
+  explicit PendingFile(std::filesystem::path path, FileKind kind = FileKind::kFile,
+                       double patience_s = 2);
   ~PendingFile();
   PendingFile(const PendingFile&) = delete;
   PendingFile& operator=(const PendingFile&) = delete;

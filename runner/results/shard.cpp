@@ -18,6 +18,7 @@
 #include "runner/io/csv.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
+#include "runner/io/regular_file.hpp"
 #include "runner/io/same_file.hpp"
 
 namespace autoref::runner {
@@ -77,12 +78,9 @@ Shard::~Shard() { close(descriptor_); }
 
 void Shard::open_file() {
   // O_APPEND: every write goes to the end, wherever a torn line was cut off.
-  descriptor_ = open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  descriptor_ = open_regular_file(path_, O_RDWR | O_CREAT | O_APPEND);
   if (descriptor_ < 0) throw cannot_write(path_);
   try {
-    if (!fs::is_regular_file(path_)) {
-      throw InputOutputError(fmt::format("{} is not a regular file", path_.string()));
-    }
     lock();
     cut_torn_line();
     bytes_ = synced_bytes_ = lseek(descriptor_, 0, SEEK_END);

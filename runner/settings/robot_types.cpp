@@ -43,6 +43,9 @@ bool is_type_file(std::string_view text) {
 }
 
 std::vector<std::string> type_files_in(const fs::path& file) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return {};
   const YamlFile yaml(read_user_file(file), file.string());
   std::vector<std::string> files;
   for (const YamlEntry& entry : yaml.top()) add_files_in(entry.value, yaml.folder(), files);

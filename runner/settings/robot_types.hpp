@@ -31,7 +31,8 @@ bool is_type_file(std::string_view text);
 std::string take_type(const std::string& text, const std::filesystem::path& folder,
                       RobotTypes& types);
 
-// The existing type files named by the values of a scenario or scene.
+// The existing type files named by the values of a scenario or scene; none if that is a pipe, which
+// can be read only once.
 std::vector<std::string> type_files_in(const std::filesystem::path& file);
 
 // Maximum number of types per game.

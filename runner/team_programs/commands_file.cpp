@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "runner/io/errors.hpp"
+#include "runner/io/regular_file.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -145,8 +146,8 @@ bool is_same(const TeamEntry& a, const TeamEntry& b) {
                     [](const RobotCommand& c, const RobotCommand& d) { return is_same(c, d); });
 }
 
-CommandsWriter::CommandsWriter(const std::filesystem::path& path)
-    : path_(path), pending_(path), bytes_(kHeader) {
+CommandsWriter::CommandsWriter(const std::filesystem::path& path, FileKind kind)
+    : path_(path), pending_(path, kind), bytes_(kHeader) {
   errno = 0;
   const int descriptor = fcntl(pending_.descriptor(), F_DUPFD_CLOEXEC, 0);
   if (descriptor < 0) fail();
@@ -214,9 +215,12 @@ void CommandsWriter::close(std::uint64_t final_state) {
   pending_.commit();
 }
 
-CommandsReader::CommandsReader(std::filesystem::path path) : path_(std::move(path)) {
+CommandsReader::CommandsReader(std::filesystem::path path, FileKind kind) : path_(std::move(path)) {
   errno = 0;
-  file_ = gzopen(path_.c_str(), "rb");
+  const int descriptor = kind == FileKind::kFile ? open_regular_file(path_, O_RDONLY)
+                                                 : open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+  file_ = descriptor < 0 ? nullptr : gzdopen(descriptor, "rb");
+  if (file_ == nullptr && descriptor >= 0) ::close(descriptor);
   if (file_ == nullptr) throw io_error(fmt::format("cannot read {}", path_.string()), errno);
   std::string header(kHeader.size(), '\0');
   const int size = gzread(gz_file(file_), header.data(), static_cast<unsigned>(header.size()));

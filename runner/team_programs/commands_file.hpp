@@ -46,7 +46,7 @@ bool is_same(const TeamEntry& a, const TeamEntry& b);
 class CommandsWriter {
  public:
   // The file appears at close(), like every PendingFile. Throws InputOutputError.
-  explicit CommandsWriter(const std::filesystem::path& path);
+  explicit CommandsWriter(const std::filesystem::path& path, FileKind kind = FileKind::kFile);
   ~CommandsWriter();
   CommandsWriter(const CommandsWriter&) = delete;
   CommandsWriter& operator=(const CommandsWriter&) = delete;
@@ -76,8 +76,8 @@ class CommandsWriter {
 
 class CommandsReader {
  public:
-  // Throws InputError if this is not a file of commands.
-  explicit CommandsReader(std::filesystem::path path);
+  // Throws InputError if this is not a file of commands, and InputOutputError if it cannot be read.
+  explicit CommandsReader(std::filesystem::path path, FileKind kind = FileKind::kFile);
   ~CommandsReader();
   CommandsReader(const CommandsReader&) = delete;
   CommandsReader& operator=(const CommandsReader&) = delete;

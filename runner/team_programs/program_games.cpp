@@ -134,16 +134,16 @@ GamePrograms GamePrograms::live(const GameConfiguration& game, ProgramFiles file
   programs.make_network_team_ = std::move(make_network_team);
   programs.side_a_ = game.match.a_plays;
   if (has_programs(game) && !files.commands.empty())
-    programs.writer_ = std::make_unique<CommandsWriter>(files.commands);
+    programs.writer_ = std::make_unique<CommandsWriter>(files.commands, files.commands_kind);
   programs.files_ = std::move(files);
   return programs;
 }
 
 GamePrograms GamePrograms::recorded(const GameConfiguration& game,
-                                    const std::filesystem::path& commands) {
+                                    const std::filesystem::path& commands, FileKind kind) {
   GamePrograms programs;
   programs.side_a_ = game.match.a_plays;
-  programs.reader_ = std::make_unique<CommandsReader>(commands);
+  programs.reader_ = std::make_unique<CommandsReader>(commands, kind);
   return programs;
 }
 

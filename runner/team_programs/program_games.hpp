@@ -31,6 +31,7 @@ struct ProgramFiles {
   std::filesystem::path stderr_a = {};  // standard error of team a's program
   std::filesystem::path stderr_b = {};
   bool show_stderr = false;  // also on AutoRef's
+  FileKind commands_kind = FileKind::kFile;
 };
 
 // Plays a game's programs, or their recorded commands, and keeps its files.
@@ -42,8 +43,8 @@ class GamePrograms {
   static GamePrograms live(const GameConfiguration& game, ProgramFiles files,
                            TeamMaker make_network_team = {});
   // Plays the commands of a file instead of the programs. Throws InputError, InputOutputError.
-  static GamePrograms recorded(const GameConfiguration& game,
-                               const std::filesystem::path& commands);
+  static GamePrograms recorded(const GameConfiguration& game, const std::filesystem::path& commands,
+                               FileKind kind = FileKind::kFile);
 
   // The game with the robots that were changed before it began, if it is played from recorded
   // commands. Throws as CommandsReader.

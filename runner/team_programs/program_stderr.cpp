@@ -1,11 +1,15 @@
 #include "runner/team_programs/program_stderr.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstring>
+
+#include "runner/io/errors.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -50,12 +54,27 @@ void ProgramStderr::keep(const char* text, std::size_t size) {
   const std::size_t written = std::min(size, room_);
   room_ -= written;
   if (written == 0) return;
-  if (file_ < 0 && !file_name_.empty())
-    file_ = open(file_name_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  // A full disk costs these lines, not the game.
-  for (const int to : {file_, copy_}) {
-    [[maybe_unused]] const ssize_t ignored = to < 0 ? 0 : write(to, text, written);
-  }
+  write_to_file(text, written);
+  [[maybe_unused]] const ssize_t ignored = copy_ < 0 ? 0 : write(copy_, text, written);
+}
+
+// The name must be free: what the program has put there since may be a FIFO, or a link to a file
+// that must not change.
+void ProgramStderr::write_to_file(const char* text, std::size_t size) {
+  if (file_name_.empty()) return;
+  if (file_ < 0) file_ = open(file_name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  const ssize_t written = file_ < 0 ? -1 : write(file_, text, size);
+  if (written != static_cast<ssize_t>(size)) give_up_file(written < 0 ? errno : ENOSPC);
+}
+
+// A full disk costs these lines, not the game.
+void ProgramStderr::give_up_file(int error_number) {
+  const char* const reason = error_number == EEXIST ? "another program has put something there"
+                                                    : std::strerror(error_number);
+  write_message(stderr, fmt::format("autoref: {}: {}; what the program writes to its standard "
+                                    "error from now on in this game is dropped\n",
+                                    file_name_, reason));
+  file_name_.clear();
 }
 
 std::string ProgramStderr::last_lines() const {

@@ -10,7 +10,9 @@ namespace autoref::runner {
 class ProgramStderr {
  public:
   // Takes over `descriptor`, which must not block. At most spec.limits.stderr_bytes are written; a
-  // file is created only if there is anything to write.
+  // file is created only if there is anything to write. If that fails, as when the disk is full or
+  // the program has given the file's name to something else, one message on stderr says so, and the
+  // lines are dropped.
   ProgramStderr(int descriptor, const ProgramSpec& spec);
   ~ProgramStderr();
   ProgramStderr(const ProgramStderr&) = delete;
@@ -26,6 +28,8 @@ class ProgramStderr {
 
  private:
   void keep(const char* text, std::size_t size);
+  void write_to_file(const char* text, std::size_t size);
+  void give_up_file(int error_number);
 
   int descriptor_ = -1;
   std::string file_name_;

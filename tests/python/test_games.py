@@ -1,5 +1,6 @@
 """Whole games and experiments with teams in Python, played by the program in AUTOREF."""
 import os
+import signal
 import subprocess
 import sys
 import tempfile
@@ -94,6 +95,18 @@ class Experiments(unittest.TestCase):
         self.assertEqual([row["leg"] for row in rows], [1, 2, 1, 2])
         self.assertTrue(all(row["goals_a"] - row["goals_b"] == row["goal_diff"] for row in rows))
         self.assertIsNone(rows[0]["shootout_a"])
+
+
+class Rows(unittest.TestCase):
+    """Tables of a folder."""
+
+    def test_do_not_wait_for_a_pipe_that_has_the_name_of_a_table(self):
+        with tempfile.TemporaryDirectory() as folder:
+            os.mkfifo(Path(folder, "results.csv"))
+            signal.alarm(60)  # ends a test that waits for ever
+            with self.assertRaisesRegex(ValueError, "results.csv: is not a regular file"):
+                autoref.rows(folder)
+            signal.alarm(0)
 
 
 class CommandLine(unittest.TestCase):

@@ -11,7 +11,7 @@
 namespace autoref::runner {
 namespace {
 
-std::string text_of(const TeamCount& count) {
+std::string team_count_text(const TeamCount& count) {
   if (count.least == 1) return "at least one team";
   if (count.most == SIZE_MAX) return fmt::format("at least {} teams", count.least);
   if (count.least == count.most) return fmt::format("{} teams", count.least);
@@ -29,7 +29,7 @@ void NamedTeamsReader::read(const YamlEntry& entry, Teams& teams, GameSettings& 
   if (count.least <= teams.size() && teams.size() <= count.most) return;
   file_.refuse(entry.location, entry.key,
                fmt::format("expected {}, such as zone: {{ strategy: basic }}, found {}",
-                           text_of(count), teams.size()));
+                           team_count_text(count), teams.size()));
 }
 
 void NamedTeamsReader::read_team(const YamlEntry& entry, const std::string& branch, Teams& teams,

@@ -1,9 +1,11 @@
 // Tests the verbs that read a results folder, with games of a few seconds.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "runner/io/errors.hpp"
 #include "tests/runner/cli/answer.hpp"
 #include "tests/runner/support/temporary_folder.hpp"
+#include "tests/runner/support/time_limit.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -141,6 +143,27 @@ TEST_F(ChangedFolder, LosesResultsOnlyOnRequest) {
   EXPECT_EQ(answer_to({"report", results_.c_str(), "--allow-fewer"}).code, kDifferent);
   EXPECT_LT(content_of(folder_ / "results/results.csv").size(), results_csv_.size());
   EXPECT_EQ(report().code, kDone);
+}
+
+TEST_F(FolderVerbs, DoNotWaitForAPipeInPlaceOfAResult) {
+  const TimeLimit limit;
+  run("0/1");
+  answer_to({"report", results_.c_str()});
+  for (const std::string name :
+       {"effective.yaml", "results.csv", "summary.csv", "report.md", "games/shard-0-of-1.csv"}) {
+    const std::filesystem::path pipe = folder_ / ("results/" + name);
+    std::filesystem::rename(pipe, folder_ / "kept");
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    for (const Answer& answer : {run("0/1"), answer_to({"report", results_.c_str()}),
+                                 answer_to({"status", results_.c_str()}),
+                                 answer_to({"verify", results_.c_str(), "-j", "1"})}) {
+      if (answer.code == kDone) continue;  // does not need this file
+      EXPECT_TRUE(answer.code == kInputOutput || answer.code == kBadInput) << answer.code;
+      EXPECT_NE((answer.out + answer.err).find(pipe.string()), std::string::npos) << answer.err;
+    }
+    EXPECT_NE(answer_to({"report", results_.c_str()}).code, kDone) << name;
+    std::filesystem::rename(folder_ / "kept", pipe);
+  }
 }
 
 TEST_F(FolderVerbs, ReplaySuggestsTheClosestGame) {

@@ -1,12 +1,16 @@
 // Outputs that would overwrite each other or an input are refused before any work.
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
+
+#include <thread>
 
 #include "runner/io/errors.hpp"
 #include "runner/io/same_file.hpp"
 #include "tests/runner/cli/answer.hpp"
 #include "tests/runner/support/temporary_folder.hpp"
+#include "tests/runner/support/time_limit.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -40,6 +44,16 @@ class Outputs : public testing::Test {
   TemporaryFolder folder_;
   std::string file_ = in("game.yaml");
 };
+
+TEST_F(Outputs, MayBelongToAGameThatComesThroughAPipe) {
+  const TimeLimit limit;
+  const std::string pipe = in("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  std::thread user([&] { write_content(pipe, "schema: 1\nkind: game\nmatch: { half_s: 1 }\n"); });
+  const Answer answer = answer_to({"play", pipe.c_str(), "--events", "/dev/null"});
+  EXPECT_EQ(answer.code, kDone) << answer.err;
+  user.join();
+}
 
 TEST_F(Outputs, ThatAreTheSameFileAreRefusedBeforeTheGame) {
   const std::string x = in("x");

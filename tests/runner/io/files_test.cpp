@@ -1,13 +1,17 @@
 #include "runner/io/files.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <functional>
+#include <string>
 
 #include "runner/io/errors.hpp"
 #include "tests/runner/support/temporary_folder.hpp"
+#include "tests/runner/support/time_limit.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -31,8 +35,8 @@ TEST(PendingFile, KeepsTheFormerContentUntilItIsCommitted) {
 }
 
 TEST(PendingFile, WritesToDevicesDirectlyAndReportsAFullDisk) {
-  EXPECT_NO_THROW(PendingFile("/dev/null").commit("x"));
-  EXPECT_THROW(PendingFile("/dev/full").commit("x"), InputOutputError);
+  EXPECT_NO_THROW(PendingFile("/dev/null", FileKind::kFileOrPipe).commit("x"));
+  EXPECT_THROW(PendingFile("/dev/full", FileKind::kFileOrPipe).commit("x"), InputOutputError);
 }
 
 TEST(PendingFile, OverwritesWhatAKilledProcessLeft) {
@@ -52,10 +56,73 @@ TEST(PendingFile, OverwritesWhatAKilledProcessLeft) {
 TEST(PendingFile, IsRefusedWhileAnotherWritesIt) {
   const TemporaryFolder folder;
   PendingFile first(folder / "x");
-  EXPECT_THROW(PendingFile(folder / "x", 0.02), InputOutputError);
+  EXPECT_THROW(PendingFile(folder / "x", FileKind::kFile, 0.02), InputOutputError);
   first.commit("first");
-  PendingFile(folder / "x", 0.02).commit("second");
+  PendingFile(folder / "x", FileKind::kFile, 0.02).commit("second");
   EXPECT_EQ(content_of(folder / "x"), "second");
+}
+
+std::string message_of_failure(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const InputOutputError& error) {
+    return error.what();
+  }
+  return "succeeded";
+}
+
+TEST(OwnFile, IsNotReadFromAPipeThatHasItsName) {
+  const TimeLimit limit;
+  const TemporaryFolder folder;
+  ASSERT_EQ(mkfifo((folder / "x").c_str(), 0600), 0);
+  const std::string expected =
+      (folder / "x").string() + " is a FIFO where a file is expected; remove it";
+  EXPECT_EQ(message_of_failure([&folder] { read_file(folder / "x"); }), expected);
+  EXPECT_EQ(message_of_failure([&folder] { replace_file(folder / "x", "new"); }), expected);
+}
+
+TEST(OwnFile, IsNotReadThroughALinkToAPipeOrADevice) {
+  const TimeLimit limit;
+  const TemporaryFolder folder;
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  std::filesystem::create_symlink(folder / "pipe", folder / "x");
+  std::filesystem::create_symlink("/dev/zero", folder / "y");
+  EXPECT_TRUE(message_of_failure([&folder] {
+                read_file(folder / "x");
+              }).ends_with("x is a FIFO where a file is expected; remove it"));
+  EXPECT_TRUE(message_of_failure([&folder] {
+                read_file(folder / "y");
+              }).ends_with("y is a device where a file is expected; remove it"));
+}
+
+TEST(OwnFile, IsReadThroughALinkToAFile) {
+  const TemporaryFolder folder;
+  write_content(folder / "x", "text");
+  std::filesystem::create_symlink(folder / "x", folder / "link");
+  EXPECT_EQ(read_file(folder / "link"), "text");
+}
+
+TEST(PendingFile, IsNotWrittenToWhatHasTheNameOfItsTemporaryFile) {
+  const TimeLimit limit;
+  const TemporaryFolder folder;
+  write_content(folder / "other", "kept");
+  std::filesystem::create_symlink(folder / "other", folder / "x.part");
+  ASSERT_EQ(mkfifo((folder / "y.part").c_str(), 0600), 0);
+  EXPECT_TRUE(message_of_failure([&folder] {
+                PendingFile file(folder / "x");
+              }).ends_with("x.part is a symbolic link where a file is expected; remove it"));
+  EXPECT_TRUE(message_of_failure([&folder] {
+                PendingFile file(folder / "y");
+              }).ends_with("y.part is a FIFO where a file is expected; remove it"));
+  EXPECT_EQ(content_of(folder / "other"), "kept");
+}
+
+TEST(PendingFile, ReplacesAPipeThatHasTheNameOfAnOwnFile) {
+  const TimeLimit limit;
+  const TemporaryFolder folder;
+  ASSERT_EQ(mkfifo((folder / "x").c_str(), 0600), 0);
+  PendingFile(folder / "x").commit("new");
+  EXPECT_EQ(content_of(folder / "x"), "new");
 }
 
 TEST(ReplaceFile, IsSafeInSeveralProcessesAtOnce) {

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "runner/game/game.hpp"
@@ -16,6 +17,7 @@
 #include "runner/team_programs/program_games.hpp"
 #include "soccer/random.hpp"
 #include "tests/runner/support/temporary_folder.hpp"
+#include "tests/runner/support/time_limit.hpp"
 #include "tests/runner/team_programs/shell_teams.hpp"
 
 namespace autoref::runner {
@@ -157,17 +159,32 @@ TEST_F(CommandsFile, AppearsOnlyWhenItIsClosed) {
   EXPECT_TRUE(fs::is_empty(folder_.path()));
 }
 
-// Like all outputs: pipes and devices are written to, not replaced.
+// Like all outputs that a user names: pipes and devices are written to, not replaced.
 TEST_F(CommandsFile, GoesThroughAPipeOfThatName) {
   ASSERT_EQ(mkfifo(file_.c_str(), 0600), 0);
   const int reader = open(file_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-  CommandsWriter writer(file_);
+  CommandsWriter writer(file_, FileKind::kFileOrPipe);
   writer.close(kState);
   EXPECT_TRUE(fs::is_fifo(file_));
   std::array<unsigned char, 2> magic{};
   EXPECT_EQ(read(reader, magic.data(), magic.size()), 2);
   EXPECT_EQ(magic, (std::array<unsigned char, 2>{0x1f, 0x8b}));
   close(reader);
+}
+
+TEST_F(CommandsFile, IsNotReadFromAPipeThatHasItsName) {
+  const TimeLimit limit;
+  ASSERT_EQ(mkfifo(file_.c_str(), 0600), 0);
+  EXPECT_THROW(CommandsReader{file_}, InputOutputError);
+}
+
+TEST_F(CommandsFile, IsReadFromAPipeThatTheUserNames) {
+  const TimeLimit limit;
+  ASSERT_EQ(mkfifo(file_.c_str(), 0600), 0);
+  std::thread user([this] { CommandsWriter(file_, FileKind::kFileOrPipe).close(kState); });
+  CommandsReader reader(file_, FileKind::kFileOrPipe);
+  EXPECT_EQ(reader.final_state(), kState);
+  user.join();
 }
 
 TEST_F(CommandsFile, OfAnotherGameIsRefused) {

@@ -11,6 +11,7 @@
 #include "runner/team_programs/program_games.hpp"
 #include "runner/team_programs/program_process.hpp"
 #include "tests/runner/support/temporary_folder.hpp"
+#include "tests/runner/support/time_limit.hpp"
 #include "tests/runner/team_programs/shell_teams.hpp"
 
 namespace autoref::runner {
@@ -95,6 +96,43 @@ TEST(TeamPrograms, MayFloodTheirStandardError) {
   const GameRecord record = record_with("yes flood >&2 &\n" + idle_script());
   EXPECT_EQ(record.status, Status::kOk) << record.void_reason;
   EXPECT_EQ(marked_processes(), 0);
+}
+
+// Plays a game whose team a runs `before` when its standard error's file, $file, does not exist
+// yet. Returns what AutoRef says.
+std::string messages_after(const std::string& before, GameRecord& record) {
+  const TimeLimit limit;
+  const TemporaryFolder folder;
+  GameConfiguration game = shell_game("");
+  game.id = "game";
+  game.a = shell_team("file='" + (folder / "stderr/game.a.txt").string() + "'\n" + before +
+                      "\necho one >&2\n" + kGreets + kReads + kAnswers +
+                      "while :; do next; [ -z \"$frame\" ] || { echo two >&2; answer; }; done\n");
+  testing::internal::CaptureStderr();
+  record = play_live(game, folder.path());
+  return testing::internal::GetCapturedStderr();
+}
+
+TEST(TeamPrograms, CannotStallTheirGameByAPipeInPlaceOfTheirStandardErrorsFile) {
+  GameRecord record;
+  const std::string messages = messages_after("mkfifo \"$file\"", record);
+  EXPECT_EQ(record.status, Status::kOk) << record.void_reason;
+  EXPECT_EQ(marked_processes(), 0);
+  const std::string text =
+      "stderr/game.a.txt: another program has put something there; what the program writes to its "
+      "standard error from now on in this game is dropped\n";
+  const std::size_t first = messages.find(text);
+  ASSERT_NE(first, std::string::npos) << messages;
+  EXPECT_EQ(messages.find(text, first + 1), std::string::npos) << messages;
+}
+
+TEST(TeamPrograms, CannotOverwriteAFileByALinkInPlaceOfTheirStandardErrorsFile) {
+  const TemporaryFolder folder;
+  write_content(folder / "other", "kept");
+  GameRecord record;
+  messages_after("ln -s '" + (folder / "other").string() + "' \"$file\"", record);
+  EXPECT_EQ(record.status, Status::kOk) << record.void_reason;
+  EXPECT_EQ(content_of(folder / "other"), "kept");
 }
 
 TEST(TeamPrograms, LeaveNoChildBehind) {
