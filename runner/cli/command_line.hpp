@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "runner/cli/play_one.hpp"
+#include "runner/cli/web_flags.hpp"
 
 #include "runner/experiments/scenario.hpp"
 #include "runner/live/live_options.hpp"
@@ -60,7 +61,7 @@ struct RunArguments : BatchArguments {
   bool allow_mixed_build = false;
   bool quiet = false;
   std::string progress;  // "plain", "json" or "none"; empty: depends on the stream
-  std::string web;       // where to show the standings on the network; empty: nowhere
+  WebFlags web;          // where to show the standings on the network
   double wait_s = 0;     // for other shards' games that the next ones depend on
 };
 
@@ -143,7 +144,7 @@ struct RefereeArguments {
   LiveRefereeOptions live;      // without the controller
   bool broadcasts = false;      // instead of sending to the groups
   std::string game_controller;  // auto or HOST[:PORT]; empty: none
-  std::string web;              // address of the page to watch; empty: none
+  WebFlags web;                 // where to show the game on the network
 };
 
 // Arguments of `autoref lab`.

@@ -15,7 +15,6 @@
 #include "runner/game/game_event.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/live/referee_status.hpp"
-#include "runner/live/web_address.hpp"
 #include "runner/live/web_view.hpp"
 #include "runner/logs/user_log.hpp"
 #include "runner/settings/resolved.hpp"
@@ -113,12 +112,11 @@ class RefereeScreen {
 };
 
 // The page on which the game can be watched; `names` and `field` are what is known at first.
-void open_page(std::optional<WebView>& page, const std::string& address, const Field& field,
+void open_page(std::optional<WebView>& page, const WebFlags& web, const Field& field,
                const PerSide<std::string>& names, const std::string& book) {
-  if (address.empty()) return;
+  if (web.address.empty()) return;
   const GameRecording nothing_yet;
-  page.emplace(web_address(address, "--web"),
-               PageContent{nothing_yet, field, names, {{"rules", book}}});
+  page.emplace(web_options_of(web), PageContent{nothing_yet, field, names, {{"rules", book}}});
   write_message(stderr, fmt::format("autoref: watch at {}\n", page->url()));
 }
 
@@ -156,11 +154,11 @@ class LiveRefereeOutput {
         game_events_("--game-events", arguments.game_events),
         screen_(std::move(verb)) {}
 
-  // Shows the game to browsers at `address`, if any.
-  void show_page(const std::string& address, const Field& field, const PerSide<std::string>& names,
+  // Shows the game to browsers at `web`, if it has an address.
+  void show_page(const WebFlags& web, const Field& field, const PerSide<std::string>& names,
                  const std::string& book) {
     teams_ = {{EventTeam{"", names[Side::kWest]}, EventTeam{"", names[Side::kEast]}}};
-    open_page(page_, address, field, names, book);
+    open_page(page_, web, field, names, book);
   }
 
   LiveRefereeWatch watch() {
@@ -279,9 +277,8 @@ void add_live_referee_options(CLI::App& verb, RefereeArguments& arguments) {
                   "With --live: report calls to the league's game controller there (port 10007); "
                   "auto: the computer that sends the referee packets.")
       ->type_name("auto|HOST[:PORT]");
-  verb.add_option("--web", arguments.web,
-                  "With --live: show the game to browsers at this address, such as 127.0.0.1:8090.")
-      ->type_name("[ADDRESS:]PORT");
+  add_web_flags(verb, arguments.web,
+                "With --live: show the game to browsers at this address, such as 127.0.0.1:8090.");
   verb.add_option("--seconds", live.seconds, "With --live: stop after S seconds.")
       ->type_name("S")
       ->check(CLI::Range(0.0, std::numeric_limits<double>::max()));

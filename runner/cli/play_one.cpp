@@ -113,7 +113,7 @@ GamePrograms programs_of(const GameConfiguration& game, const GameOutput& output
 
 // Frames per second of the clock; nullopt: as many as possible.
 std::optional<double> pace_of(const GameConfiguration& game, const GameOutput& output) {
-  const bool is_paced = !output.speed.empty() || !output.web.empty();
+  const bool is_paced = !output.speed.empty() || !output.web.address.empty();
   if (!is_paced || output.speed == "max") return std::nullopt;
   return game.sim.frame_rate_hz * speed_factor_in(output.speed.empty() ? "1" : output.speed, "max");
 }
@@ -160,10 +160,9 @@ void add_output_options(CLI::App& verb, GameOutput& output) {
                   "Write the commands of teams that are programs or on the network to FILE, for "
                   "play --commands.")
       ->type_name("FILE");
-  verb.add_option("--web", output.web,
-                  "Show the game in browsers, at this address of this computer, such as "
-                  "127.0.0.1:8090; without address, for browsers on this computer only.")
-      ->type_name("[ADDRESS:]PORT");
+  add_web_flags(verb, output.web,
+                "Show the game in browsers, at this address of this computer, such as "
+                "127.0.0.1:8090; without address, for browsers on this computer only.");
   verb.add_flag("--json", output.json, "Print one JSON object.");
 }
 

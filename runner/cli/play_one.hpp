@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "runner/cli/web_flags.hpp"
 #include "runner/game/game.hpp"
 #include "runner/team_programs/program_games.hpp"
 
@@ -19,7 +20,7 @@ struct GameOutput {
   std::string log;  // output file for vision and referee packets (league/game_log.hpp); empty: none
   std::string view;    // output file for the page that shows the game (view/page.hpp); empty: none
   std::string record;  // output file for the commands of teams that are programs; empty: none
-  std::string web;  // where to show the game on the network (live/web_address.hpp); empty: nowhere
+  WebFlags web;        // where to show the game on the network
   std::string speed;  // of a game that is played here: a factor or "max"; empty: real time if shown
   bool json = false;
 };

@@ -13,7 +13,6 @@
 #include "runner/cli/started_games.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
-#include "runner/live/web_address.hpp"
 #include "runner/live/web_table.hpp"
 #include "runner/report/folder_report.hpp"
 
@@ -44,11 +43,10 @@ ExperimentOptions options_of(const RunArguments& arguments) {
   return options;
 }
 
-void show_table(std::optional<WebTable>& table, StartedGames& games, const std::string& web,
+void show_table(std::optional<WebTable>& table, StartedGames& games, const WebFlags& web,
                 ExperimentOptions& options) {
-  if (web.empty()) return;
-  table.emplace(web_address(web, "--web"),
-                [&games](const std::string& id) { return games.page(id); });
+  if (web.address.empty()) return;
+  table.emplace(web_options_of(web), [&games](const std::string& id) { return games.page(id); });
   options.publish = [&table](const std::string& text) { table->show(text); };
   options.starting = [&table, &games](const ScheduledGame& game) {
     if (games.add(game, WebTable::kMostGames)) table->add_game(game.id);
@@ -175,10 +173,9 @@ void add_run_options(CLI::App& verb, RunArguments& arguments, const std::string&
           "terminal, otherwise plain.")
       ->type_name("STYLE")
       ->check(CLI::IsMember({"plain", "json", "none"}));
-  verb.add_option("--web", arguments.web,
-                  "Show the standings in browsers, at this address of this computer, such as "
-                  "127.0.0.1:8090; without address, for browsers on this computer only.")
-      ->type_name("[ADDRESS:]PORT");
+  add_web_flags(verb, arguments.web,
+                "Show the standings in browsers, at this address of this computer, such as "
+                "127.0.0.1:8090; without address, for browsers on this computer only.");
   verb.add_flag("--quiet", arguments.quiet,
                 "Print only errors; check the exit code for the outcome.")
       ->excludes("--progress");

@@ -7,7 +7,6 @@
 
 #include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
-#include "runner/live/web_address.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -22,11 +21,11 @@ std::vector<PageFact> facts_of(const GameConfiguration& game) {
           {"build", std::string(build_id())}};
 }
 
-ShownGame::ShownGame(const GameConfiguration& game, const std::string& web, Observer& other)
+ShownGame::ShownGame(const GameConfiguration& game, const WebFlags& web, Observer& other)
     : observer_(&other) {
-  if (web.empty()) return;
+  if (web.address.empty()) return;
   const GameRecording nothing_yet;
-  view_.emplace(web_address(web, "--web"),
+  view_.emplace(web_options_of(web),
                 PageContent{nothing_yet, game.field, shown_names(game), facts_of(game)});
   web_.emplace(*view_);
   observer_ = &both_.emplace(&*web_, &other);

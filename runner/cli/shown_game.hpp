@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "runner/cli/web_flags.hpp"
 #include "runner/game/configuration.hpp"
 #include "runner/game/observer.hpp"
 #include "runner/live/observers.hpp"
@@ -18,9 +19,9 @@ std::vector<PageFact> facts_of(const GameConfiguration& game);
 
 class ShownGame {
  public:
-  // Shows the game at `web` (live/web_address.hpp), and says so on stderr; nowhere if empty.
-  // `other` is called as well. Throws InputError naming --web.
-  ShownGame(const GameConfiguration& game, const std::string& web, Observer& other);
+  // Shows the game at `web`, and says so on stderr; nowhere if its address is empty. `other` is
+  // called as well. Throws InputError naming --web or --web-host.
+  ShownGame(const GameConfiguration& game, const WebFlags& web, Observer& other);
 
   Observer& observer() { return *observer_; }
 

@@ -34,6 +34,9 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& wo
 // printable ASCII.
 std::string printable(std::string_view name);
 
+// With 'a' to 'z' in place of 'A' to 'Z'.
+std::string lower_case(std::string text);
+
 // "a, b, c".
 std::string listed(const std::vector<std::string>& words);
 

@@ -22,8 +22,12 @@ constexpr std::chrono::seconds kMostIdle{20};  // with a ping after half of it
 
 class Watcher final : public WebConnection, public std::enable_shared_from_this<Watcher> {
  public:
-  Watcher(watcher_beast::tcp_stream stream, std::shared_ptr<WebHub> hub)
-      : socket_(std::move(stream)), hub_(std::move(hub)), write_timer_(socket_.get_executor()) {
+  Watcher(watcher_beast::tcp_stream stream, const std::string& computer,
+          std::shared_ptr<WebHub> hub)
+      : WebConnection(computer),
+        socket_(std::move(stream)),
+        hub_(std::move(hub)),
+        write_timer_(socket_.get_executor()) {
     watcher_beast::error_code ignored;
     tcp::socket& tcp_socket = socket_.next_layer().socket();
     tcp_socket.set_option(tcp::no_delay(true), ignored);
@@ -39,7 +43,7 @@ class Watcher final : public WebConnection, public std::enable_shared_from_this<
     socket_.auto_fragment(false);
   }
 
-  bool is_watcher() const override { return true; }
+  WebState state() const override { return WebState::kWatching; }
 
   void accept(const WebRequest& request) {
     socket_.async_accept(request,
@@ -103,9 +107,9 @@ class Watcher final : public WebConnection, public std::enable_shared_from_this<
 
 }  // namespace
 
-void start_watcher(watcher_beast::tcp_stream stream, const WebRequest& request,
-                   const std::shared_ptr<WebHub>& hub) {
-  const auto watcher = std::make_shared<Watcher>(std::move(stream), hub);
+void start_watcher(watcher_beast::tcp_stream stream, const std::string& computer,
+                   const WebRequest& request, const std::shared_ptr<WebHub>& hub) {
+  const auto watcher = std::make_shared<Watcher>(std::move(stream), computer, hub);
   hub->add(watcher);
   watcher->accept(request);
 }

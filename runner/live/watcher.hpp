@@ -12,7 +12,7 @@
 namespace autoref::runner {
 
 // Answers the request for a WebSocket, then sends the backlog and all further messages.
-void start_watcher(boost::beast::tcp_stream stream, const WebRequest& request,
-                   const std::shared_ptr<WebHub>& hub);
+void start_watcher(boost::beast::tcp_stream stream, const std::string& computer,
+                   const WebRequest& request, const std::shared_ptr<WebHub>& hub);
 
 }  // namespace autoref::runner

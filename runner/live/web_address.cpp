@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/asio/ip/address.hpp>
+#include <initializer_list>
 #include <optional>
 
 #include "runner/io/errors.hpp"
@@ -26,6 +28,45 @@ bool is_ipv6(const std::string& host) { return host.find(':') != std::string::np
 
 std::string in_url(const std::string& host) {
   return is_ipv6(host) ? fmt::format("[{}]", host) : host;
+}
+
+// "localhost" of "localhost:8090", "[::1]" of "[::1]:8090".
+std::string_view without_port(std::string_view host) {
+  const std::size_t colon = host.rfind(':');
+  const std::size_t bracket = host.rfind(']');
+  const bool has_port =
+      colon != std::string_view::npos && (bracket == std::string_view::npos || bracket < colon);
+  return has_port ? host.substr(0, colon) : host;
+}
+
+// Whether a request's host is an address, "127.0.0.1" or "[::1]".
+bool is_numeric(std::string_view host) {
+  boost::system::error_code error;
+  const std::string_view inner = without_brackets(host);
+  const auto address = make_address(std::string(inner), error);
+  return !error && address.is_v6() == (inner.size() < host.size());
+}
+
+bool is_letter_of_name(char letter) {
+  return (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9') || letter == '.' ||
+         letter == '-' || letter == '_';
+}
+
+// A name that the user lists, as requests contain it.
+std::string name_of_host(const std::string& text) {
+  boost::system::error_code error;
+  const auto address = make_address(std::string(without_brackets(text)), error);
+  if (!error) return in_url(address.to_string());
+  std::string name = lower_case(text);
+  if (!name.empty() && std::all_of(name.begin(), name.end(), is_letter_of_name)) return name;
+  throw InputError({"--web-host"}, "",
+                   fmt::format("expected the name of a computer without port, such as "
+                               "laptop.local, found '{}'",
+                               text));
+}
+
+void add_names(std::vector<std::string>& names, std::initializer_list<const char*> further) {
+  names.insert(names.end(), further.begin(), further.end());
 }
 
 }  // namespace
@@ -50,9 +91,19 @@ std::string url_of(const Address& address) {
   return fmt::format("http://{}:{}/", in_url(address.host), address.port);
 }
 
-std::vector<std::string> hosts_of(const Address& address) {
-  if (!make_address(address.host).is_loopback()) return {};
-  return {"localhost", "127.0.0.1", "[::1]", in_url(address.host)};
+bool WebHosts::has(std::string_view host) const {
+  const std::string_view name = without_port(host);
+  if (std::find(names.begin(), names.end(), name) != names.end()) return true;
+  return has_every_address && is_numeric(name);
+}
+
+WebHosts hosts_of(const Address& address, const std::vector<std::string>& further) {
+  const boost::asio::ip::address listening = make_address(address.host);
+  WebHosts hosts{{in_url(listening.to_string())}, listening.is_unspecified()};
+  if (listening.is_loopback()) add_names(hosts.names, {"localhost", "127.0.0.1", "[::1]"});
+  if (listening.is_unspecified()) add_names(hosts.names, {"localhost"});
+  for (const std::string& name : further) hosts.names.push_back(name_of_host(name));
+  return hosts;
 }
 
 }  // namespace autoref::runner

@@ -16,7 +16,19 @@ Address web_address(std::string_view text, const std::string& flag);
 // "http://127.0.0.1:8090/"
 std::string url_of(const Address& address);
 
-// The names by which requests may address a server on this address (web_request.hpp); empty: any.
-std::vector<std::string> hosts_of(const Address& address);
+// The names by which requests may address a server.
+struct WebHosts {
+  std::vector<std::string> names;  // in lower case and without port, IPv6 addresses in brackets
+  bool has_every_address = false;  // also every address in numbers
+
+  // `host` is that of a request, in lower case; its port does not matter.
+  bool has(std::string_view host) const;
+};
+
+// The address itself, and `further` names (--web-host). A server on the loopback, or on all
+// addresses of this computer, is also localhost; one on all addresses takes every address in
+// numbers. A web page can only pretend to be this server (DNS rebinding) by a name, so that
+// addresses need not be known. Throws InputError naming --web-host.
+WebHosts hosts_of(const Address& address, const std::vector<std::string>& further = {});
 
 }  // namespace autoref::runner

@@ -3,38 +3,55 @@
 
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "runner/live/web_address.hpp"
 #include "runner/live/web_message.hpp"
 #include "runner/live/web_server.hpp"
 
 namespace autoref::runner {
 
+enum class WebState {
+  kSilent,    // has not sent its request
+  kAnswered,  // is being sent the answer
+  kWatching,  // gets messages
+};
+
 // One open socket.
 class WebConnection {
  public:
+  explicit WebConnection(std::string computer) : computer_(std::move(computer)) {}
   virtual ~WebConnection() = default;
+  WebConnection(const WebConnection&) = delete;
+  WebConnection& operator=(const WebConnection&) = delete;
+
+  const std::string& computer() const { return computer_; }  // its address, without port
   virtual void close() = 0;
-  // Whether it is a watcher; those get messages.
-  virtual bool is_watcher() const { return false; }
+  virtual WebState state() const = 0;
   virtual void push(const WebMessage& /*message*/) {}
+
+ private:
+  std::string computer_;
 };
 
 class WebHub {
  public:
-  WebHub(WebOptions options, std::vector<std::string> hosts, WebContent content);
+  using Connections = std::vector<std::shared_ptr<WebConnection>>;
+
+  WebHub(WebOptions options, WebHosts hosts, WebContent content);
 
   const WebOptions& options() const { return options_; }
-  const std::vector<std::string>& hosts() const { return hosts_; }
+  const WebHosts& hosts() const { return hosts_; }
   const std::string& page() const { return content_.page; }
   WebBacklog backlog() const { return content_.backlog(); }
   std::optional<std::string> game_page(const std::string& id) const;
 
-  bool has_room() const;  // for one more connection
-  bool has_room_for_a_watcher() const;
+  // Adds a connection that has sent nothing, or a watcher; another one may have to give way.
   void add(const std::shared_ptr<WebConnection>& connection);
+  // Whether one more watcher from this computer may be added; another one may have to give way.
+  bool makes_room_for_watcher(const std::string& computer);
   void remove(const std::shared_ptr<WebConnection>& connection);
 
   void send(const WebMessage& message);  // to all watchers
@@ -43,12 +60,14 @@ class WebHub {
   bool is_closed() const { return is_closed_; }
 
  private:
-  std::vector<std::shared_ptr<WebConnection>> watchers() const;
+  Connections those_who(bool watch) const;
+  void make_room();
+  void drop(const std::shared_ptr<WebConnection>& connection);
 
   WebOptions options_;
-  std::vector<std::string> hosts_;
+  WebHosts hosts_;
   WebContent content_;
-  std::set<std::shared_ptr<WebConnection>> connections_;
+  Connections connections_;  // the oldest first
   bool is_closed_ = false;
 };
 

@@ -1,9 +1,13 @@
 #include "runner/live/web_request.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <charconv>
 #include <string_view>
+
+#include "runner/io/words.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -13,24 +17,7 @@ using http::status;
 
 std::string lower_field(const WebRequest& request, http::field field) {
   const boost::beast::string_view value = request[field];
-  std::string text(value.data(), value.size());
-  std::transform(text.begin(), text.end(), text.begin(), [](char letter) {
-    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-  });
-  return text;
-}
-
-// "localhost" of "localhost:8090", "[::1]" of "[::1]:8090".
-std::string_view without_port(std::string_view host) {
-  const std::size_t colon = host.rfind(':');
-  const std::size_t bracket = host.rfind(']');
-  const bool has_port =
-      colon != std::string_view::npos && (bracket == std::string_view::npos || bracket < colon);
-  return has_port ? host.substr(0, colon) : host;
-}
-
-bool is_known(std::string_view host, const std::vector<std::string>& hosts) {
-  return hosts.empty() || std::find(hosts.begin(), hosts.end(), without_port(host)) != hosts.end();
+  return lower_case({value.data(), value.size()});
 }
 
 bool is_own(std::string_view origin, std::string_view host) {
@@ -68,10 +55,10 @@ std::optional<std::string> game_in(const WebRequest& request) {
   return percent_decoded({query.data(), query.size()});
 }
 
-status answer_to(const WebRequest& request, const std::vector<std::string>& hosts) {
+status answer_to(const WebRequest& request, const WebHosts& hosts) {
   const std::string host = lower_field(request, http::field::host);
   if (host.empty()) return status::bad_request;
-  if (!is_known(host, hosts)) return status::forbidden;
+  if (!hosts.has(host)) return status::misdirected_request;
   const bool has_origin = request.find(http::field::origin) != request.end();
   if (has_origin && !is_own(lower_field(request, http::field::origin), host))
     return status::forbidden;
@@ -81,6 +68,18 @@ status answer_to(const WebRequest& request, const std::vector<std::string>& host
   if (path != "/live") return status::not_found;
   return boost::beast::websocket::is_upgrade(request) ? status::switching_protocols
                                                       : status::upgrade_required;
+}
+
+std::string refusal_text(const WebRequest& request, status refusal) {
+  if (refusal == status::misdirected_request) {
+    return fmt::format(
+        "AutoRef is not known as {} here. Open the page at this computer's address in numbers, "
+        "or start AutoRef with --web-host and the name.\n",
+        printable(lower_field(request, http::field::host)));
+  }
+  if (refusal == status::forbidden) return "Pages of other web sites must not read the game.\n";
+  const boost::beast::string_view reason = http::obsolete_reason(refusal);
+  return std::string(reason.data(), reason.size()) + "\n";
 }
 
 }  // namespace autoref::runner

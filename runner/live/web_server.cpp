@@ -32,7 +32,8 @@ class WebServer::Impl : public std::enable_shared_from_this<WebServer::Impl> {
  public:
   Impl(NetworkThread& thread, const WebOptions& options, WebContent content)
       : address_(options.address),
-        hub_(std::make_shared<WebHub>(options, hosts_of(options.address), std::move(content))),
+        hub_(std::make_shared<WebHub>(options, hosts_of(options.address, options.further_hosts),
+                                      std::move(content))),
         acceptor_(thread.context().io),
         pause_(thread.context().io) {
     listen();
@@ -46,7 +47,7 @@ class WebServer::Impl : public std::enable_shared_from_this<WebServer::Impl> {
         [self = shared_from_this()](const boost::system::error_code& error, tcp::socket socket) {
           if (!self->acceptor_.is_open()) return;
           if (error) return self->accept_later();
-          if (self->hub_->has_room()) start_session(std::move(socket), self->hub_);
+          if (!self->hub_->is_closed()) start_session(std::move(socket), self->hub_);
           self->accept();
         });
   }

@@ -37,16 +37,21 @@ Response response_with(session_http::status status, std::string body, const char
   return response;
 }
 
-Response refusal(session_http::status status) {
-  const session_beast::string_view reason = session_http::obsolete_reason(status);
-  return response_with(status, std::string(reason.data(), reason.size()) + "\n",
-                       "text/plain; charset=utf-8");
+Response refusal_of(const WebRequest& request, session_http::status status) {
+  return response_with(status, refusal_text(request, status), "text/plain; charset=utf-8");
+}
+
+// Empty if the connection has ended already.
+std::string computer_of(const tcp::socket& socket) {
+  session_beast::error_code error;
+  const tcp::endpoint endpoint = socket.remote_endpoint(error);
+  return error ? std::string() : endpoint.address().to_string();
 }
 
 class WebSession final : public WebConnection, public std::enable_shared_from_this<WebSession> {
  public:
   WebSession(tcp::socket socket, std::shared_ptr<WebHub> hub)
-      : stream_(std::move(socket)), hub_(std::move(hub)) {
+      : WebConnection(computer_of(socket)), stream_(std::move(socket)), hub_(std::move(hub)) {
     parser_.header_limit(kLongestHeader);
   }
 
@@ -61,24 +66,28 @@ class WebSession final : public WebConnection, public std::enable_shared_from_th
   }
 
   void close() override { stream_.close(); }
+  WebState state() const override { return state_; }
 
  private:
   void answer() {
+    state_ = WebState::kAnswered;
     const WebRequest& request = parser_.get();
     const session_http::status status = answer_to(request, hub_->hosts());
     if (status == session_http::status::ok) return write_page(game_in(request));
-    if (status != session_http::status::switching_protocols) return write(refusal(status));
-    if (!hub_->has_room_for_a_watcher())
-      return write(refusal(session_http::status::service_unavailable));
+    if (status != session_http::status::switching_protocols) return refuse(status);
+    if (!hub_->makes_room_for_watcher(computer()))
+      return refuse(session_http::status::service_unavailable);
     hub_->remove(shared_from_this());
-    start_watcher(std::move(stream_), request, hub_);
+    start_watcher(std::move(stream_), computer(), request, hub_);
   }
 
   void write_page(const std::optional<std::string>& game) {
     std::optional<std::string> page = game ? hub_->game_page(*game) : hub_->page();
-    if (!page) return write(refusal(session_http::status::not_found));
+    if (!page) return refuse(session_http::status::not_found);
     write(response_with(session_http::status::ok, *std::move(page), "text/html; charset=utf-8"));
   }
+
+  void refuse(session_http::status status) { write(refusal_of(parser_.get(), status)); }
 
   void write(Response response) {
     response_ = std::move(response);
@@ -102,6 +111,7 @@ class WebSession final : public WebConnection, public std::enable_shared_from_th
   session_beast::flat_buffer buffer_{kLongestHeader};
   session_http::request_parser<session_http::empty_body> parser_;
   std::optional<Response> response_;
+  WebState state_ = WebState::kSilent;
 };
 
 }  // namespace

@@ -15,12 +15,12 @@ WebText shared_text(std::string text) {
 
 }  // namespace
 
-WebTable::WebTable(const Address& address,
+WebTable::WebTable(const WebOptions& options,
                    std::function<std::optional<std::string>(const std::string& id)> game_page)
     : start_(shared_text(table_start_message())),
       table_(shared_text(table_message(""))),
       games_(shared_text(games_message({}))),
-      server_(thread_, {address},
+      server_(thread_, options,
               {table_page(), [this] { return backlog(); }, std::move(game_page)}) {}
 
 void WebTable::show(const std::string& text) { send(table_, table_message(text)); }

@@ -19,8 +19,8 @@ class WebTable {
   static constexpr std::size_t kMostGames = 32;
 
   // `game_page` is called in the network's thread. Throws InputError naming --web if the server
-  // cannot listen.
-  WebTable(const Address& address,
+  // cannot listen, or --web-host.
+  WebTable(const WebOptions& options,
            std::function<std::optional<std::string>(const std::string& id)> game_page);
 
   void show(const std::string& text);

@@ -4,9 +4,9 @@
 
 namespace autoref::runner {
 
-WebView::WebView(const Address& address, const PageContent& content)
+WebView::WebView(const WebOptions& options, const PageContent& content)
     : page_(content, clock_, [this](const WebMessage& message) { server_.send(message); }),
-      server_(thread_, {address}, {live_page(), [this] { return page_.backlog(); }}) {}
+      server_(thread_, options, {live_page(), [this] { return page_.backlog(); }}) {}
 
 void WebObserver::on_frame(const Frame& frame, const RefereeSignal& signal,
                            const sim::World& /*world*/) {

@@ -12,8 +12,8 @@ namespace autoref::runner {
 // Owns the game's page, its server and the server's thread.
 class WebView {
  public:
-  // Throws InputError naming --web if the server cannot listen.
-  WebView(const Address& address, const PageContent& content);
+  // Throws InputError naming --web if the server cannot listen, or --web-host.
+  WebView(const WebOptions& options, const PageContent& content);
 
   // As those of LivePage.
   void add(const Frame& frame, const RefereeSignal& signal) { page_.add(frame, signal); }

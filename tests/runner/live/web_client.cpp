@@ -24,7 +24,7 @@ unsigned byte(const std::string& bytes, std::size_t index) {
 
 }  // namespace
 
-WebClient::WebClient(int port, std::optional<int> receive_buffer)
+WebClient::WebClient(int port, std::optional<int> receive_buffer, const char* from)
     : socket_(socket(AF_INET, SOCK_STREAM, 0)) {
   const timeval patience{kPatience_s, 0};
   setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof(patience));
@@ -32,6 +32,9 @@ WebClient::WebClient(int port, std::optional<int> receive_buffer)
     setsockopt(socket_, SOL_SOCKET, SO_RCVBUF, &*receive_buffer, sizeof(*receive_buffer));
   sockaddr_in address{};
   address.sin_family = AF_INET;
+  inet_pton(AF_INET, from, &address.sin_addr);
+  if (bind(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) != 0)
+    throw std::runtime_error("cannot bind");
   address.sin_port = htons(static_cast<std::uint16_t>(port));
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   if (connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) != 0)
@@ -40,8 +43,9 @@ WebClient::WebClient(int port, std::optional<int> receive_buffer)
 
 WebClient::~WebClient() { close(socket_); }
 
-void WebClient::send(std::string_view bytes) const {
-  ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+bool WebClient::send(std::string_view bytes) const {
+  return ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL) ==
+         static_cast<ssize_t>(bytes.size());
 }
 
 bool WebClient::read_some() {

@@ -11,12 +11,15 @@ namespace autoref::runner {
 class WebClient {
  public:
   // With a size in bytes, the system keeps no more for this client than about so much unread.
-  explicit WebClient(int port, std::optional<int> receive_buffer = std::nullopt);
+  // `from` is the client's own address.
+  explicit WebClient(int port, std::optional<int> receive_buffer = std::nullopt,
+                     const char* from = "127.0.0.1");
   ~WebClient();
   WebClient(const WebClient&) = delete;
   WebClient& operator=(const WebClient&) = delete;
 
-  void send(std::string_view bytes) const;
+  // Returns whether the system took all of it: not if the connection is closed.
+  bool send(std::string_view bytes) const;
 
   // Everything until the server closes the connection.
   std::string rest();

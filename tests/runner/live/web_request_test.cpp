@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "runner/io/errors.hpp"
 #include "runner/live/web_address.hpp"
 
 namespace autoref::runner {
@@ -65,12 +66,38 @@ TEST(WebRequest, OnTheLoopbackOnlyItsOwnNamesAreAnswered) {
   for (const char* host : {"localhost", "LocalHost:1", "127.0.0.1", "[::1]:8090"})
     EXPECT_EQ(answer_on_loopback(request_for("/", host)), status::ok) << host;
   for (const char* host : {"example.com", "example.com:8090", "127.0.0.1.example.com", "::1"})
-    EXPECT_EQ(answer_on_loopback(request_for("/", host)), status::forbidden) << host;
+    EXPECT_EQ(answer_on_loopback(request_for("/", host)), status::misdirected_request) << host;
   EXPECT_EQ(answer_on_loopback(request_for("/", "")), status::bad_request);
 }
 
-TEST(WebRequest, OnOtherAddressesAnyNameIsAnswered) {
-  EXPECT_EQ(answer_to(request_for("/", "laptop:8090"), hosts_of({"192.0.2.1", 8090})), status::ok);
+TEST(WebRequest, OnAnotherAddressOnlyThatOneIsAnswered) {
+  const WebHosts hosts = hosts_of({"192.0.2.1", 8090});
+  EXPECT_EQ(answer_to(request_for("/", "192.0.2.1:8090"), hosts), status::ok);
+  EXPECT_EQ(answer_to(request_for("/", "192.0.2.1:80"), hosts), status::ok);
+  for (const char* host : {"laptop:8090", "rebound.example.com:8090", "192.0.2.2", "localhost"})
+    EXPECT_EQ(answer_to(request_for("/", host), hosts), status::misdirected_request) << host;
+}
+
+TEST(WebRequest, OnAllAddressesEveryOneInNumbersIsAnsweredButNoName) {
+  for (const char* any : {"0.0.0.0", "::"}) {
+    const WebHosts hosts = hosts_of({any, 8090});
+    for (const char* host : {"192.0.2.1:8090", "127.0.0.1", "[2001:db8::1]:8090", "localhost:8090"})
+      EXPECT_EQ(answer_to(request_for("/", host), hosts), status::ok) << host;
+    for (const char* host : {"laptop:8090", "192.0.2.1.example.com", "[192.0.2.1]", "2001:db8::1",
+                             "192.0.2.1:8090:1", "[]", "0x7f000001"})
+      EXPECT_EQ(answer_to(request_for("/", host), hosts), status::misdirected_request) << host;
+  }
+}
+
+TEST(WebRequest, NamesThatTheUserListsAreAnswered) {
+  const WebHosts hosts =
+      hosts_of({"192.0.2.1", 8090}, {"Laptop.local", "2001:DB8::1", "203.0.113.5"});
+  for (const char* host :
+       {"laptop.LOCAL:8090", "laptop.local", "[2001:db8::1]:8090", "203.0.113.5"})
+    EXPECT_EQ(answer_to(request_for("/", host), hosts), status::ok) << host;
+  EXPECT_EQ(answer_to(request_for("/", "local"), hosts), status::misdirected_request);
+  for (const char* name : {"", "laptop:8090", "http://laptop", "lap top", "*"})
+    EXPECT_THROW(hosts_of({"192.0.2.1", 8090}, {name}), InputError) << name;
 }
 
 TEST(WebAddress, ReadsAPortWithOrWithoutAnAddress) {

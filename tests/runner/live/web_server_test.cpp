@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "runner/io/errors.hpp"
 #include "tests/runner/live/web_client.hpp"
@@ -94,6 +95,39 @@ TEST_F(Web, RefusesAWebSocketOfAForeignPage) {
 TEST_F(Web, DropsARequestThatIsTooLong) {
   const std::string request = "GET / HTTP/1.1\r\nHost: localhost\r\nX: " + std::string(9000, 'x');
   EXPECT_EQ(answer(port(), request), "");
+}
+
+TEST_F(Web, SaysToAPersonWhatToDoAboutAnUnknownHost) {
+  const std::string refused = answer(port(), "GET / HTTP/1.1\r\nHost: Example.com:80\r\n\r\n");
+  EXPECT_TRUE(refused.starts_with("HTTP/1.1 421 ")) << refused;
+  EXPECT_TRUE(
+      refused.ends_with("AutoRef is not known as example.com:80 here. Open the page at this "
+                        "computer's address in numbers, or start AutoRef with --web-host and the "
+                        "name.\n"))
+      << refused;
+}
+
+constexpr const char* kOtherComputer = "127.0.0.2";
+
+std::vector<std::unique_ptr<WebClient>> silent_clients(int port, const char* from) {
+  std::vector<std::unique_ptr<WebClient>> clients;
+  for (int i = 0; i < 100; ++i)
+    clients.push_back(std::make_unique<WebClient>(port, std::nullopt, from));
+  return clients;
+}
+
+TEST_F(Web, ConnectionsThatAskForNothingDoNotKeepABrowserOut) {
+  const auto silent = silent_clients(port(), kLoopback);
+  EXPECT_TRUE(get("/").ends_with("\r\n\r\nthe page"));
+}
+
+TEST_F(Web, AnotherComputersConnectionsDoNotEndASlowRequest) {
+  WebClient slow(port());
+  slow.send("GET / HTTP/1.1\r\n");
+  const auto silent = silent_clients(port(), kOtherComputer);
+  EXPECT_EQ(silent.front()->rest(), "");  // made room
+  slow.send("Host: localhost\r\n\r\n");
+  EXPECT_TRUE(slow.rest().ends_with("\r\n\r\nthe page"));
 }
 
 TEST_F(Web, SendsMessagesToAllWatchers) {
@@ -199,6 +233,28 @@ TEST_F(SmallWeb, HasRoomAgainWhenAWatcherHasGone) {
   EXPECT_TRUE(gets_room());
 }
 
+// Has room for four watchers.
+struct SharedWeb : Web {
+  SharedWeb() : Web({{kLoopback, 0}, 4, kPatience, kPatience}) {}
+
+  // The new watcher's answer; it goes on watching.
+  std::string watch_from(const char* computer) {
+    watching_.push_back(std::make_unique<WebClient>(port(), std::nullopt, computer));
+    watching_.back()->send(upgrade_request(port()));
+    return watching_.back()->header().substr(0, 12);
+  }
+
+  std::vector<std::unique_ptr<WebClient>> watching_;
+};
+
+TEST_F(SharedWeb, GivesEveryComputerItsShare) {
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(watch_from(kOtherComputer), "HTTP/1.1 101");
+  EXPECT_EQ(watch_from(kOtherComputer), "HTTP/1.1 503");
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(watch_from(kLoopback), "HTTP/1.1 101");
+  EXPECT_EQ(watch_from(kLoopback), "HTTP/1.1 503");
+  EXPECT_EQ(watch_from(kOtherComputer), "HTTP/1.1 503");
+}
+
 struct WebThatWaitsForRequests : SmallWeb {
   WebThatWaitsForRequests() : SmallWeb(kImpatience) {}
 };
@@ -207,6 +263,17 @@ TEST_F(WebThatWaitsForRequests, DropsOneThatDoesNotEnd) {
   WebClient client(port());
   client.send("GET / HTTP/1.1\r\n");
   EXPECT_EQ(client.rest(), "");
+}
+
+TEST_F(WebThatWaitsForRequests, DropsOneThatComesByteByByte) {
+  const WebClient client(port());
+  client.send("GET / HTTP/1.1\r\nX: ");
+  int bytes = 0;
+  while (bytes < 1'000 && client.send("x")) {
+    ++bytes;
+    std::this_thread::sleep_for(milliseconds(20));
+  }
+  EXPECT_LT(bytes, 1'000);
 }
 
 struct WebThatWaitsForWatchers : SmallWeb {
@@ -218,6 +285,21 @@ TEST_F(WebThatWaitsForWatchers, DisconnectsOneThatTakesNothing) {
   const std::string call(60'000, 'x');
   for (int i = 0; i < 200; ++i) send(call, false);  // more than the sockets hold
   EXPECT_TRUE(gets_room());
+}
+
+// Its page is more than the sockets hold.
+struct WebWithALongPage : testing::Test {
+  NetworkThread thread_;
+  WebServer server_{thread_,
+                    {{kLoopback, 0}, 1, kPatience, kImpatience},
+                    {std::string(30'000'000, 'x'), [] { return WebBacklog{}; }}};
+};
+
+TEST_F(WebWithALongPage, DisconnectsOneThatDoesNotTakeIt) {
+  WebClient client(server_.port(), 16'384);
+  client.send("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  std::this_thread::sleep_for(10 * kImpatience);
+  EXPECT_LT(client.rest().size(), 30'000'000U);
 }
 
 }  // namespace
