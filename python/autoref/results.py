@@ -74,7 +74,7 @@ def _columns(file: Path) -> dict[str, list[Cell]]:
 def rows(folder: PathLike, table: str = "results.csv") -> list[dict[str, Cell]]:
     """The rows of a table as dictionaries; needs nothing but Python.
 
-    Numbers are int or float; an empty cell of a column of numbers is None.
+    Numbers are int or float, with infinity for inf; an empty cell of a column of numbers is None.
     docs/schemas.md lists the columns. Raises ValueError if a FIFO or a device has the table's name.
     """
     columns = _columns(Path(folder, table))

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "runner/results/scores.hpp"
 #include "runner/statistics/mean_interval.hpp"
@@ -111,6 +112,12 @@ std::string difference_text(const std::vector<double>& differences,
 
 std::string mean_text(double mean, const std::optional<Interval>& interval) {
   if (!interval) return fmt::format("{:+.2f} (too few games)", mean);
+  if (std::isinf(interval->high)) {
+    return fmt::format("{:+.2f} [at least {:+.2f}]", mean, interval->low);
+  }
+  if (std::isinf(interval->low)) {
+    return fmt::format("{:+.2f} [at most {:+.2f}]", mean, interval->high);
+  }
   return fmt::format("{:+.2f} [{:+.2f}, {:+.2f}]", mean, interval->low, interval->high);
 }
 

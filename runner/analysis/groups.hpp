@@ -61,7 +61,9 @@ Cells table_cells(const Group& group);
 std::string difference_text(const std::vector<double>& differences,
                             const std::vector<double>& pair_differences);
 
-// The mean with its interval, "+0.50 [-0.10, +1.10]"; without an interval, "+0.50 (too few games)".
+// The mean with its interval, "+0.50 [-0.10, +1.10]"; if the interval has only one end,
+// "+0.50 [at least -0.10]" or "+0.50 [at most +1.10]"; without an interval, "+0.50 (too few
+// games)".
 std::string mean_text(double mean, const std::optional<Interval>& interval);
 
 // "0.032", or "<0.001".
@@ -74,7 +76,7 @@ std::pair<std::optional<double>, std::optional<double>> bounds_of(
 // A p value as a CSV cell, with six significant digits; empty if nullopt.
 std::string p_cell(std::optional<double> p);
 
-// A number as a CSV cell; empty if nullopt.
+// A number as a CSV cell; "inf" and "-inf" for infinity, empty if nullopt.
 std::string number_cell(std::optional<double> number);
 
 }  // namespace autoref::runner

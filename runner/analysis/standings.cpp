@@ -5,8 +5,6 @@
 #include <numeric>
 #include <tuple>
 
-#include "runner/statistics/bradley_terry.hpp"
-#include "runner/statistics/goal_rating.hpp"
 #include "runner/statistics/sample.hpp"
 
 namespace autoref::runner {
@@ -54,9 +52,8 @@ std::vector<RatedMatchup> rated(const std::vector<Group>& matchups) {
 
 void rate(const std::vector<Group>& matchups, std::map<std::string, Standing>& by_team) {
   const std::vector<RatedMatchup> all = rated(matchups);
-  for (const Rating& rating : ratings_of(all, goal_rating)) by_team[rating.team].goals = rating;
-  for (const Rating& rating : ratings_of(all, bradley_terry))
-    by_team[rating.team].strength = rating;
+  for (const Rating& rating : goal_ratings_of(all)) by_team[rating.team].goals = rating;
+  for (const Rating& rating : bradley_terry_ratings_of(all)) by_team[rating.team].strength = rating;
   for (auto& [team, standing] : by_team) standing.is_rated = true;
 }
 

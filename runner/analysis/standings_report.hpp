@@ -19,8 +19,8 @@ std::string matchups_csv(const std::vector<Group>& matchups);
 
 // standings.csv: one row per team, best first, with games, goals, points (3 for a win, 1 for a
 // draw), goal difference per game with its 95 % interval over all pairs, both ratings with
-// intervals from resampled pairs, and the fractions of wins, draws and losses. Missing values are
-// empty cells.
+// intervals (-inf or inf for an open end), and the fractions of wins, draws and losses. Missing
+// values are empty cells.
 std::string standings_csv(const std::vector<Standing>& standings);
 
 // The text tables; the first row is the header.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "runner/io/csv.hpp"
 #include "runner/report/factor_axis.hpp"
@@ -12,6 +13,7 @@ namespace {
 constexpr int kRatingsFrameHeight_px = 90;
 constexpr int kRatingsRowHeight_px = 32;
 constexpr double kRatingsBottom_px = 72;  // below the panels
+constexpr double kEdgeShare = 0.08;       // of the span, on either side of it
 
 Cells cells_of(const Rating& rating) {
   const auto& [low, high] = bounds_of(rating.interval);
@@ -31,16 +33,38 @@ std::string csv_of(const std::vector<Standing>& standings) {
   return csv;
 }
 
-// Range of the ratings and their intervals, including zero.
-double span_of(const std::vector<Standing>& standings, Rating Standing::*which) {
+// One panel of the plot.
+struct RatingPanel {
+  Rating Standing::*rating;
+  const char* column;
+  const char* label;
+  const char* colour;
+};
+
+constexpr RatingPanel kGoalsPanel = {&Standing::goals, "goals",
+                                     "goals per game above the average team", kBlue};
+constexpr RatingPanel kStrengthPanel = {&Standing::strength, "bradley_terry",
+                                        "Bradley-Terry strength", kVermilion};
+
+// What the panel must show: zero, the ratings, and the ends of their intervals.
+struct ShownSpan {
   Interval span;
+  bool has_open_end = false;
+};
+
+ShownSpan shown_in(const std::vector<Standing>& standings, const RatingPanel& panel) {
+  ShownSpan shown;
   for (const Standing& standing : standings) {
-    const Rating& rating = standing.*which;
-    const Interval shown = rating.interval.value_or(Interval{rating.value, rating.value});
-    span = {std::min({span.low, shown.low, rating.value}),
-            std::max({span.high, shown.high, rating.value})};
+    const Rating& rating = standing.*panel.rating;
+    const Interval ends = rating.interval.value_or(Interval{rating.value, rating.value});
+    for (const double end : {rating.value, ends.low, ends.high}) {
+      shown.has_open_end |= std::isinf(end);
+      if (std::isinf(end)) continue;
+      shown.span = {std::min(shown.span.low, end), std::max(shown.span.high, end)};
+    }
   }
-  return span.high > span.low ? span.high - span.low : 1;
+  if (!(shown.span.low < shown.span.high)) shown.span.high = shown.span.low + 1;
+  return shown;
 }
 
 // Fraction of the width taken by the team names to the left of the first panel.
@@ -50,15 +74,34 @@ double names_share(const std::vector<std::string>& teams) {
   return 0.04 + 0.0095 * static_cast<double>(std::min(longest, kLongestLabel));
 }
 
-std::string panel(const char* column, const char* label, const char* colour, double span) {
+// Bars of intervals with an open end run to the edge of the panel and have an arrow there.
+std::string open_bars(const RatingPanel& panel, const Interval& edges) {
+  return fmt::format(
+      "     data using (column('{0}_high95') > 1e300 ? column('{0}_low95') : NaN):'rank':"
+      "({2:.6g} - column('{0}_low95')):(0) with vectors head filled lw 2 lc rgb '#333333' "
+      "notitle, \\\n"
+      "     data using (column('{0}_low95') < -1e300 ? column('{0}_high95') : NaN):'rank':"
+      "({1:.6g} - column('{0}_high95')):(0) with vectors head filled lw 2 lc rgb '#333333' "
+      "notitle, \\\n",
+      panel.column, edges.low, edges.high);
+}
+
+std::string panel_script(const std::vector<Standing>& standings, const RatingPanel& panel) {
+  const ShownSpan shown = shown_in(standings, panel);
+  const double span = shown.span.high - shown.span.low;
+  const Interval edges{shown.span.low - kEdgeShare * span, shown.span.high + kEdgeShare * span};
   return fmt::format(
       "set xlabel '{1}'\n"
       "set xtics {3:.6g}\n"
+      "set xrange {4}\n"
       "plot data using '{0}':'rank':(0):'{0}':(column('rank') - 0.32):(column('rank') + 0.32) with "
       "boxxyerror fs solid 0.45 noborder lc rgb '{2}' notitle, \\\n"
+      "{5}"
       "     data using '{0}':'rank':'{0}_low95':'{0}_high95' with xerrorbars pt -1 lw 2 lc rgb "
       "'#333333' notitle\n",
-      column, label, colour, tic_step(span));
+      panel.column, panel.label, panel.colour, tic_step(span),
+      shown.has_open_end ? fmt::format("[{:.6g}:{:.6g}]", edges.low, edges.high) : "[*<0:0<*]",
+      shown.has_open_end ? open_bars(panel, edges) : "");
 }
 
 std::string script_of(const std::vector<Standing>& standings) {
@@ -70,17 +113,12 @@ std::string script_of(const std::vector<Standing>& standings) {
   return script_head("ratings", height_px) + script_tics("y", teams) +
          fmt::format(
              "set yrange [{}.6:0.4]\n"
-             "set xrange [*<0:0<*]\n"
              "set arrow from first 0, graph 0 to first 0, graph 1 nohead lc rgb '#777777' front\n"
              "set multiplot layout 1,2 margins screen {:.4f},0.98,{:.4f},0.97 spacing screen "
              "0.04\n",
              teams.size(), names_share(teams), kRatingsBottom_px / height_px) +
-         panel("goals", "goals per game above the average team", kBlue,
-               span_of(standings, &Standing::goals)) +
-         "unset ytics\n" +
-         panel("bradley_terry", "Bradley-Terry strength", kVermilion,
-               span_of(standings, &Standing::strength)) +
-         "unset multiplot\n";
+         panel_script(standings, kGoalsPanel) + "unset ytics\n" +
+         panel_script(standings, kStrengthPanel) + "unset multiplot\n";
 }
 
 }  // namespace
@@ -91,7 +129,8 @@ std::optional<Plot> ratings_plot(const ExperimentResults& results) {
       "ratings",
       "Ratings of the teams, best first: in goals per game (least squares), and Bradley-Terry "
       "strength, where a beats b with probability 1 / (1 + exp(b - a)). The bars "
-      "are 95 % intervals from resampled pairs of legs.",
+      "are 95 % intervals: from resampled pairs of legs, and from the profile of the likelihood. A "
+      "bar with an arrow has no end there: the team won, or lost, all its games.",
       csv_of(results.standings), script_of(results.standings)};
 }
 

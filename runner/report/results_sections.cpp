@@ -33,7 +33,10 @@ List meaning_of_intervals(const ResultFolder& folder, const ExperimentResults& r
         "game: goal differences, ratings in goals and sequential tests treat the game as drawn.");
   }
   if (are_rated(results.standings)) {
-    list.items.emplace_back("Intervals of ratings come from resampled pairs of legs.");
+    list.items.emplace_back(
+        "Intervals of ratings in goals come from resampled pairs of legs, those of Bradley-Terry "
+        "strengths from the profile of the penalised likelihood. A team that won all its games is "
+        "at least as strong as the end that is given, one that lost all of them at most.");
   }
   return list;
 }

@@ -1,24 +1,21 @@
 #include "runner/statistics/goal_rating.hpp"
 
-#include <Eigen/QR>
-#include <cmath>
+#include <Eigen/Cholesky>
+
+#include "runner/statistics/linked_groups.hpp"
 
 namespace autoref::runner {
 
 Eigen::VectorXd goal_rating(std::size_t teams, std::span<const MatchupTotals> totals) {
-  // One equation per matchup, for its mean game, weighted like one equation per game.
-  Eigen::MatrixXd equations = Eigen::MatrixXd::Zero(totals.size(), teams);
-  Eigen::VectorXd differences = Eigen::VectorXd::Zero(totals.size());
-  for (std::size_t i = 0; i < totals.size(); ++i) {
-    const MatchupTotals& matchup = totals[i];
+  Eigen::MatrixXd equations = group_means(linked_groups(teams, totals));
+  Eigen::VectorXd differences = Eigen::VectorXd::Zero(teams);
+  for (const MatchupTotals& matchup : totals) {
     if (!(matchup.games > 0)) continue;
-    const double weight = std::sqrt(matchup.games);
-    equations(i, matchup.a) = weight;
-    equations(i, matchup.b) = -weight;
-    differences(i) = matchup.difference / weight;
+    add_to_normal_equations(equations, matchup, matchup.games);
+    differences(matchup.a) += matchup.difference;
+    differences(matchup.b) -= matchup.difference;
   }
-  // Solutions differ by a constant; take the minimum-norm one, whose sum is zero.
-  return equations.completeOrthogonalDecomposition().solve(differences);
+  return equations.llt().solve(differences);
 }
 
 }  // namespace autoref::runner

@@ -3,7 +3,8 @@
 
 namespace autoref::runner {
 
-// A 95 % confidence interval. Method and assumptions are documented where it is computed.
+// A 95 % confidence interval. Method and assumptions are documented where it is computed. An end
+// that the sample does not bound is infinite.
 struct Interval {
   double low = 0;
   double high = 0;

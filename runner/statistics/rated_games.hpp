@@ -26,7 +26,8 @@ struct MatchupTotals {
   std::size_t b = 0;
   double games = 0;
   double difference = 0;
-  double wins = 0;  // a's wins, draws counting one half
+  double wins = 0;   // a's wins, draws counting one half
+  double draws = 0;  // drawn games
 };
 
 }  // namespace autoref::runner

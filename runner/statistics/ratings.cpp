@@ -1,16 +1,21 @@
 #include "runner/statistics/ratings.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <tuple>
 
+#include "runner/statistics/goal_rating.hpp"
+#include "runner/statistics/penalised_likelihood.hpp"
+#include "runner/statistics/strength_profile.hpp"
 #include "soccer/random.hpp"
 
 namespace autoref::runner {
 namespace {
 
 constexpr std::uint64_t kStreamKey = 1979;
+constexpr double kDrawnWin = 0.5;  // the win of a drawn game
 
 // Sums of each pair of a matchup, with numbered teams.
 using PairTotals = std::vector<MatchupTotals>;
@@ -38,6 +43,7 @@ PairTotals pair_totals(const RatedMatchup& matchup, const std::vector<std::strin
     for (const RatedGame& game : games) {
       sum.difference += game.difference;
       sum.wins += game.win;
+      sum.draws += game.win == kDrawnWin ? 1 : 0;
     }
     totals.push_back(sum);
   }
@@ -48,6 +54,7 @@ void add(MatchupTotals& sum, const MatchupTotals& pair) {
   sum.games += pair.games;
   sum.difference += pair.difference;
   sum.wins += pair.wins;
+  sum.draws += pair.draws;
 }
 
 // Sums up each matchup over n of its pairs; `pick` chooses the i-th of them.
@@ -62,34 +69,50 @@ std::vector<MatchupTotals> totals_of(const std::vector<PairTotals>& matchups, Pi
   return totals;
 }
 
-std::vector<PairTotals> played(std::vector<RatedMatchup>& matchups,
-                               const std::vector<std::string>& teams) {
+// All matchups with games, with numbered teams.
+struct NumberedGames {
+  std::vector<std::string> teams;  // by number, sorted
+  std::vector<PairTotals> matchups;
+};
+
+NumberedGames numbered_games(std::vector<RatedMatchup>& matchups) {
   std::sort(matchups.begin(), matchups.end(), [](const RatedMatchup& x, const RatedMatchup& y) {
     return std::tie(x.team_a, x.team_b) < std::tie(y.team_a, y.team_b);
   });
-  std::vector<PairTotals> played;
+  NumberedGames games{teams_of(matchups), {}};
   for (const RatedMatchup& matchup : matchups) {
-    if (!matchup.pairs.empty()) played.push_back(pair_totals(matchup, teams));
+    if (!matchup.pairs.empty()) games.matchups.push_back(pair_totals(matchup, games.teams));
   }
-  return played;
+  return games;
+}
+
+std::vector<MatchupTotals> totals_of(const NumberedGames& games) {
+  return totals_of(games.matchups, [](std::size_t i, std::size_t) { return i; });
+}
+
+std::vector<Rating> without_intervals(const NumberedGames& games, const Eigen::VectorXd& values) {
+  std::vector<Rating> ratings;
+  for (std::size_t i = 0; i < games.teams.size(); ++i) {
+    ratings.push_back({games.teams[i], values(i), {}});
+  }
+  return ratings;
 }
 
 // One column per resample, one row per team.
-Eigen::MatrixXd resampled(std::size_t teams, const std::vector<PairTotals>& matchups,
-                          const RatingMethod& rate) {
+Eigen::MatrixXd resampled(std::size_t teams, const std::vector<PairTotals>& matchups) {
   Eigen::MatrixXd outcomes(teams, kResamples);
   RandomStream random(kStreamKey);
   // Drawing with replacement: any pair may stand in for the i-th.
   const auto any = [&random](std::size_t, std::size_t n) {
     return static_cast<std::size_t>(random.uniform() * static_cast<double>(n));
   };
-  for (int i = 0; i < kResamples; ++i) outcomes.col(i) = rate(teams, totals_of(matchups, any));
+  for (int i = 0; i < kResamples; ++i)
+    outcomes.col(i) = goal_rating(teams, totals_of(matchups, any));
   return outcomes;
 }
 
-void add_intervals(std::vector<Rating>& ratings, const std::vector<PairTotals>& matchups,
-                   const RatingMethod& rate) {
-  const Eigen::MatrixXd outcomes = resampled(ratings.size(), matchups, rate);
+void add_intervals(std::vector<Rating>& ratings, const std::vector<PairTotals>& matchups) {
+  const Eigen::MatrixXd outcomes = resampled(ratings.size(), matchups);
   for (std::size_t i = 0; i < ratings.size(); ++i) {
     const Eigen::VectorXd row = outcomes.row(i);
     const std::vector<double> sample(row.begin(), row.end());
@@ -101,18 +124,25 @@ void add_intervals(std::vector<Rating>& ratings, const std::vector<PairTotals>& 
 
 }  // namespace
 
-std::vector<Rating> ratings_of(std::vector<RatedMatchup> matchups, const RatingMethod& rate) {
-  const std::vector<std::string> teams = teams_of(matchups);
-  const std::vector<PairTotals> games = played(matchups, teams);
-  const Eigen::VectorXd values =
-      rate(teams.size(), totals_of(games, [](std::size_t i, std::size_t) { return i; }));
-  std::vector<Rating> ratings;
-  for (std::size_t i = 0; i < teams.size(); ++i) ratings.push_back({teams[i], values(i), {}});
+std::vector<Rating> goal_ratings_of(std::vector<RatedMatchup> matchups) {
+  const NumberedGames games = numbered_games(matchups);
+  std::vector<Rating> ratings =
+      without_intervals(games, goal_rating(games.teams.size(), totals_of(games)));
   const bool can_be_resampled =
-      !games.empty() && std::all_of(games.begin(), games.end(), [](const PairTotals& pairs) {
-        return pairs.size() >= kFewestResampled;
-      });
-  if (can_be_resampled) add_intervals(ratings, games, rate);
+      !games.matchups.empty() &&
+      std::all_of(games.matchups.begin(), games.matchups.end(),
+                  [](const PairTotals& pairs) { return pairs.size() >= kFewestResampled; });
+  if (can_be_resampled) add_intervals(ratings, games.matchups);
+  return ratings;
+}
+
+std::vector<Rating> bradley_terry_ratings_of(std::vector<RatedMatchup> matchups) {
+  const NumberedGames games = numbered_games(matchups);
+  const PenalisedLikelihood likelihood(games.teams.size(), totals_of(games));
+  const LikelihoodPoint maximum = likelihood.maximum();
+  std::vector<Rating> ratings = without_intervals(games, maximum.strengths);
+  const std::vector<std::optional<Interval>> intervals = profile_intervals(likelihood, maximum);
+  for (std::size_t i = 0; i < ratings.size(); ++i) ratings[i].interval = intervals[i];
   return ratings;
 }
 

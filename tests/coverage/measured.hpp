@@ -23,7 +23,10 @@ struct Measured {
 // selects.
 std::vector<Measured> interval_coverage(int trials);
 
-// Coverage of the bootstrap intervals of ratings in a round robin of four equal teams.
+// Coverage of the intervals of Bradley-Terry strengths, and of ratings in goals in a fifth of the
+// trials, in round robins of equal and unequal teams. The remark has the coverage of the teams with
+// the lowest and the highest one, and the fractions of intervals with one end and of teams without
+// an interval.
 std::vector<Measured> rating_coverage(int trials);
 
 // Error rates of the sequential test for normal and for Poisson-distributed goals, for leads from

@@ -1,67 +1,120 @@
+#include "runner/statistics/ratings.hpp"
+
 #include <fmt/format.h>
 
-#include "runner/statistics/bradley_terry.hpp"
-#include "runner/statistics/goal_rating.hpp"
-#include "runner/statistics/ratings.hpp"
-#include "tests/coverage/goals.hpp"
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "tests/coverage/leagues.hpp"
 #include "tests/coverage/measured.hpp"
 
 namespace autoref::coverage {
 namespace {
 
-using runner::RatedMatchup;
 using runner::Rating;
-using runner::RatingMethod;
+using RateTeams = std::vector<Rating> (*)(std::vector<runner::RatedMatchup>);
 
-const std::vector<std::string> kTeams = {"a", "b", "c", "d"};
-constexpr Means kEqual = {2, 2};
+// A bootstrap takes much longer than a profile.
+constexpr int kTrialsPerBootstrap = 5;
 
-runner::RatedGame rated(const Score& score) {
-  const int difference = score.difference();
-  return {static_cast<double>(difference), difference > 0 ? 1.0 : difference < 0 ? 0.0 : 0.5};
+// Strengths of teams with moderate differences, of which the best beats the worst in 90 % of games,
+// and about those of the teams in results/reference/roundrobin, of which it practically always
+// does.
+const std::vector<double> kEqual(4, 0.0);
+const std::vector<double> kModerate = {1.1, 0.4, -0.4, -1.1};
+const std::vector<double> kLarge = {8.1, 3.3, 2.3, 1.0, 0.5, -0.3, -5.2, -9.7};
+
+// Skills of Poisson teams with similar results.
+const std::vector<double> kModerateSkills = {0.3, 0.1, -0.1, -0.3};
+const std::vector<double> kLargeSkills = {1.5, 0.55, 0.4, 0.15, 0, 0, -1.2, -2.2};
+
+// Draws in games of equal teams: a quarter (as between our teams), and a half, the most that
+// dispersion() corrects for.
+constexpr double kQuarter = 0.5;
+constexpr double kHalf = 1;
+
+// What the intervals promise, and where they fall short: see docs/explanations/statistics.md.
+struct Bounds {
+  double least = 0.90;
+  double most = 0.985;
+};
+
+// In how many round robins each team's interval contained its true rating.
+struct Held {
+  std::vector<int> times;  // by team
+  int open = 0;            // intervals with only one end
+  int missing = 0;         // teams without an interval
+};
+
+void add(Held& held, const std::vector<Rating>& ratings, const std::vector<double>& truth) {
+  for (std::size_t i = 0; i < ratings.size(); ++i) {
+    const std::optional<runner::Interval>& interval = ratings[i].interval;
+    held.missing += interval ? 0 : 1;
+    if (!interval) continue;
+    held.open += std::isinf(interval->low) || std::isinf(interval->high) ? 1 : 0;
+    held.times[i] += interval->low <= truth[i] && truth[i] <= interval->high ? 1 : 0;
+  }
 }
 
-RatedMatchup play_matchup(const std::string& a, const std::string& b, int games,
-                          RandomStream& random) {
-  RatedMatchup matchup{a, b, {}};
-  for (int i = 0; i < games; ++i) {
-    matchup.pairs[i / 2].push_back(rated(play(kEqual, random)));
-  }
-  return matchup;
+Measured summary_of(const Held& held, const std::string& what, int trials, const Bounds& bounds) {
+  const auto share = [trials](double count) { return count / trials; };
+  const double teams = static_cast<double>(held.times.size());
+  const auto [least, most] = std::minmax_element(held.times.begin(), held.times.end());
+  const int sum = std::accumulate(held.times.begin(), held.times.end(), 0);
+  return {what, share(sum / teams), bounds.least, bounds.most,
+          fmt::format("by team {:.3f} to {:.3f}, one end {:.3f}, none {:.3f}", share(*least),
+                      share(*most), share(held.open / teams), share(held.missing / teams))};
 }
 
-std::vector<RatedMatchup> play_roundrobin(int games, RandomStream& random) {
-  std::vector<RatedMatchup> matchups;
-  for (std::size_t i = 0; i < kTeams.size(); ++i) {
-    for (std::size_t j = i + 1; j < kTeams.size(); ++j) {
-      matchups.push_back(play_matchup(kTeams[i], kTeams[j], games, random));
-    }
-  }
-  return matchups;
+Measured measure(RateTeams rate, const League& league, const std::vector<double>& truth, int pairs,
+                 int trials, const Bounds& bounds) {
+  RandomStream random(static_cast<std::uint64_t>(pairs));
+  Held held{std::vector<int>(truth.size(), 0), 0, 0};
+  for (int i = 0; i < trials; ++i) add(held, rate(play_round_robin(league, pairs, random)), truth);
+  const char* what = rate == runner::goal_ratings_of ? "goal rating" : "Bradley-Terry";
+  return summary_of(held, fmt::format("{}, {}, pairs {}", what, league.name, pairs), trials,
+                    bounds);
 }
 
-// The proportion of teams whose interval contains 0.
-double share_held(const RatingMethod& rate, int games, int trials) {
-  RandomStream random(static_cast<std::uint64_t>(games));
-  int held = 0;
-  for (int i = 0; i < trials; ++i) {
-    for (const Rating& rating : runner::ratings_of(play_roundrobin(games, random), rate)) {
-      held += rating.interval->low <= 0 && 0 <= rating.interval->high ? 1 : 0;
-    }
-  }
-  return held / static_cast<double>(trials * kTeams.size());
+Measured measure_strengths(const League& league, int pairs, int trials, const Bounds& bounds = {}) {
+  return measure(runner::bradley_terry_ratings_of, league, league.strengths, pairs, trials, bounds);
+}
+
+// With five pairs, percentiles of the bootstrap are too narrow.
+Measured measure_goals(const League& league, int pairs, int trials) {
+  const Bounds bounds{pairs == static_cast<int>(runner::kFewestResampled) ? 0.84 : 0.90, 0.985};
+  return measure(runner::goal_ratings_of, league, league.goals, pairs, trials / kTrialsPerBootstrap,
+                 bounds);
 }
 
 }  // namespace
 
 std::vector<Measured> rating_coverage(int trials) {
   std::vector<Measured> all;
-  for (const int games : {10, 20, 60}) {
-    const std::string where = fmt::format("4 equal teams, {} games per matchup", games);
-    all.push_back(
-        {"goal rating, " + where, share_held(runner::goal_rating, games, trials), 0.90, 0.98, ""});
-    all.push_back({"Bradley-Terry, " + where, share_held(runner::bradley_terry, games, trials),
-                   0.90, 0.98, ""});
+  const std::vector<League> poisson = {
+      poisson_league("Poisson, 4 equal teams", kEqual),
+      poisson_league("Poisson, 4 teams, moderate", kModerateSkills),
+      poisson_league("Poisson, 8 teams, large", kLargeSkills)};
+  std::vector<League> leagues = {model_league("model, 4 equal teams", kEqual, kQuarter),
+                                 model_league("model, 4 teams, moderate", kModerate, kQuarter),
+                                 model_league("model, 8 teams, large", kLarge, kQuarter)};
+  leagues.insert(leagues.end(), poisson.begin(), poisson.end());
+  for (const League& league : leagues) {
+    for (const int pairs : {1, 5, 10, 30}) {
+      all.push_back(measure_strengths(league, pairs, trials));
+    }
+  }
+  // Many draws, which the dispersion overrates for teams that almost always win or lose.
+  const League drawn = model_league("half drawn, 8 teams, large", kLarge, kHalf);
+  for (const int pairs : {5, 30}) {
+    all.push_back(measure_strengths(drawn, pairs, trials, {.least = 0.86}));
+  }
+  // Few games have few possible results.
+  const League two = model_league("model, 2 equal teams", {0, 0}, kQuarter);
+  for (const int pairs : {1, 5}) all.push_back(measure_strengths(two, pairs, trials, {.most = 1}));
+  for (const League& league : poisson) {
+    for (const int pairs : {5, 10, 30}) all.push_back(measure_goals(league, pairs, trials));
   }
   return all;
 }

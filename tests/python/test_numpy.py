@@ -35,6 +35,13 @@ class Tables(unittest.TestCase):
         self.assertEqual([str(number) for number in table["shots_a"]], ["3.0", "nan"])
         self.assertEqual([str(number) for number in table["shootout_a"]], ["nan", "nan"])
 
+    def test_have_infinity_at_the_open_end_of_an_interval(self):
+        text = "team,bradley_terry_low95,bradley_terry_high95\nbold,1.5,inf\ncalm,-inf,-1.5\nnew,,\n"
+        Path(self.folder.name, "standings.csv").write_text(text, encoding="utf-8")
+        table = autoref.results(self.folder.name, "standings.csv")
+        self.assertEqual([str(number) for number in table["bradley_terry_low95"]], ["1.5", "-inf", "nan"])
+        self.assertEqual([str(number) for number in table["bradley_terry_high95"]], ["inf", "-1.5", "nan"])
+
     def test_may_be_without_rows(self):
         Path(self.folder.name, "results.csv").write_text("game_id,goals_a\n", encoding="utf-8")
         self.assertEqual(len(autoref.results(self.folder.name)), 0)

@@ -136,7 +136,8 @@ TEST(StandingsReport, HasARowPerMatchupWithItsResults) {
 }
 
 // All three teams have met twice, so a team's goal rating is the sum of its differences divided by
-// 3 * 2: (3 - 1) / 6 for bold. Bradley-Terry ratings: Hunter's iteration, computed independently.
+// 3 * 2: (3 - 1) / 6 for bold. Bradley-Terry ratings: computed as in
+// tests/runner/statistics/strength_profile_test.cpp.
 // bold's pairs are 1.5 and -0.5: mean 0.5, t(0.975, 1) = 12.7062 from tables, standard error 1.
 TEST(StandingsReport, HasARowPerTeamWithTheIntervalOverItsPairs) {
   EXPECT_EQ(standings_csv(standings_in(kThreeTeams)),
@@ -145,12 +146,29 @@ TEST(StandingsReport, HasARowPerTeamWithTheIntervalOverItsPairs) {
             "bradley_terry,bradley_terry_low95,bradley_terry_high95,wins_share,wins_low95,"
             "wins_high95,draws_share,draws_low95,draws_high95,losses_share,losses_low95,"
             "losses_high95\n"
-            "1,bold,7,4,2,1,1,0,4,2,0.5000,2,-12.2062,13.2062,0.3333,,,0.2310,,,"
+            "1,bold,7,4,2,1,1,0,4,2,0.5000,2,-12.2062,13.2062,0.3333,,,0.2646,-0.5622,1.1695,"
             "0.5000,0.1500,0.8500,0.2500,0.0456,0.6994,0.2500,0.0456,0.6994\n"
-            "2,zone,6,4,1,3,0,0,2,1,0.2500,2,-2.9266,3.4266,0.1667,,,0.2310,,,"
+            "2,zone,6,4,1,3,0,0,2,1,0.2500,2,-2.9266,3.4266,0.1667,,,0.2646,-0.5622,1.1695,"
             "0.2500,0.0456,0.6994,0.7500,0.3006,0.9544,0.0000,0.0000,0.6024\n"
-            "3,calm,2,4,0,2,2,0,0,3,-0.7500,2,-10.2797,8.7797,-0.5000,,,-0.4621,,,"
+            "3,calm,2,4,0,2,2,0,0,3,-0.7500,2,-10.2797,8.7797,-0.5000,,,-0.5293,-1.5253,0.2962,"
             "0.0000,0.0000,0.6024,0.5000,0.1500,0.8500,0.5000,0.1500,0.8500\n");
+}
+
+// One game: the strengths are log(3) / 2, and the profile reaches its value at 0.916163
+// (strength_profile_test.cpp).
+const std::vector<Encounter> kOneWin = {{"bold", "calm", {{2, 0}}}};
+
+TEST(StandingsReport, WritesInfinityForTheOpenEndOfAnInterval) {
+  const std::string csv = standings_csv(standings_in(kOneWin));
+  EXPECT_NE(csv.find("\n1,bold,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",0.5493,-0.9162,inf,1.0000,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",-0.5493,-inf,0.9162,0.0000,"), std::string::npos) << csv;
+}
+
+TEST(StandingsReport, SaysAtLeastAndAtMostForAnOpenEnd) {
+  const std::string table = standings_table(standings_in(kOneWin));
+  EXPECT_NE(table.find("+0.55 [at least -0.92]\n"), std::string::npos) << table;
+  EXPECT_NE(table.find("-0.55 [at most +0.92]\n"), std::string::npos) << table;
 }
 
 TEST(StandingsReport, PrintsTablesOfTeamsAndMatchups) {

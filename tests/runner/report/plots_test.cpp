@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "runner/report/running_mean.hpp"
 #include "tests/runner/batch/fake_games.hpp"
 #include "tests/runner/support/has_part.hpp"
@@ -106,6 +108,34 @@ TEST(CrosstablePlot, ShowsEachMatchupFromBothSides) {
   EXPECT_EQ(line_count(csv), 3);
   EXPECT_TRUE(has(csv, "\n1,2,team1,team0,2,0,0,")) << csv;
   EXPECT_TRUE(has(csv, "\n2,1,team0,team1,0,0,2,-")) << csv;
+}
+
+ExperimentResults results_with_strength(double value, const Interval& interval) {
+  Standing standing;
+  standing.team = "bold";
+  standing.is_rated = true;
+  standing.strength = {"bold", value, interval};
+  Group group;
+  group.values = {"bold", "calm"};
+  group.differences = {1};
+  ExperimentResults results;
+  results.groups = {group};
+  results.standings = {standing};
+  return results;
+}
+
+TEST(RatingsPlot, DrawsAnArrowToTheEdgeForAnOpenEnd) {
+  const std::optional<Plot> plot =
+      ratings_plot(results_with_strength(3, {1, std::numeric_limits<double>::infinity()}));
+  EXPECT_TRUE(has(plot.value().csv, ",3.0000,1.0000,inf\n")) << plot->csv;
+  // From 0 to 3, and 8 % of this on either side.
+  EXPECT_TRUE(has(plot->script, "set xrange [-0.24:3.24]\n")) << plot->script;
+  EXPECT_TRUE(has(plot->script, "with vectors")) << plot->script;
+}
+
+TEST(RatingsPlot, HasNoArrowsIfAllIntervalsHaveTwoEnds) {
+  const std::optional<Plot> plot = ratings_plot(results_with_strength(3, {1, 4}));
+  EXPECT_FALSE(has(plot.value().script, "with vectors")) << plot->script;
 }
 
 TEST(Plots, SayWhichGroupsTheyLeaveOut) {
