@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <utility>
 
 #include "runner/io/errors.hpp"
 #include "runner/processes/workers.hpp"
@@ -12,9 +13,9 @@
 namespace autoref::runner {
 namespace {
 
-void refuse_other_builds(const std::vector<GameRow>& rows, const std::string& build,
+void refuse_other_builds(const RowsInFiles& rows, const std::string& build,
                          const std::filesystem::path& folder) {
-  for (const GameRow& row : rows) {
+  for (const auto& [id, row] : rows) {
     if (row.circumstances.build == build) continue;
     throw InputError({folder.string()}, "",
                      fmt::format("holds games of build {}, but this is build {}; choose another "
@@ -41,20 +42,20 @@ void refuse_difference(const GameRow& first, const GameRow& second, const RowFor
 }
 
 // Handles a second row of a game. Killed games are replayed, so a killed game's row is replaced.
-void add_another(const GameRow& row, const RowFormat& format, GameRow& kept) {
+void add_another(GameRow row, const RowFormat& format, GameRow& kept) {
   if (is_killed(kept)) {
-    kept = row;
+    kept = std::move(row);
   } else if (!is_killed(row)) {
     refuse_difference(kept, row, format);
   }
 }
 
 // The rows of a build, whether or not they belong to scheduled games.
-RowsById rows_of_build(const std::vector<GameRow>& rows, const std::string& build) {
+RowsById rows_of_build(const RowsInFiles& rows, const std::string& build) {
   RowsById by_id;
-  for (const GameRow& row : rows) {
+  for (const auto& [id, row] : rows) {
     if (row.circumstances.build != build) continue;
-    const auto [entry, is_new] = by_id.try_emplace(row.game_id, row);
+    const auto [entry, is_new] = by_id.try_emplace(id, row);
     if (!is_new && is_killed(entry->second)) entry->second = row;
   }
   return by_id;
@@ -66,14 +67,16 @@ bool is_killed(const GameRow& row) {
   return is_void(row.record) && was_killed(row.record.void_reason);
 }
 
-CompletedGames sort_rows(const std::vector<GameRow>& rows, const std::vector<ScheduledGame>& games,
+CompletedGames sort_rows(RowsInFiles rows, const std::vector<ScheduledGame>& games,
                          const RowFormat& format, const std::string& build, bool allow_mixed_build,
                          const std::filesystem::path& folder, const std::string& changes) {
   if (!allow_mixed_build) refuse_other_builds(rows, build, folder);
-  std::map<std::string, const ScheduledGame*> by_id;
+  std::map<std::string_view, const ScheduledGame*> by_id;
   for (const ScheduledGame& game : games) by_id[game.id] = &game;
   CompletedGames completed_games;
-  for (const GameRow& row : rows) {
+  while (!rows.empty()) {
+    RowsInFiles::node_type node = rows.extract(rows.begin());
+    GameRow& row = node.mapped();
     const auto game = by_id.find(row.game_id);
     if (row.circumstances.build != build) {
       ++completed_games.other_builds[row.circumstances.build];
@@ -81,26 +84,33 @@ CompletedGames sort_rows(const std::vector<GameRow>& rows, const std::vector<Sch
       ++completed_games.other_games;
     } else {
       refuse_other_configuration(row, *game->second, folder, changes);
-      const auto [entry, is_new] = completed_games.done.try_emplace(row.game_id, row);
-      if (!is_new) add_another(row, format, entry->second);
+      const auto inserted = completed_games.done.insert(std::move(node));
+      if (!inserted.inserted)
+        add_another(std::move(inserted.node.mapped()), format, inserted.position->second);
     }
   }
   return completed_games;
 }
 
-RowInventory take_row_inventory(const Scenario& scenario, const std::vector<GameRow>& rows,
-                                const RowFormat& format, const std::string& build,
-                                bool allow_mixed_build, const std::filesystem::path& folder,
-                                const std::string& changes) {
+RowInventory take_row_inventory(const Scenario& scenario, RowsInFiles rows, const RowFormat& format,
+                                const std::string& build, bool allow_mixed_build,
+                                const std::filesystem::path& folder, const std::string& changes) {
+  const auto sorted = [&](RowsInFiles its, const Schedule& schedule) {
+    return sort_rows(std::move(its), schedule.games, format, build, allow_mixed_build, folder,
+                     changes);
+  };
+  if (!follows_its_rows(scenario)) {
+    RowInventory row_inventory{schedule_of(scenario, {}), {}};
+    row_inventory.completed_games = sorted(std::move(rows), row_inventory.schedule);
+    return row_inventory;
+  }
   // Starts from the rows as they are, so that one round is enough if they belong to the scenario;
   // if not, sort_rows() refuses those that the schedule follows.
   RowInventory row_inventory{schedule_of(scenario, rows_of_build(rows, build)), {}};
   // Iterates to a fixed point: rows can extend the schedule (of a knockout), and a longer schedule
   // can claim more rows.
   while (true) {
-    row_inventory.completed_games = sort_rows(rows, row_inventory.schedule.games, format, build,
-                                              allow_mixed_build, folder, changes);
-    if (!follows_its_rows(scenario)) return row_inventory;
+    row_inventory.completed_games = sorted(rows, row_inventory.schedule);
     const std::size_t known = row_inventory.schedule.games.size();
     row_inventory.schedule = schedule_of(scenario, row_inventory.completed_games.done);
     if (row_inventory.schedule.games.size() == known)

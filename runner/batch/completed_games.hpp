@@ -26,7 +26,7 @@ bool is_killed(const GameRow& row);
 // configuration; throws std::logic_error if two rows of a game differ in a reproducible column,
 // unless one of the rows belongs to a killed game. `folder` and `changes` (the differences between
 // the folder's scenario and this one) are for messages.
-CompletedGames sort_rows(const std::vector<GameRow>& rows, const std::vector<ScheduledGame>& games,
+CompletedGames sort_rows(RowsInFiles rows, const std::vector<ScheduledGame>& games,
                          const RowFormat& format, const std::string& build, bool allow_mixed_build,
                          const std::filesystem::path& folder, const std::string& changes);
 
@@ -36,9 +36,8 @@ struct RowInventory {
 };
 
 // The same for a scenario; its schedule may depend on the rows. Throws like sort_rows().
-RowInventory take_row_inventory(const Scenario& scenario, const std::vector<GameRow>& rows,
-                                const RowFormat& format, const std::string& build,
-                                bool allow_mixed_build, const std::filesystem::path& folder,
-                                const std::string& changes);
+RowInventory take_row_inventory(const Scenario& scenario, RowsInFiles rows, const RowFormat& format,
+                                const std::string& build, bool allow_mixed_build,
+                                const std::filesystem::path& folder, const std::string& changes);
 
 }  // namespace autoref::runner

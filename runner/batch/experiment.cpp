@@ -98,30 +98,31 @@ class Experiment {
     keep_file();
     if (report.is_interrupted) progress_.keep_tables();
     progress_.expect(counts());
-    const RowsById rows = counted(schedule_, rows_);
+    rows_ = counted(schedule_, std::move(rows_));
     report.games = static_cast<int>(schedule_.needed);
-    report.done = static_cast<int>(rows.size());
+    report.done = static_cast<int>(rows_.size());
     report.is_complete = report.done == report.games;
-    for (const auto& [id, row] : rows) {
+    for (const auto& [id, row] : rows_) {
       report.void_games += is_void(row.record) ? 1 : 0;
       report.killed_games += is_killed(row) ? 1 : 0;
       report.unrepeatable_games += row.record.is_repeatable.value_or(true) ? 0 : 1;
     }
     report.is_waiting = schedule_.needed > schedule_.games.size() && !report.is_interrupted;
-    if (report.is_complete && !options_.outcomes) conclude(report, rows);
+    if (report.is_complete && !options_.outcomes) conclude(report);
     return report;
   }
 
  private:
-  RowInventory take(const StoredRows& stored) const {
-    return take_row_inventory(scenario_, stored.rows, format_, options_.build,
+  RowInventory take(RowsInFiles rows) const {
+    return take_row_inventory(scenario_, std::move(rows), format_, options_.build,
                               options_.allow_mixed_build, options_.folder, changes());
   }
 
   void take_with_notes() {
-    const StoredRows stored = read_rows(options_.folder / kGamesFolder, format_);
-    if (there_ && !stored.rows.empty()) refuse_other_seed(scenario_, *there_, options_.folder);
-    RowInventory row_inventory = take(stored);
+    StoredRows stored = read_rows(options_.folder / kGamesFolder, format_);
+    const bool has_rows = !stored.rows.empty();
+    if (there_ && has_rows) refuse_other_seed(scenario_, *there_, options_.folder);
+    RowInventory row_inventory = take(std::move(stored.rows));
     schedule_ = std::move(row_inventory.schedule);
     rows_ = std::move(row_inventory.completed_games.done);
     if (!stored.damaged.empty() && !missing_games().empty()) {
@@ -129,7 +130,7 @@ class Experiment {
           "damaged rows that do not count: {}, the first at {}; their games will be replayed",
           stored.damaged.size(), stored.damaged.front().at));
     }
-    note_other_games(row_inventory.completed_games.other_games, !stored.rows.empty());
+    note_other_games(row_inventory.completed_games.other_games, has_rows);
     for (const auto& [build, count] : row_inventory.completed_games.other_builds) {
       progress_.say(fmt::format("{} rows are from build {}; they do not count", count, build));
     }
@@ -164,7 +165,7 @@ class Experiment {
   void look_around() {
     keep_file();
     const Clock::time_point began = Clock::now();
-    rows_ = take(read_rows(options_.folder / kGamesFolder, format_)).completed_games.done;
+    rows_ = take(read_rows(options_.folder / kGamesFolder, format_).rows).completed_games.done;
     for (const std::string& id : again_) rows_.erase(id);
     const Clock::duration looking = Clock::now() - began;
     next_look_ =
@@ -260,7 +261,10 @@ class Experiment {
     return counts;
   }
 
-  ProgressView view_so_far() const { return outcomes_.view(counted(schedule_, rows_)); }
+  ProgressView view_so_far() const {
+    if (!follows_its_rows(scenario_)) return outcomes_.view(rows_);  // all of them count
+    return outcomes_.view(counted(schedule_, rows_));
+  }
 
   void announce_ending(int running) {
     progress_.say(
@@ -376,9 +380,9 @@ class Experiment {
     rows_[id] = std::move(row);
   }
 
-  void conclude(ExperimentReport& report, const RowsById& counted_rows) const {
-    report.results = write_results(options_.folder, scenario_, format_, counted_rows);
-    report.transitions_never_used = transitions_never_used(counted_rows);
+  void conclude(ExperimentReport& report) const {
+    report.results = write_results(options_.folder, scenario_, format_, rows_);
+    report.transitions_never_used = transitions_never_used(rows_);
   }
 
   const Scenario& scenario_;

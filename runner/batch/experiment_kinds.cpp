@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
+#include <string_view>
 
 #include "runner/analysis/knockout_report.hpp"
 #include "runner/analysis/situations_report.hpp"
@@ -220,13 +222,13 @@ ExperimentResults results_of(const Tuning& tuning, const RowsById& rows) {
 
 }  // namespace
 
-RowsById counted(const Schedule& schedule, const RowsById& rows) {
-  RowsById counted;
+RowsById counted(const Schedule& schedule, RowsById rows) {
+  std::set<std::string_view> needed;
   for (std::size_t i = 0; i < std::min(schedule.needed, schedule.games.size()); ++i) {
-    const auto row = rows.find(schedule.games[i].id);
-    if (row != rows.end()) counted.insert(*row);
+    needed.insert(schedule.games[i].id);
   }
-  return counted;
+  std::erase_if(rows, [&needed](const auto& entry) { return !needed.contains(entry.first); });
+  return rows;
 }
 
 bool is_experiment(const Scenario& scenario) {

@@ -56,7 +56,7 @@ bool follows_its_rows(const Scenario& scenario);
 bool is_decided(const Scenario& scenario, const RowsById& rows);
 
 // The rows of needed games, which the results are computed from.
-RowsById counted(const Schedule& schedule, const RowsById& rows);
+RowsById counted(const Schedule& schedule, RowsById rows);
 
 // Names of the row columns with the factors' values.
 std::vector<std::string> value_columns(const Scenario& scenario);

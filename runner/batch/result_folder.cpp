@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "runner/io/csv.hpp"
 #include "runner/io/errors.hpp"
@@ -18,7 +19,7 @@ namespace fs = std::filesystem;
 
 std::set<std::string> builds_of(const StoredRows& stored) {
   std::set<std::string> builds;
-  for (const GameRow& row : stored.rows) builds.insert(row.circumstances.build);
+  for (const auto& [id, row] : stored.rows) builds.insert(row.circumstances.build);
   return builds;
 }
 
@@ -38,14 +39,13 @@ std::string chosen_build(const StoredRows& stored, const std::string& wanted,
 std::vector<std::string> lost_games(const fs::path& folder, const StoredRows& stored) {
   std::vector<std::string> lost;
   if (builds_of(stored).size() > 1) return lost;  // the build of results.csv is unknown
-  const std::string csv = read_file(folder / kResultsFile).value_or("");
-  std::set<std::string_view> played;
-  for (const GameRow& row : stored.rows) played.insert(row.game_id);
-  const std::vector<std::string_view> lines = lines_as_written(csv);
-  for (std::size_t i = 1; i < lines.size(); ++i) {
-    std::string id = first_cell(lines[i]);
-    if (!id.empty() && !played.contains(id)) lost.push_back(std::move(id));
-  }
+  bool is_header = true;
+  LinesAsWritten lines([&](std::string_view line) {
+    if (std::exchange(is_header, false)) return;
+    std::string id = first_cell(line);
+    if (!id.empty() && !stored.rows.contains(id)) lost.push_back(std::move(id));
+  });
+  read_pieces(folder / kResultsFile, [&lines](std::string_view piece) { lines.add(piece); });
   return lost;
 }
 
@@ -104,13 +104,15 @@ std::set<std::string> builds_in(const fs::path& path) {
 ResultFolder open_results(const fs::path& path, const std::string& build) {
   const Scenario scenario = scenario_in(path);
   const RowFormat format = row_format(scenario);
-  const StoredRows stored = read_rows(path / kGamesFolder, format);
+  StoredRows stored = read_rows(path / kGamesFolder, format);
   const std::string its_build = chosen_build(stored, build, path);
+  std::vector<std::string> lost = lost_games(path, stored);
   RowInventory row_inventory =
-      take_row_inventory(scenario, stored.rows, format, its_build, true, path, {});
-  RowsById done = counted(row_inventory.schedule, row_inventory.completed_games.done);
-  const auto beyond = static_cast<int>(row_inventory.completed_games.done.size() - done.size());
-  row_inventory.completed_games.done = std::move(done);
+      take_row_inventory(scenario, std::move(stored.rows), format, its_build, true, path, {});
+  RowsById& done = row_inventory.completed_games.done;
+  const std::size_t played = done.size();
+  done = counted(row_inventory.schedule, std::move(done));
+  const auto beyond = static_cast<int>(played - done.size());
   ResultFolder folder{path,
                       scenario,
                       format,
@@ -120,7 +122,7 @@ ResultFolder open_results(const fs::path& path, const std::string& build) {
                       std::move(row_inventory.completed_games),
                       beyond,
                       stored.damaged,
-                      lost_games(path, stored),
+                      std::move(lost),
                       {}};
   if (folder.is_complete()) folder.damaged.clear();
   for (const auto& [id, row] : folder.completed_games.done)

@@ -30,9 +30,10 @@ struct GameRecord {
   std::string void_reason;                         // empty unless void or forfeited
   std::array<int, referee::kEventCount> events{};  // how often each event occurred
   int count(referee::Event event) const { return events[static_cast<std::size_t>(event)]; }
-  std::vector<std::string> transitions;  // labels of the transitions taken, without duplicates
-  std::array<PlayCounts, 2> counts{};    // [a, b]
-  std::optional<SceneRecord> scene;      // of a scene
+  // Labels of the transitions taken, without duplicates. The texts live as long as the program.
+  std::vector<std::string_view> transitions;
+  std::array<PlayCounts, 2> counts{};  // [a, b]
+  std::optional<SceneRecord> scene;    // of a scene
   double ball_in_play_s = 0;
   double sim_s = 0;
   std::int64_t frames = 0;

@@ -3,6 +3,13 @@
 namespace autoref::runner {
 namespace {
 
+std::string_view as_written(std::string_view line, bool is_first) {
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  if (is_first && line.starts_with(kByteOrderMark)) line.remove_prefix(kByteOrderMark.size());
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
 std::string quoted(const std::string& cell) {
   if (cell.find_first_of(",\"\n\r") == std::string::npos) return cell;
   std::string text = "\"";
@@ -77,13 +84,28 @@ std::vector<std::string_view> complete_lines(std::string_view text) {
 }
 
 std::vector<std::string_view> lines_as_written(std::string_view text) {
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   std::vector<std::string_view> lines = complete_lines(text);
-  for (std::string_view& line : lines) {
-    if (line.ends_with('\r')) line.remove_suffix(1);
-  }
+  bool is_first = true;
+  for (std::string_view& line : lines) line = as_written(line, std::exchange(is_first, false));
   return lines;
+}
+
+void LinesAsWritten::add(std::string_view piece) {
+  for (std::size_t end = piece.find('\n'); end != std::string_view::npos; end = piece.find('\n')) {
+    const std::string_view line = piece.substr(0, end);
+    piece.remove_prefix(end + 1);
+    if (begun_.empty()) {
+      pass_on(line);
+    } else {
+      pass_on(begun_.append(line));
+      begun_.clear();
+    }
+  }
+  begun_ += piece;
+}
+
+void LinesAsWritten::pass_on(std::string_view line) {
+  take_(as_written(line, std::exchange(is_first_, false)));
 }
 
 }  // namespace autoref::runner

@@ -1,9 +1,11 @@
 // Comma-separated values as defined by RFC 4180, one row per line.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace autoref::runner {
@@ -27,5 +29,22 @@ std::vector<std::string_view> complete_lines(std::string_view text);
 // The same, of a file that an editor or a spreadsheet may have rewritten: without a byte order
 // mark, and without the carriage returns of lines that end in CR LF.
 std::vector<std::string_view> lines_as_written(std::string_view text);
+
+// The same lines of a text that comes in pieces, one after the other.
+class LinesAsWritten {
+ public:
+  using TakeLine = std::function<void(std::string_view line)>;
+  explicit LinesAsWritten(TakeLine take) : take_(std::move(take)) {}
+
+  // Passes on the lines that the piece completes.
+  void add(std::string_view piece);
+
+ private:
+  void pass_on(std::string_view line);
+
+  TakeLine take_;
+  std::string begun_;  // an incomplete line
+  bool is_first_ = true;
+};
 
 }  // namespace autoref::runner

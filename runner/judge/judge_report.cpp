@@ -86,7 +86,7 @@ void pool(const JudgeSchedule& schedule, JudgeReport& report) {
   }
 }
 
-std::vector<std::string> never_taken(const std::set<std::string, std::less<>>& taken) {
+std::vector<std::string> never_taken(const std::set<std::string_view>& taken) {
   std::vector<std::string> never;
   for (const std::string_view label : referee::all_labels()) {
     if (!taken.contains(label)) never.emplace_back(label);
@@ -125,7 +125,7 @@ JudgeReport report_of(const JudgeSchedule& schedule, const RowsById& rows) {
   for (const std::string& rules : schedule.rules) {
     add_empty_tallies(schedule, rules, report.tallies);
   }
-  std::set<std::string, std::less<>> taken;
+  std::set<std::string_view> taken;
   for (const JudgeGame& game : games_of(schedule)) {
     const auto row = rows.find(game.game_id);
     if (row == rows.end()) continue;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <mutex>
+#include <set>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -117,11 +119,19 @@ Column reason_column() {
   return column;
 }
 
+// A copy of the label that lives as long as the program. Rows have many, but few different ones.
+std::string_view kept_label(const std::string& label) {
+  static std::mutex mutex;
+  static std::set<std::string> labels;
+  const std::lock_guard lock(mutex);
+  return *labels.insert(label).first;
+}
+
 // Labels joined by '+', sorted, which makes the cell independent of the transitions' order.
 Column transitions_column() {
   return {"transitions",
           [](const GameRow& row) {
-            std::vector<std::string> labels = row.record.transitions;
+            std::vector<std::string_view> labels = row.record.transitions;
             std::sort(labels.begin(), labels.end());
             return fmt::format("{}", fmt::join(labels, "+"));
           },
@@ -129,7 +139,7 @@ Column transitions_column() {
             row.record.transitions.clear();
             for (std::size_t begin = 0; begin < cell.size();) {
               const std::size_t end = std::min(cell.find('+', begin), cell.size());
-              row.record.transitions.push_back(cell.substr(begin, end - begin));
+              row.record.transitions.push_back(kept_label(cell.substr(begin, end - begin)));
               begin = end + 1;
             }
             return true;

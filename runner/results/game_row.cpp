@@ -32,7 +32,7 @@ GameRecord void_record(const std::string& reason) {
 std::vector<std::string> transitions_never_used(const RowsById& rows) {
   const auto is_used = [&rows](std::string_view label) {
     return std::any_of(rows.begin(), rows.end(), [label](const auto& entry) {
-      const std::vector<std::string>& taken = entry.second.record.transitions;
+      const std::vector<std::string_view>& taken = entry.second.record.transitions;
       return std::find(taken.begin(), taken.end(), label) != taken.end();
     });
   };

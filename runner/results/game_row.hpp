@@ -48,6 +48,10 @@ struct GameRow {
 
 using RowsById = std::map<std::string, GameRow>;
 
+// As in files: games may have several rows, which keep their order. A row moves to RowsById with
+// its node, without another allocation.
+using RowsInFiles = std::multimap<std::string, GameRow>;
+
 // The row of a scheduled game that has not been played.
 GameRow row_of(const ScheduledGame& game);
 

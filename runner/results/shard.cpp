@@ -45,6 +45,58 @@ std::vector<std::string> lines_of(int descriptor) {
   return {lines.begin(), lines.end()};
 }
 
+std::vector<fs::path> row_files(const fs::path& games_folder) {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(games_folder)) {
+    if (entry.path().extension() != ".csv") continue;
+    if (entry.exists() && !entry.is_regular_file()) {
+      throw InputError({entry.path().string()}, "",
+                       "is not a regular file, so rows cannot be read from it; remove it");
+    }
+    files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+// Only complete lines are read, so a row that another process is writing is merely not there yet.
+void add_rows(const fs::path& file, const RowFormat& format, StoredRows& stored) {
+  const std::string header = csv_line(format.names());
+  std::size_t number = 0;
+  LinesAsWritten lines([&](std::string_view line) {
+    if (++number == 1) {
+      if (line == header) return;
+      throw InputError(
+          {file.string(), 1, 1}, "",
+          "these rows have other columns, so they belong to another scenario or version; "
+          "choose another folder with -o, or remove this one");
+    }
+    std::optional<GameRow> row = format.read(line);
+    if (row) {
+      std::string id = row->game_id;
+      stored.rows.emplace(std::move(id), std::move(*row));
+    } else {
+      stored.damaged.push_back(
+          {fmt::format("{}/{}:{}", kGamesFolder, file.filename().string(), number),
+           first_cell(line)});
+    }
+  });
+  read_pieces(file, [&lines](std::string_view piece) { lines.add(piece); });
+}
+
+// Drops damaged rows of games that have another row of each build, since theirs is unknown.
+void drop_replaced(StoredRows& stored) {
+  std::set<std::string_view> builds;
+  std::map<std::string_view, std::set<std::string_view>> played;
+  for (const auto& [id, row] : stored.rows) {
+    builds.insert(row.circumstances.build);
+    played[id].insert(row.circumstances.build);
+  }
+  std::erase_if(stored.damaged, [&](const DamagedRow& row) {
+    return !builds.empty() && played[row.game_id].size() == builds.size();
+  });
+}
+
 }  // namespace
 
 std::string ShardIndex::name() const { return fmt::format("{}/{}", number, of); }
@@ -177,50 +229,9 @@ void Shard::fail(int error_number, std::int64_t end) {
 }
 
 StoredRows read_rows(const fs::path& games_folder, const RowFormat& format) {
-  std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(games_folder)) {
-    if (entry.path().extension() != ".csv") continue;
-    if (entry.exists() && !entry.is_regular_file()) {
-      throw InputError({entry.path().string()}, "",
-                       "is not a regular file, so rows cannot be read from it; remove it");
-    }
-    files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
   StoredRows stored;
-  for (const fs::path& file : files) {
-    const std::string text = read_file(file).value_or("");
-    const std::vector<std::string_view> lines = lines_as_written(text);
-    // Only complete lines are read, so a row that another process is writing is merely not there
-    // yet.
-    if (lines.empty()) continue;
-    if (lines.front() != csv_line(format.names())) {
-      throw InputError(
-          {file.string(), 1, 1}, "",
-          "these rows have other columns, so they belong to another scenario or version; "
-          "choose another folder with -o, or remove this one");
-    }
-    for (std::size_t i = 1; i < lines.size(); ++i) {
-      std::optional<GameRow> row = format.read(lines[i]);
-      if (row) {
-        stored.rows.push_back(std::move(*row));
-      } else {
-        stored.damaged.push_back(
-            {fmt::format("{}/{}:{}", kGamesFolder, file.filename().string(), i + 1),
-             first_cell(lines[i])});
-      }
-    }
-  }
-  std::set<std::string_view> builds;
-  std::map<std::string_view, std::set<std::string_view>> played;
-  for (const GameRow& row : stored.rows) {
-    builds.insert(row.circumstances.build);
-    played[row.game_id].insert(row.circumstances.build);
-  }
-  // The build of a damaged row is unknown.
-  std::erase_if(stored.damaged, [&](const DamagedRow& row) {
-    return !builds.empty() && played[row.game_id].size() == builds.size();
-  });
+  for (const fs::path& file : row_files(games_folder)) add_rows(file, format, stored);
+  if (!stored.damaged.empty()) drop_replaced(stored);
   return stored;
 }
 

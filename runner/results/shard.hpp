@@ -83,12 +83,12 @@ struct DamagedRow {
 };
 
 struct StoredRows {
-  std::vector<GameRow> rows;
+  RowsInFiles rows;
   std::vector<DamagedRow> damaged;  // without those of games that have another row
 };
 
-// Reads every .csv file in the folder, in order of file name. Throws InputError if a file's columns
-// are not those of `format`.
+// Reads every .csv file in the folder, in order of file name, line by line. Throws InputError if a
+// file's columns are not those of `format`.
 StoredRows read_rows(const std::filesystem::path& games_folder, const RowFormat& format);
 
 }  // namespace autoref::runner

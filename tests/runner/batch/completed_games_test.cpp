@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "runner/io/errors.hpp"
 #include "runner/settings/fields.hpp"
 #include "runner/settings/resolved.hpp"
@@ -28,8 +30,10 @@ GameRow rows_played(const ScheduledGame& game, const std::string& build = "x") {
   return rows_played(game, fake_game(resolved(game.settings.whole())), build);
 }
 
-CompletedGames completed_games_of(const std::vector<GameRow>& rows,
+CompletedGames completed_games_of(const std::vector<GameRow>& in_files,
                                   bool allow_mixed_build = false) {
+  RowsInFiles rows;
+  for (const GameRow& row : in_files) rows.emplace(row.game_id, row);
   return sort_rows(rows, scheduled_games(), kFakeFormat, "x", allow_mixed_build, "DIR", "");
 }
 

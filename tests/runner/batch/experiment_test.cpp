@@ -155,8 +155,8 @@ TEST(Experiment, CountsTheAttemptsOfAGameInItsRow) {
   run_experiment(small_sweep(1), options);
   std::multiset<int> attempts;
   const Scenario scenario = small_sweep(1);
-  for (const GameRow& row : read_rows(folder / "run/games", row_format(scenario)).rows)
-    attempts.insert(row.circumstances.attempt);
+  const StoredRows stored = read_rows(folder / "run/games", row_format(scenario));
+  for (const auto& [id, row] : stored.rows) attempts.insert(row.circumstances.attempt);
   EXPECT_EQ(attempts, (std::multiset<int>{1, 1, 3, 4}));
 }
 

@@ -127,7 +127,7 @@ TEST(ReadRows, CountsDamagedLinesAndKeepsTheOthers) {
                 csv_line(kShardFormat.names()) + "\n" + damaged + "\n\n" + row_line() + "\ntorn");
   const StoredRows stored = read_rows(folder.path(), kShardFormat);
   ASSERT_EQ(stored.rows.size(), 1U);
-  EXPECT_TRUE(row_line().starts_with(stored.rows[0].game_id + ","));
+  EXPECT_TRUE(row_line().starts_with(stored.rows.begin()->first + ","));
   ASSERT_EQ(stored.damaged.size(), 2U);
   EXPECT_EQ(stored.damaged[0].at, "games/shard-0-of-1.csv:2");
 }
