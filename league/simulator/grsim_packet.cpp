@@ -125,8 +125,11 @@ void add_replacement(const grsim::Replacement& replacement, const PerSide<int>& 
 GrsimPacket read_grsim_packet(std::string_view bytes, const PerSide<int>& robots) {
   grsim::Packet message;
   GrsimPacket packet;
-  if (!parse(bytes, message)) {
-    add_error(packet.commands.errors, "PACKET",
+  const bool is_parsed = parse(bytes, message);
+  const bool is_other =
+      !message.has_commands() && !message.has_replacement() && !message.unknown_fields().empty();
+  if (!is_parsed || is_other) {
+    add_error(packet.commands.errors, kNotAMessage,
               fmt::format("a packet of {} bytes is not a grSim_Packet", bytes.size()));
     return packet;
   }

@@ -108,9 +108,11 @@ CommandPacket updates_of(const simulation::RobotControl& control, int robots) {
 
 CommandPacket read_robot_control(std::string_view bytes, int robots) {
   simulation::RobotControl control;
-  if (parse(bytes, control)) return updates_of(control, robots);
+  const bool is_parsed = parse(bytes, control);
+  const bool is_other = control.robot_commands_size() == 0 && !control.unknown_fields().empty();
+  if (is_parsed && !is_other) return updates_of(control, robots);
   CommandPacket packet;
-  add_error(packet.errors, "PACKET",
+  add_error(packet.errors, kNotAMessage,
             fmt::format("a packet of {} bytes is not a RobotControl", bytes.size()));
   return packet;
 }

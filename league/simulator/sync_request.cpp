@@ -39,7 +39,7 @@ SyncRequest read_sync_request(std::string_view bytes, std::optional<Side> side,
   SyncRequest request;
   simulation::SimulationSyncRequest message;
   if (!parse(bytes, message)) {
-    add_error(request.commands.errors, "PACKET",
+    add_error(request.commands.errors, kNotAMessage,
               fmt::format("a packet of {} bytes is not a SimulationSyncRequest", bytes.size()));
     return request;
   }
@@ -47,7 +47,7 @@ SyncRequest read_sync_request(std::string_view bytes, std::optional<Side> side,
   if (side) {
     request.commands = updates_of(message.robot_control(), robots[*side]);
   } else if (message.has_robot_control()) {
-    add_error(request.commands.errors, "PACKET", "robots are commanded at their team's port");
+    add_error(request.commands.errors, kNotAMessage, "robots are commanded at their team's port");
   }
   for (const PacketError& error : request.control.errors)
     add_error(request.commands.errors, error.code, error.message);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "runner/game/game.hpp"
+#include "runner/io/errors.hpp"
 #include "runner/live/command_slots.hpp"
 #include "runner/live/game_publisher.hpp"
 #include "runner/live/network_team.hpp"
@@ -106,14 +107,21 @@ class LiveGame::Impl {
     return signal;
   }
 
-  // Sends the field as it is before the game, until every team has sent a packet.
+  // Sends the field as it is before the game, until every team has commanded a robot.
   void await_teams(const Game& game) {
     const RefereeSignal waiting = waiting_signal(game);
     while (!slots_.wait({{0, 0}}, is_network_, CommandSlots::Clock::now() + frame_period())) {
       check_();
+      say_notices();
       publisher_.add_waiting_frame(game.world().state(), waiting);
     }
     pacer_.set_rate(game_.sim.frame_rate_hz * options_.speed.factor);
+  }
+
+  // Why packets do not let the game go on.
+  void say_notices() {
+    for (const std::string& notice : ports_.take_notices())
+      write_message(stderr, fmt::format("autoref: {}\n", notice));
   }
 
   // Takes over what programs have set before the game.
@@ -168,6 +176,7 @@ class LiveGame::Impl {
     while (!wait(CommandSlots::Clock::now() + kSlice)) {
       check_();
       if (options_.speed.pace == Pace::kLockStep) publisher_.repeat_standing_field();
+      say_notices();
       if (CommandSlots::Clock::now() >= deadline && give_up()) return;
     }
   }

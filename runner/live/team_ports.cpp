@@ -9,6 +9,7 @@
 #include "league/simulator/robot_control.hpp"
 #include "league/simulator/sync_request.hpp"
 #include "runner/live/lock_step.hpp"
+#include "soccer/colour.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -39,6 +40,18 @@ bool asks(const league::SimulatorRequest& request) {
          !request.specs.empty();
 }
 
+league::CommandPacket refused_packet() {
+  league::CommandPacket refused;
+  refused.errors = {{"SOURCE", "another computer commands this team"}};
+  return refused;
+}
+
+// Garbage, rather than a request with a mistake.
+bool is_garbage(const league::SyncRequest& request) {
+  return request.step_s == 0 && request.commands.updates.empty() &&
+         !league::is_readable(request.commands);
+}
+
 std::string response_to(const league::CommandPacket& packet,
                         const std::bitset<kMaxRobots>& contact) {
   simulation::RobotControlResponse response;
@@ -48,8 +61,10 @@ std::string response_to(const league::CommandPacket& packet,
 
 }  // namespace
 
-bool SourceLock::admits(const std::string& host, std::chrono::steady_clock::time_point now) {
+bool SourceLock::admits(const std::string& host, std::chrono::steady_clock::time_point now,
+                        bool has_commands) {
   if (host != host_ && !host_.empty() && now - last_ < kSilence) return false;
+  if (host != host_ && !has_commands) return true;
   host_ = host;
   last_ = now;
   return true;
@@ -111,41 +126,71 @@ void TeamPorts::listen(NetworkThread& thread, const Participant& to, int port, c
   servers_.at(index_of(to)).emplace(thread, place, handler(Transport::kStream));
 }
 
-bool TeamPorts::is_admitted(Side side, const Address& from) {
+bool TeamPorts::is_admitted(Side side, const Address& from, bool has_commands) {
   const std::lock_guard lock(mutex_);
-  if (sources_[side].admits(from.host, std::chrono::steady_clock::now())) return true;
+  if (sources_[side].admits(from.host, std::chrono::steady_clock::now(), has_commands)) return true;
   ++traffic_[side].foreign;
   return false;
 }
 
-void TeamPorts::count(Side side, const league::CommandPacket& packet) {
+// Anybody can send garbage, so that only commands show that a team is there.
+void TeamPorts::count(Side side, league::CommandPacket& packet, const Address& from,
+                      bool has_commands) {
   const std::lock_guard lock(mutex_);
+  is_present_[side] = is_present_[side] || has_commands;
+  if (!is_present_[side] && packet.errors.empty())
+    league::add_error(packet.errors, "NO_COMMANDS", "the packet commands no robot");
   ++traffic_[side].packets;
   if (packet.errors.empty()) return;
   ++traffic_[side].wrong;
-  traffic_[side].last_error = packet.errors.front().message;
+  const std::string& error = packet.errors.front().message;
+  traffic_[side].last_error = fmt::format("{} (from {}:{})", error, from.host, from.port);
+  if (!is_present_[side]) note_stranger(side, from, error);
+}
+
+void TeamPorts::count_wrong_control() {
+  const std::lock_guard lock(mutex_);
+  ++wrong_control_;
+}
+
+// With the lock held.
+void TeamPorts::note_stranger(Side side, const Address& from, const std::string& error) {
+  if (std::exchange(is_noted_[side], true)) return;
+  notices_.push_back(fmt::format(
+      "a packet for {} from {}:{} does not begin the game: {}; still waiting for commands",
+      colour_of(side), from.host, from.port, error));
+}
+
+std::vector<std::string> TeamPorts::take_notices() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(notices_, {});
+}
+
+void TeamPorts::take_over(Side side, const league::CommandPacket& packet) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!is_present_[side] || !league::is_readable(packet)) return;
+  }
+  targets_.slots->add(side, packet.updates);
 }
 
 std::optional<std::string> TeamPorts::answer(const Participant& to, std::string_view bytes,
                                              const Address& from, Transport transport) {
-  if (to && !is_admitted(*to, from)) {
-    league::CommandPacket refused;
-    refused.errors = {{"SOURCE", "another computer commands this team"}};
-    return response_to(refused, {});
-  }
   if (league::is_sync_request(bytes)) return answer_sync_request(to, bytes, from, transport);
-  return to ? answer_team(*to, bytes) : answer_control(bytes);
+  return to ? answer_team(*to, bytes, from) : answer_control(bytes);
 }
 
-std::string TeamPorts::answer_team(Side side, std::string_view bytes) {
+std::string TeamPorts::answer_team(Side side, std::string_view bytes, const Address& from) {
   league::CommandPacket packet;
   if (targets_.lock_step == nullptr) {
     packet = league::read_robot_control(bytes, robots_[side]);
   } else {
     packet.errors = {{"LOCK_STEP", "the game is played by SimulationSyncRequests"}};
   }
-  count(side, packet);
-  targets_.slots->add(side, packet.updates);
+  const bool has_commands = !packet.updates.empty();
+  if (!is_admitted(side, from, has_commands)) return response_to(refused_packet(), {});
+  count(side, packet, from, has_commands);
+  take_over(side, packet);
   const std::lock_guard lock(mutex_);
   return response_to(packet, reports_[side].ball_contact);
 }
@@ -156,10 +201,7 @@ std::string TeamPorts::answer_control(std::string_view bytes) {
   simulation::SimulatorResponse response;
   for (const league::PacketError& error : request.errors)
     league::fill_error(error, *response.add_errors());
-  if (!request.errors.empty()) {
-    const std::lock_guard lock(mutex_);
-    ++wrong_control_;
-  }
+  if (!request.errors.empty()) count_wrong_control();
   if (!targets_.control->add(std::move(request)))
     league::fill_error({"BUSY", "too many commands wait for the next frame"},
                        *response.add_errors());
@@ -183,9 +225,14 @@ std::optional<std::string> TeamPorts::answer_sync_request(const Participant& par
                                                           Transport transport) {
   league::SyncRequest request = league::read_sync_request(bytes, participant, robots_);
   std::vector<league::PacketError>& errors = request.commands.errors;
-  if (targets_.lock_step == nullptr) {
+  const bool is_lock_step = targets_.lock_step != nullptr;
+  if (!is_lock_step)
     league::add_error(errors, "NO_LOCK_STEP", "the game is not played with --speed lockstep");
-    if (participant) count(*participant, request.commands);
+  const bool goes_on = is_lock_step && (request.step_s > 0 || !request.commands.updates.empty());
+  if (participant && !is_admitted(*participant, from, goes_on))
+    return response_to(refused_packet(), {});
+  if (!is_lock_step || is_garbage(request)) {
+    participant ? count(*participant, request.commands, from, false) : count_wrong_control();
     return league::sync_response({}, {{}, errors}, {});
   }
   if (participant && options_.ports.control == 0 && asks(request.control)) {
@@ -193,7 +240,13 @@ std::optional<std::string> TeamPorts::answer_sync_request(const Participant& par
     request.control = {};
   }
   refuse_unsupported(request.control, errors);
-  if (participant) count(*participant, request.commands);
+  if (participant) count(*participant, request.commands, from, goes_on);
+  return add_to_lock_step(participant, std::move(request), from, transport);
+}
+
+std::optional<std::string> TeamPorts::add_to_lock_step(const Participant& participant,
+                                                       league::SyncRequest request,
+                                                       const Address& from, Transport transport) {
   const auto respond = [this, port = index_of(participant), from, transport](std::string reply) {
     if (transport == Transport::kStream)
       servers_.at(port)->send(std::move(reply), from);
@@ -208,15 +261,17 @@ std::optional<std::string> TeamPorts::answer_sync_request(const Participant& par
 }
 
 void TeamPorts::read_grsim(std::string_view bytes, const Address& from) {
-  const league::GrsimPacket packet = league::read_grsim_packet(bytes, robots_);
-  if (!is_network_[packet.side] || !is_admitted(packet.side, from)) return;
-  count(packet.side, packet.commands);
-  if (targets_.lock_step == nullptr) targets_.slots->add(packet.side, packet.commands.updates);
+  league::GrsimPacket packet = league::read_grsim_packet(bytes, robots_);
+  const bool has_commands = !packet.commands.updates.empty();
+  if (!is_network_[packet.side] || !is_admitted(packet.side, from, has_commands)) return;
+  count(packet.side, packet.commands, from, has_commands);
+  if (targets_.lock_step == nullptr) take_over(packet.side, packet.commands);
   if (!packet.teleports.empty() && options_.ports.control != 0) {
     league::SimulatorRequest replacement;
     replacement.teleports = packet.teleports;
     targets_.control->add(std::move(replacement));
   }
+  if (!has_commands) return;
   const std::lock_guard lock(mutex_);
   grsim_hosts_[packet.side] = from.host;
 }

@@ -31,13 +31,16 @@ struct TeamTraffic {
   std::int64_t packets = 0;  // those that were read, with errors or without
   std::int64_t wrong = 0;    // with at least one error
   std::int64_t foreign = 0;  // dropped because they came from another computer than the team's
-  std::string last_error;    // empty: none
+  std::string last_error;    // with its sender; empty: none
 };
 
-// Admits packets from one computer: the first that sends, until it has been silent for 2 s.
+// Admits packets from one computer: the first that sends commands, until it has been silent for
+// 2 s.
 class SourceLock {
  public:
-  bool admits(const std::string& host, std::chrono::steady_clock::time_point now);
+  // A packet without commands is admitted unless another computer commands, but excludes nobody.
+  bool admits(const std::string& host, std::chrono::steady_clock::time_point now,
+              bool has_commands = true);
 
  private:
   std::string host_;
@@ -86,6 +89,10 @@ class TeamPorts {
   PerSide<TeamTraffic> traffic() const;
   std::int64_t wrong_control() const;  // packets to the control port with errors
 
+  // Sentences for the user that are new since the last call: the first packet to each team's port
+  // that did not show that its team is there.
+  std::vector<std::string> take_notices();
+
   // The troubles of all connections.
   StreamTroubles troubles() const;
 
@@ -93,7 +100,7 @@ class TeamPorts {
   void listen(NetworkThread& thread, const Participant& to, int port, const char* flag);
   std::optional<std::string> answer(const Participant& to, std::string_view bytes,
                                     const Address& from, Transport transport);
-  std::string answer_team(Side side, std::string_view bytes);
+  std::string answer_team(Side side, std::string_view bytes, const Address& from);
   std::string answer_control(std::string_view bytes);
   void refuse_unsupported(league::SimulatorRequest& request,
                           std::vector<league::PacketError>& errors) const;
@@ -101,10 +108,18 @@ class TeamPorts {
   std::optional<std::string> answer_sync_request(const Participant& participant,
                                                  std::string_view bytes, const Address& from,
                                                  Transport transport);
+  std::optional<std::string> add_to_lock_step(const Participant& participant,
+                                              league::SyncRequest request, const Address& from,
+                                              Transport transport);
   void read_grsim(std::string_view bytes, const Address& from);
   std::int64_t oversized(std::size_t port) const;
-  bool is_admitted(Side side, const Address& from);
-  void count(Side side, const league::CommandPacket& packet);
+  bool is_admitted(Side side, const Address& from, bool has_commands);
+  // Counts the packet, and adds an error if it commands no robot before its team has commanded any.
+  void count(Side side, league::CommandPacket& packet, const Address& from, bool has_commands);
+  void count_wrong_control();
+  void note_stranger(Side side, const Address& from, const std::string& error);
+  // Takes over the commands; the packet counts as the team's answer to a frame.
+  void take_over(Side side, const league::CommandPacket& packet);
   void send_status(Side side, const RobotReports& reports);
 
   LiveOptions options_;
@@ -115,6 +130,9 @@ class TeamPorts {
   mutable std::mutex mutex_;
   PerSide<RobotReports> reports_;
   PerSide<TeamTraffic> traffic_;
+  PerSide<bool> is_present_;  // the team has sent commands
+  PerSide<bool> is_noted_;    // that a packet did not show it
+  std::vector<std::string> notices_;
   std::int64_t wrong_control_ = 0;
   PerSide<SourceLock> sources_;
   PerSide<std::string> grsim_hosts_;  // empty: the team has not sent grSim's packets

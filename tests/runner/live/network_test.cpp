@@ -88,5 +88,13 @@ TEST(SourceLock, AdmitsOneComputerUntilItIsSilent) {
   EXPECT_TRUE(lock.admits("10.0.0.2", start + std::chrono::milliseconds(3960)));
 }
 
+TEST(SourceLock, PacketsWithoutCommandsExcludeNobody) {
+  const auto start = std::chrono::steady_clock::now();
+  SourceLock lock;
+  EXPECT_TRUE(lock.admits("10.0.0.1", start, false));
+  EXPECT_TRUE(lock.admits("10.0.0.2", start, true));
+  EXPECT_FALSE(lock.admits("10.0.0.1", start, false));
+}
+
 }  // namespace
 }  // namespace autoref::runner

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "league/messages/simulation.pb.h"
@@ -13,6 +16,14 @@
 
 namespace autoref::runner {
 namespace {
+
+std::string command_of_robot(std::uint32_t robot) {
+  simulation::RobotControl control;
+  simulation::RobotCommand& command = *control.add_robot_commands();
+  command.set_id(robot);
+  command.set_dribbler_speed(0);
+  return control.SerializeAsString();
+}
 
 class TeamPortsTest : public testing::Test {
  protected:
@@ -58,6 +69,94 @@ TEST_F(TeamPortsTest, AConnectionCommandsRobots) {
   EXPECT_EQ(slots_.take(Side::kWest, 0, {})[0].velocity_mps.x(), 0.5);
   EXPECT_EQ(ports_->traffic()[Side::kWest].packets, 1);
   EXPECT_EQ(ports_->traffic()[Side::kWest].wrong, 1);
+}
+
+// Returns the code of the first error in the response; empty if there is none.
+std::string error_code(const std::string& bytes) {
+  simulation::RobotControlResponse response;
+  if (!response.ParseFromString(bytes)) return "not a response";
+  return response.errors_size() == 0 ? "" : response.errors(0).code();
+}
+
+TEST_F(TeamPortsTest, OnlyCommandsShowThatATeamIsThere) {
+  simulation::SimulatorCommand other;
+  other.mutable_control()->set_simulation_speed(1);
+  Caller stranger(options_.ports.yellow);
+  for (const auto& [packet, code] : std::vector<std::pair<std::string, std::string>>{
+           {"\x05hello", "PACKET"},
+           {std::string("\x00\xff\x00", 3), "PACKET"},
+           {"\x7a\x02hi", "PACKET"},  // a message with a field that is not known
+           {"", "NO_COMMANDS"},
+           {other.SerializeAsString(), "PACKET"},
+           {command_of_robot(99), "ROBOT_ID"}}) {
+    stranger.say(packet);
+    EXPECT_EQ(error_code(stranger.hear()), code);
+    EXPECT_EQ(slots_.packets()[Side::kWest], 0);
+  }
+  EXPECT_EQ(ports_->traffic()[Side::kWest].packets, 6);
+  EXPECT_EQ(ports_->traffic()[Side::kWest].wrong, 6);
+  stranger.say(command_of_robot(0));
+  EXPECT_EQ(error_code(stranger.hear()), "");
+  EXPECT_EQ(slots_.packets()[Side::kWest], 1);
+}
+
+TEST_F(TeamPortsTest, AStrangersPacketIsReportedOnceWithItsSender) {
+  Caller stranger(options_.ports.yellow);
+  for (int i = 0; i < 3; ++i) {
+    stranger.say("\x05hello");
+    stranger.hear();
+  }
+  const std::string sender = "127.0.0.1:" + std::to_string(stranger.port());
+  EXPECT_EQ(ports_->take_notices(),
+            std::vector<std::string>{"a packet for yellow from " + sender +
+                                     " does not begin the game: a packet of 6 bytes is not a "
+                                     "RobotControl; still waiting for commands"});
+  EXPECT_EQ(ports_->traffic()[Side::kWest].last_error,
+            "a packet of 6 bytes is not a RobotControl (from " + sender + ")");
+  EXPECT_TRUE(ports_->take_notices().empty());
+}
+
+TEST_F(TeamPortsTest, ATeamThatIsThereMayCommandNoRobot) {
+  Caller team(options_.ports.yellow);
+  for (const std::string& packet : {command_of_robot(0), std::string(), std::string("\x05hello")}) {
+    team.say(packet);
+    team.hear();
+  }
+  EXPECT_EQ(slots_.packets()[Side::kWest], 2);  // garbage is not an answer
+}
+
+// grSim's port takes datagrams only, and does not answer.
+TEST_F(TeamPortsTest, GarbageAtTheGrsimPortShowsNoTeam) {
+  options_.ports.grsim = free_ports(thread_, 1).front();
+  open(nullptr);
+  DatagramSender sender(kLoopback, {kLoopback, options_.ports.grsim});
+  for (const char* packet : {"\x05hello", "\x7a\x02hi"}) sender.send(packet);
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (ports_->traffic()[Side::kWest].wrong < 2 && std::chrono::steady_clock::now() < deadline)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_EQ(ports_->traffic()[Side::kWest].wrong, 2);
+  EXPECT_EQ(slots_.packets()[Side::kWest], 0);
+  EXPECT_EQ(ports_->take_notices().size(), 1U);
+}
+
+TEST_F(TeamPortsTest, GarbageAtTheControlPortDoesNotTakePartInTheLockStep) {
+  LockStep lock_step({{true, false}}, 60);
+  open(&lock_step);
+  Caller stranger(options_.ports.control);
+  stranger.say(std::string("\x0d\x00\x00\x80\x3f\xff", 6));  // begins as a request for a step
+  simulation::SimulationSyncResponse response;
+  ASSERT_TRUE(response.ParseFromString(stranger.hear()));
+  ASSERT_EQ(response.robot_control_response().errors_size(), 1);
+  EXPECT_EQ(response.robot_control_response().errors(0).code(), "PACKET");
+  EXPECT_EQ(ports_->wrong_control(), 1);
+  Caller team(options_.ports.yellow);
+  simulation::SimulationSyncRequest request;
+  request.set_sim_step(1.0F / 60);
+  team.say(request.SerializeAsString());
+  const auto nothing = [](const league::SimulatorRequest&) {};
+  EXPECT_TRUE(
+      lock_step.advance(0, {}, slots_, nothing, LockStep::Clock::now() + std::chrono::minutes(1)));
+  ports_.reset();
 }
 
 TEST_F(TeamPortsTest, AConnectionControlsTheSimulator) {
