@@ -43,6 +43,7 @@ SyncRequest read_sync_request(std::string_view bytes, std::optional<Side> side,
               fmt::format("a packet of {} bytes is not a SimulationSyncRequest", bytes.size()));
     return request;
   }
+  request.is_readable = true;
   request.control = request_of(message.simulator_command(), robots);
   if (side) {
     request.commands = updates_of(message.robot_control(), robots[*side]);

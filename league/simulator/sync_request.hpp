@@ -17,8 +17,9 @@ namespace autoref::league {
 bool is_sync_request(std::string_view bytes);
 
 struct SyncRequest {
-  double step_s = 0;       // 0: only takes note of the commands
-  CommandPacket commands;  // with the errors of the whole request
+  bool is_readable = false;  // false: the packet is something else
+  double step_s = 0;         // 0: only takes note of the commands
+  CommandPacket commands;    // with the errors of the whole request
   SimulatorRequest control;
 };
 

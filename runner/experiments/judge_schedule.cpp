@@ -36,24 +36,26 @@ class JudgeCell {
 
   // Settings of a pair of legs; the base's teams play if there are no matchups.
   const SharedSettings& settings(const Matchups& matchups, int pair) {
-    if (matchups.empty()) return known({}, base_);
-    const auto& matchup = matchups[static_cast<std::size_t>(pair - 1) % matchups.size()];
-    GameSettings game = base_;
-    game.a.strategy = matchup[0];
-    game.b.strategy = matchup[1];
-    game.a.command.clear();
-    game.b.command.clear();
-    return known(matchup, game);
+    const std::array<std::string, 2> matchup =
+        matchups.empty() ? std::array<std::string, 2>()
+                         : matchups[static_cast<std::size_t>(pair - 1) % matchups.size()];
+    const auto entry = settings_.find(matchup);
+    if (entry != settings_.end()) return entry->second;
+    return settings_.emplace(matchup, checked(matchups.empty() ? base_ : played_by(matchup)))
+        .first->second;
   }
 
   const std::string rules;
   const std::string camera;
 
  private:
-  const SharedSettings& known(const std::array<std::string, 2>& matchup, const GameSettings& game) {
-    const auto entry = settings_.find(matchup);
-    if (entry != settings_.end()) return entry->second;
-    return settings_.emplace(matchup, checked(game)).first->second;
+  GameSettings played_by(const std::array<std::string, 2>& matchup) const {
+    GameSettings game = base_;
+    game.a.strategy = matchup[0];
+    game.b.strategy = matchup[1];
+    game.a.command.clear();
+    game.b.command.clear();
+    return game;
   }
 
   GameSettings base_;

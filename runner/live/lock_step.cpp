@@ -34,7 +34,6 @@ bool LockStep::add(const Participant& from, league::SyncRequest request, Reply r
   {
     const std::lock_guard lock(mutex_);
     Member& sender = member(from);
-    if (!from) sender.takes_part = true;
     if (sender.waiting.size() == kMostWaitingRequests) return false;
     sender.waiting.push_back({std::move(request), std::move(reply), longest_bytes});
   }
@@ -88,6 +87,13 @@ void LockStep::answer(Member& member, std::int64_t frame, const std::bitset<kMax
   member.answered = frame;
 }
 
+// From now on if its next request asks for a step.
+void LockStep::let_join(Member& member, std::int64_t frame) const {
+  if (member.takes_part || member.waiting.front().request.step_s <= 0) return;
+  member.takes_part = true;
+  member.granted_s = static_cast<double>(frame) / rate_hz_;
+}
+
 void LockStep::begin_next(const Participant& from, Member& member, CommandSlots& slots) {
   member.current = std::move(member.waiting.front());
   member.waiting.pop_front();
@@ -102,15 +108,15 @@ bool LockStep::settle(std::int64_t frame, const PerSide<RobotReports>& reports,
   bool is_ready = true;
   for (const Participant& from : kParticipants) {
     Member& one = member(from);
-    if (!one.takes_part) continue;
     const auto contact = from ? reports[*from].ball_contact : std::bitset<kMaxRobots>();
     if (one.current && target(one) <= frame) answer(one, frame, contact);
     // A request that asks for no step is answered at once.
     while (!one.current && !one.waiting.empty()) {
+      let_join(one, frame);
       begin_next(from, one, slots);
       if (target(one) <= frame) answer(one, frame, contact);
     }
-    is_ready = is_ready && one.current.has_value();
+    is_ready = is_ready && (one.current.has_value() || !one.takes_part);
   }
   return is_ready;
 }
@@ -121,9 +127,8 @@ bool LockStep::advance(std::int64_t frame, const PerSide<RobotReports>& reports,
                        Clock::time_point deadline) {
   std::unique_lock lock(mutex_);
   const auto has_news = [this] {
-    return std::any_of(members_.begin(), members_.end(), [](const Member& one) {
-      return one.takes_part && !one.current && !one.waiting.empty();
-    });
+    return std::any_of(members_.begin(), members_.end(),
+                       [](const Member& one) { return !one.current && !one.waiting.empty(); });
   };
   while (!settle(frame, reports, slots)) {
     if (!news_.wait_until(lock, deadline, has_news)) return false;

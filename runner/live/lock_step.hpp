@@ -27,7 +27,8 @@ class LockStep {
   using Clock = std::chrono::steady_clock;
   using Reply = std::function<void(std::string bytes)>;
 
-  // Teams in `is_network` take part from the beginning, the control port from its first request.
+  // Teams in `is_network` take part from the beginning, the control port from its first request for
+  // a step. Until then, its requests are answered without detections.
   LockStep(const PerSide<bool>& is_network, double frame_rate_hz);
 
   // In the network's thread: takes a request; `reply` will be called in the game's thread with a
@@ -72,6 +73,7 @@ class LockStep {
   Member& member(const Participant& participant);
   std::int64_t target(const Member& member) const;
   static void drop_first_detection(Member& member);
+  void let_join(Member& member, std::int64_t frame) const;
   void fit_detections(Member& member, std::int64_t frame, Waiting& done) const;
   void answer(Member& member, std::int64_t frame, const std::bitset<kMaxRobots>& contact);
   void begin_next(const Participant& from, Member& member, CommandSlots& slots);

@@ -46,12 +46,6 @@ league::CommandPacket refused_packet() {
   return refused;
 }
 
-// Garbage, rather than a request with a mistake.
-bool is_garbage(const league::SyncRequest& request) {
-  return request.step_s == 0 && request.commands.updates.empty() &&
-         !league::is_readable(request.commands);
-}
-
 std::string response_to(const league::CommandPacket& packet,
                         const std::bitset<kMaxRobots>& contact) {
   simulation::RobotControlResponse response;
@@ -133,13 +127,19 @@ bool TeamPorts::is_admitted(Side side, const Address& from, bool has_commands) {
   return false;
 }
 
+bool TeamPorts::commands_from(Side side, const Address& from) const {
+  const std::lock_guard lock(mutex_);
+  return is_present_[side] && sources_[side].host() == from.host;
+}
+
 // Anybody can send garbage, so that only commands show that a team is there.
 void TeamPorts::count(Side side, league::CommandPacket& packet, const Address& from,
                       bool has_commands) {
   const std::lock_guard lock(mutex_);
   is_present_[side] = is_present_[side] || has_commands;
   if (!is_present_[side] && packet.errors.empty())
-    league::add_error(packet.errors, "NO_COMMANDS", "the packet commands no robot");
+    league::add_error(packet.errors, "NO_COMMANDS",
+                      "the packet commands no robot and asks for no step");
   ++traffic_[side].packets;
   if (packet.errors.empty()) return;
   ++traffic_[side].wrong;
@@ -156,9 +156,10 @@ void TeamPorts::count_wrong_control() {
 // With the lock held.
 void TeamPorts::note_stranger(Side side, const Address& from, const std::string& error) {
   if (std::exchange(is_noted_[side], true)) return;
-  notices_.push_back(fmt::format(
-      "a packet for {} from {}:{} does not begin the game: {}; still waiting for commands",
-      colour_of(side), from.host, from.port, error));
+  notices_.push_back(
+      fmt::format("a packet for {} from {}:{} does not begin the game: {}; still waiting for {}",
+                  colour_of(side), from.host, from.port, error,
+                  targets_.lock_step == nullptr ? "commands" : "a request for a step"));
 }
 
 std::vector<std::string> TeamPorts::take_notices() {
@@ -231,7 +232,9 @@ std::optional<std::string> TeamPorts::answer_sync_request(const Participant& par
   const bool goes_on = is_lock_step && (request.step_s > 0 || !request.commands.updates.empty());
   if (participant && !is_admitted(*participant, from, goes_on))
     return response_to(refused_packet(), {});
-  if (!is_lock_step || is_garbage(request)) {
+  // Detections are for those who command: nobody else may take them from a team.
+  const bool is_stranger = participant && !goes_on && !commands_from(*participant, from);
+  if (!is_lock_step || !request.is_readable || is_stranger) {
     participant ? count(*participant, request.commands, from, false) : count_wrong_control();
     return league::sync_response({}, {{}, errors}, {});
   }
@@ -264,7 +267,9 @@ void TeamPorts::read_grsim(std::string_view bytes, const Address& from) {
   league::GrsimPacket packet = league::read_grsim_packet(bytes, robots_);
   const bool has_commands = !packet.commands.updates.empty();
   if (!is_network_[packet.side] || !is_admitted(packet.side, from, has_commands)) return;
-  count(packet.side, packet.commands, from, has_commands);
+  // Replacements have no team: they are not a mistake of blue's.
+  const bool only_replaces = !has_commands && !packet.teleports.empty();
+  if (!only_replaces) count(packet.side, packet.commands, from, has_commands);
   if (targets_.lock_step == nullptr) take_over(packet.side, packet.commands);
   if (!packet.teleports.empty() && options_.ports.control != 0) {
     league::SimulatorRequest replacement;

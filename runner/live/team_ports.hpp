@@ -42,6 +42,8 @@ class SourceLock {
   bool admits(const std::string& host, std::chrono::steady_clock::time_point now,
               bool has_commands = true);
 
+  const std::string& host() const { return host_; }  // empty: nobody's yet
+
  private:
   std::string host_;
   std::chrono::steady_clock::time_point last_{};
@@ -114,6 +116,7 @@ class TeamPorts {
   void read_grsim(std::string_view bytes, const Address& from);
   std::int64_t oversized(std::size_t port) const;
   bool is_admitted(Side side, const Address& from, bool has_commands);
+  bool commands_from(Side side, const Address& from) const;
   // Counts the packet, and adds an error if it commands no robot before its team has commanded any.
   void count(Side side, league::CommandPacket& packet, const Address& from, bool has_commands);
   void count_wrong_control();

@@ -52,11 +52,21 @@ bool is_letter_of_name(char letter) {
          letter == '-' || letter == '_';
 }
 
+// One text for all spellings of an address: without the interface's name, which browsers leave out,
+// and as IPv4 if that is in an IPv6 address.
+std::string text_of_address(const boost::asio::ip::address& address) {
+  if (!address.is_v6()) return address.to_string();
+  const boost::asio::ip::address_v6::bytes_type bytes = address.to_v6().to_bytes();
+  const boost::asio::ip::address_v6 plain(bytes);
+  if (!plain.is_v4_mapped()) return in_url(plain.to_string());
+  return boost::asio::ip::make_address_v4(boost::asio::ip::v4_mapped, plain).to_string();
+}
+
 // A name that the user lists, as requests contain it.
 std::string name_of_host(const std::string& text) {
   boost::system::error_code error;
   const auto address = make_address(std::string(without_brackets(text)), error);
-  if (!error) return in_url(address.to_string());
+  if (!error) return text_of_address(address);
   std::string name = lower_case(text);
   if (!name.empty() && std::all_of(name.begin(), name.end(), is_letter_of_name)) return name;
   throw InputError({"--web-host"}, "",
@@ -93,13 +103,17 @@ std::string url_of(const Address& address) {
 
 bool WebHosts::has(std::string_view host) const {
   const std::string_view name = without_port(host);
-  if (std::find(names.begin(), names.end(), name) != names.end()) return true;
-  return has_every_address && is_numeric(name);
+  const bool is_address = is_numeric(name);
+  if (is_address && has_every_address) return true;
+  const std::string text = is_address
+                               ? text_of_address(make_address(std::string(without_brackets(name))))
+                               : std::string(name);
+  return std::find(names.begin(), names.end(), text) != names.end();
 }
 
 WebHosts hosts_of(const Address& address, const std::vector<std::string>& further) {
   const boost::asio::ip::address listening = make_address(address.host);
-  WebHosts hosts{{in_url(listening.to_string())}, listening.is_unspecified()};
+  WebHosts hosts{{text_of_address(listening)}, listening.is_unspecified()};
   if (listening.is_loopback()) add_names(hosts.names, {"localhost", "127.0.0.1", "[::1]"});
   if (listening.is_unspecified()) add_names(hosts.names, {"localhost"});
   for (const std::string& name : further) hosts.names.push_back(name_of_host(name));

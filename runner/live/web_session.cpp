@@ -61,7 +61,9 @@ class WebSession final : public WebConnection, public std::enable_shared_from_th
         stream_, buffer_, parser_,
         [self = shared_from_this()](const session_beast::error_code& error, std::size_t) {
           if (self->hub_->is_closed()) return;
-          error ? self->end() : self->answer();
+          // Another connection may have taken its place meanwhile.
+          const bool is_over = error || !self->stream_.socket().is_open();
+          is_over ? self->end() : self->answer();
         });
   }
 

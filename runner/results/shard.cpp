@@ -93,7 +93,8 @@ void drop_replaced(StoredRows& stored) {
     played[id].insert(row.circumstances.build);
   }
   std::erase_if(stored.damaged, [&](const DamagedRow& row) {
-    return !builds.empty() && played[row.game_id].size() == builds.size();
+    const auto found = played.find(row.game_id);
+    return found != played.end() && found->second.size() == builds.size();
   });
 }
 

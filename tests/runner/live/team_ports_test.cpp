@@ -139,6 +139,18 @@ TEST_F(TeamPortsTest, GarbageAtTheGrsimPortShowsNoTeam) {
   EXPECT_EQ(ports_->take_notices().size(), 1U);
 }
 
+bool advance(LockStep& lock_step, CommandSlots& slots, std::int64_t frame) {
+  const auto nothing = [](const league::SimulatorRequest&) {};
+  return lock_step.advance(frame, {}, slots, nothing,
+                           LockStep::Clock::now() + std::chrono::minutes(1));
+}
+
+std::string request_for_a_step() {
+  simulation::SimulationSyncRequest request;
+  request.set_sim_step(1.0F / 60);
+  return request.SerializeAsString();
+}
+
 TEST_F(TeamPortsTest, GarbageAtTheControlPortDoesNotTakePartInTheLockStep) {
   LockStep lock_step({{true, false}}, 60);
   open(&lock_step);
@@ -150,12 +162,53 @@ TEST_F(TeamPortsTest, GarbageAtTheControlPortDoesNotTakePartInTheLockStep) {
   EXPECT_EQ(response.robot_control_response().errors(0).code(), "PACKET");
   EXPECT_EQ(ports_->wrong_control(), 1);
   Caller team(options_.ports.yellow);
-  simulation::SimulationSyncRequest request;
-  request.set_sim_step(1.0F / 60);
-  team.say(request.SerializeAsString());
-  const auto nothing = [](const league::SimulatorRequest&) {};
-  EXPECT_TRUE(
-      lock_step.advance(0, {}, slots_, nothing, LockStep::Clock::now() + std::chrono::minutes(1)));
+  team.say(request_for_a_step());
+  EXPECT_TRUE(advance(lock_step, slots_, 0));
+  ports_.reset();
+}
+
+// The codes of the errors in the response.
+std::vector<std::string> codes_heard(Caller& caller) {
+  simulation::SimulationSyncResponse response;
+  EXPECT_TRUE(response.ParseFromString(caller.hear()));
+  std::vector<std::string> codes;
+  for (const auto& error : response.robot_control_response().errors())
+    codes.push_back(error.code());
+  return codes;
+}
+
+// A step of 0 s, and one that is not a number.
+TEST_F(TeamPortsTest, ARequestWithoutAStepDoesNotStopTheLockStep) {
+  LockStep lock_step({{true, false}}, 60);
+  open(&lock_step);
+  Caller program(options_.ports.control);
+  program.say(std::string("\x0d\x00\x00\x00\x00", 5));
+  program.say(std::string("\x0d\x00\x00\xc0\x7f", 5));
+  simulation::SimulatorCommand last;  // answered at once, when the others have arrived
+  last.mutable_control()->set_simulation_speed(1);
+  program.say(last.SerializeAsString());
+  program.hear();
+  Caller team(options_.ports.yellow);
+  team.say(request_for_a_step());
+  EXPECT_TRUE(advance(lock_step, slots_, 0));
+  EXPECT_TRUE(codes_heard(program).empty());
+  EXPECT_EQ(codes_heard(program), std::vector<std::string>{"STEP"});
+  ports_.reset();
+}
+
+TEST_F(TeamPortsTest, AStrangerDoesNotTakeATeamsDetections) {
+  LockStep lock_step({{true, false}}, 60);
+  open(&lock_step);
+  lock_step.add_detection("seen");
+  Caller stranger(options_.ports.yellow);
+  stranger.say(std::string("\x0d\x00\x00\x00\x00", 5));
+  EXPECT_EQ(codes_heard(stranger), std::vector<std::string>{"NO_COMMANDS"});
+  Caller team(options_.ports.yellow);
+  for (int i = 0; i < 2; ++i) team.say(request_for_a_step());
+  for (const int frame : {0, 1}) EXPECT_TRUE(advance(lock_step, slots_, frame));
+  simulation::SimulationSyncResponse response;
+  ASSERT_TRUE(response.ParseFromString(team.hear()));
+  EXPECT_EQ(response.detection_size(), 1);
   ports_.reset();
 }
 

@@ -89,6 +89,13 @@ TEST(WebRequest, OnAllAddressesEveryOneInNumbersIsAnsweredButNoName) {
   }
 }
 
+TEST(WebRequest, AnAddressMayBeSpeltInAnyWay) {
+  EXPECT_TRUE(hosts_of({"fe80::1%lo", 8090}).has("[fe80::1]:8090"));
+  EXPECT_TRUE(hosts_of({"2001:db8::1", 8090}).has("[2001:db8:0:0:0:0:0:1]:8090"));
+  EXPECT_TRUE(hosts_of({"::ffff:192.0.2.5", 8090}).has("[::ffff:c000:205]"));
+  EXPECT_FALSE(hosts_of({"2001:db8::1", 8090}).has("[2001:db8::2]:8090"));
+}
+
 TEST(WebRequest, NamesThatTheUserListsAreAnswered) {
   const WebHosts hosts =
       hosts_of({"192.0.2.1", 8090}, {"Laptop.local", "2001:DB8::1", "203.0.113.5"});
