@@ -23,11 +23,6 @@ constexpr double kGiveUp_s = 2_s;
 // side.
 constexpr double kCorner_m = 150_mm;
 
-bool is_placed_by_team(CommandKind kind) {
-  return kind == CommandKind::kDirectFree || kind == CommandKind::kIndirectFree ||
-         kind == CommandKind::kForceStart;
-}
-
 // The referee draws no random numbers; the parity of the commands sent so far is the lot.
 Side drawn_side(const RefereeState& state) {
   return state.signal.command_counter % 2 == 0 ? Side::kWest : Side::kEast;
@@ -288,6 +283,11 @@ void leave_to_team(RefereeState& state, const RuleBook& rules, const Finding& fi
   state.placing.side = other;
   state.placing.restart.side = other;
   state.signal.next_command = state.placing.restart;
+}
+
+bool is_placed_by_team(CommandKind kind) {
+  return kind == CommandKind::kDirectFree || kind == CommandKind::kIndirectFree ||
+         kind == CommandKind::kForceStart;
 }
 
 bool is_placement_due(const RefereeState& state) {

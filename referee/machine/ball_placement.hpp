@@ -19,6 +19,10 @@ namespace autoref::referee {
 // penalty kicks.
 void leave_to_team(RefereeState& state, const RuleBook& rules, const Finding& finding);
 
+// Whether a team places the ball before this restart: before free kicks and force starts. "The
+// referee has to place the ball for all kickoffs and all penalty kicks."
+bool is_placed_by_team(CommandKind kind);
+
 // Whether a team is due to place the ball, but has not been ordered to.
 bool is_placement_due(const RefereeState& state);
 

@@ -2,6 +2,10 @@
 // line between the ball and its target, after a grace period of 2 s (2026). Only one foul per
 // placement counts; it extends the placement by 10 s. While a team places the ball, further robots
 // extend the placement, too, but are not counted.
+//
+// Before kick-offs, and so after goals, and before penalty kicks nobody can interfere: the foul is
+// one of "the non-placing team", and "the referee has to place the ball for all kickoffs and all
+// penalty kicks" (Rules of the RoboCup Small Size League, Ball Placement, Usage).
 #include <fmt/format.h>
 
 #include "referee/machine/ball_placement.hpp"
@@ -18,15 +22,17 @@ struct PlacementSegment {
   Side kept_away = Side::kWest;  // the side that does not take the restart
 };
 
-// The side whose robots place the ball. If the simulator does, the side that takes the restart.
+// The side whose robots place the ball. If the simulator does in their place, the side that takes
+// the free kick.
 std::optional<Side> placing_side(const RefereeState& state) {
   if (state.machine_state == State::kPlacement) return state.placing.side;
   const std::optional<Command>& next = state.signal.next_command;
-  if (is_placement_due(state) || !next || !is_for_one_side(next->kind)) return std::nullopt;
+  if (is_placement_due(state) || !next) return std::nullopt;
+  if (!is_placed_by_team(next->kind) || !is_for_one_side(next->kind)) return std::nullopt;
   return next->side;
 }
 
-// nullopt unless the ball is being placed for one side's restart.
+// nullopt unless the ball is being placed for one side's free kick.
 std::optional<PlacementSegment> placement_segment(const RefereeState& state,
                                                   const RefereeInput& input) {
   const RefereeSignal& signal = state.signal;

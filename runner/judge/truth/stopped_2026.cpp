@@ -76,7 +76,8 @@ class StopSpeed2026 final : public GroundTruthRule {
 };
 
 // "Ball Placement Interference": counts once per placement. Every further one extends the time of a
-// team that places the ball; it is an event only then.
+// team that places the ball; it is an event only then. It is a foul of "the non-placing team", and
+// "the referee has to place the ball for all kickoffs and all penalty kicks": never before those.
 class PlacementInterference final : public GroundTruthRule {
  public:
   void watch(const Scene& scene, TrueEvents& all) override {
@@ -99,11 +100,14 @@ class PlacementInterference final : public GroundTruthRule {
   }
 
  private:
-  // The simulator places the ball for the side that takes the restart.
+  // The simulator places the ball in place of the side that takes the free kick.
   static std::optional<Side> placer_of(const Scene& scene) {
     if (scene.play.placer) return scene.play.placer;
     const std::optional<Command>& next = scene.signal.next_command;
-    return next && is_for_one_side(next->kind) ? std::optional(next->side) : std::nullopt;
+    if (!next) return std::nullopt;
+    const bool is_free_kick =
+        next->kind == CommandKind::kDirectFree || next->kind == CommandKind::kIndirectFree;
+    return is_free_kick ? std::optional(next->side) : std::nullopt;
   }
 
   // A new stop, a team's order or another target starts a new placement.

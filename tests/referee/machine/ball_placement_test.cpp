@@ -145,6 +145,21 @@ TEST(BallPlacement, CountsOneInterferenceOnly) {
   EXPECT_FALSE(game.run_until("bot_interfered_placement", 4).finding.is_foul);
 }
 
+// "The referee has to place the ball for all kickoffs": no team places it, so nobody interferes.
+TEST(BallPlacement, IsNotInterferedWithAfterAGoal) {
+  for (const PlacedBy placement : {PlacedBy::kSimulator, PlacedBy::kTeams}) {
+    ScriptedGame game = in_play(division_b(placement));
+    game.placement_works = false;
+    game.kick(Side::kWest, 1, {6, 0});
+    game.run_until("goal", 3);
+    game.put_ball({4.6, 0});
+    game.robot(Side::kWest, 1).position_m = {3, 0.2};
+    game.run(5);
+    EXPECT_EQ(game.signal.next_command, (Command{CommandKind::kPrepareKickoff, Side::kEast}));
+    EXPECT_EQ(game.count("bot_interfered_placement"), 0);
+  }
+}
+
 TEST(TransitionBallStays, LeavesABallNearItsPositionWhereItIs) {
   ScriptedGame game = after_throw_in();
   game.put_ball({1.2, 2.5});

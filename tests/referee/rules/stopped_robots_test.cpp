@@ -123,16 +123,16 @@ TEST(StopDistance, IsNotCalledIn2026) {
   EXPECT_TRUE(near("2026-b", 0.1, 6).calls(Event::kStopDistance).empty());
 }
 
-// Play is stopped after a goal, so that east kicks off. The ball is being placed from (-1, 0.3),
-// and a robot stands at that distance from its path.
+// West has kicked the ball over a touch line, so that east takes a free kick. The ball is being
+// placed from a metre away, and a robot stands at that distance from its path.
 DrivenGame in_the_way(const char* book, RobotId robot, double gap_m, double seconds) {
-  Configuration configuration = by_book(book);
-  DrivenGame game(configuration);
+  DrivenGame game(by_book(book));
   game.game.placement_works = false;
-  game.game.put_ball({configuration.field.half_length_m() + 0.1, 0});
-  game.game.run(0.1);
-  game.game.put_ball({-1, 0});
-  const Vec2 position_m(-0.5, -gap_m - kRobotRadius_m);
+  game.game.kick(Side::kWest, 1, {0.1, 4});
+  game.game.run_until("throw_in", 3);
+  const Vec2 target_m = game.game.signal.placement->target_m;
+  game.game.put_ball(target_m - Vec2(1, 0));
+  const Vec2 position_m = target_m - Vec2(0.5, gap_m + kRobotRadius_m);
   game.put(robot, position_m, {0, 0}, {0, -1});
   game.put({Side::kWest, 5}, {-1.5, 1.0}, {-0.05, 0});
   game.put({Side::kEast, 5}, {1.5, 1.0}, {0.05, 0});
@@ -156,7 +156,7 @@ TEST(PlacementInterference, IsNotCalledFiveHundredMillimetresAway) {
 
 TEST(PlacementInterference, EndsOnceTheBallIsInPosition) {
   DrivenGame game = in_the_way("2026-b", kWest0, 0.1, 1.5);
-  game.game.put_ball({0, 0});
+  game.game.put_ball(game.game.signal.placement->target_m);
   game.run(3);
   EXPECT_TRUE(game.calls(Event::kBotInterferedPlacement).empty());
 }

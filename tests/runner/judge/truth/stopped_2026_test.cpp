@@ -107,6 +107,19 @@ TEST(Truth2026, TheTeamThatPlacesTheBallDoesNotInterfere) {
   EXPECT_FALSE(game.has(kInterference));
 }
 
+// "The referee has to place the ball for all kickoffs and all penalty kicks": no team places it.
+TEST(Truth2026, NobodyInterferesWithTheBallOfAKickOffOrPenaltyKick) {
+  for (const CommandKind next : {CommandKind::kPrepareKickoff, CommandKind::kPreparePenalty}) {
+    StagedGame game(book("2026-b"));
+    game.signal.placement = Placement{{1, 0}, false};
+    game.signal.next_command = Command{next, Side::kWest};
+    game.world.put_ball({-1, 0});
+    game.world.put_robot(kEast1, {0, 0.5}, {-1, 0});
+    game.seconds(3.0);
+    EXPECT_FALSE(game.has(kInterference)) << name_of(next);
+  }
+}
+
 // West may have one robot and has two; the second one starts outside the field lines.
 struct Surplus : StagedGame {
   Surplus() : StagedGame(book("2026-b")) {
