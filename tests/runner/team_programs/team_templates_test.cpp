@@ -19,6 +19,8 @@
 #include "runner/settings/fields.hpp"
 #include "runner/settings/resolved.hpp"
 #include "runner/team_programs/program_games.hpp"
+#include "soccer/geometry.hpp"
+#include "soccer/robot_shape.hpp"
 #include "tests/runner/support/temporary_folder.hpp"
 
 #define main beginners_main
@@ -49,6 +51,8 @@ class CompiledBeginner final : public strategies::Strategy {
                           view.ours,
                           point_of(view.ball.position_m),
                           point_of(view.ball.velocity_mps),
+                          view.placement_m.has_value(),
+                          point_of(view.placement_m.value_or(Vec2(0, 0))),
                           {}};
     for (const TrackedRobot& robot : view.own) {
       sight.own.push_back({robot.number, point_of(robot.position_m), point_of(robot.heading),
@@ -140,6 +144,65 @@ TEST_P(TeamTemplates, PlayTheSameGamesAsCompiledIn) {
     EXPECT_EQ(program.status, Status::kOk) << program.void_reason;
     EXPECT_EQ(program.state_hash, compiled.state_hash) << "game " << number;
   }
+}
+
+// A team's interferences with the placement of the ball.
+class InterferenceCount final : public Observer {
+ public:
+  explicit InterferenceCount(Side side) : side_(side) {}
+  void on_decision(const referee::Decision& decision) override {
+    const referee::Finding& finding = decision.finding;
+    if (finding.event == referee::Event::kBotInterferedPlacement && finding.offender == side_)
+      ++count;
+  }
+  int count = 0;
+
+ private:
+  Side side_;
+};
+
+// Games as `autoref team play` plays them. All languages play the same ones, as tested above.
+TEST(TeamTemplate, HardlyEverInterferesWithBallPlacement) {
+  for (const char* opponent : {"dummy", "basic", "cobalt"}) {
+    for (const char* placement : {"simulator", "teams"}) {
+      GameSettings game;
+      choose_rules("2026-b", game);
+      game.match.half_s = 60;
+      set_by_path(game, "b.strategy", opponent);
+      set_by_path(game, "match.placement", placement);
+      InterferenceCount interferences(game.match.a_plays);
+      const GameRecord record = play(resolved(game), &interferences, beginner_as_a(game));
+      EXPECT_EQ(record.status, Status::kOk) << record.void_reason;
+      EXPECT_LE(interferences.count, 1) << opponent << ", placed by " << placement;
+    }
+  }
+}
+
+// After a goal at the other end all robots stand on the ball's way to the centre. The rules want
+// them 0.5 m away after 2 s, also on the way home.
+TEST(TeamTemplate, LeavesTheBallsWayWithinTwoSeconds) {
+  const Vec2 ball_m(4.55, 0.1);
+  const Vec2 target_m(0, 0);
+  const beginner::Pitch pitch{9, 6, 1, 2, true};
+  beginner::Sight sight;
+  sight.play = beginner::kStop;
+  sight.ball = point_of(ball_m);
+  sight.is_placed = true;
+  sight.placement = point_of(target_m);
+  for (int i = 0; i < 6; ++i) sight.own.push_back({i, {0.6 * i + 0.5, 0.05 * i}, {1, 0}, {0, 0}});
+  for (int frame = 0; frame < 600; ++frame) {
+    for (const beginner::Order& order : beginner::decide(sight, pitch)) {
+      beginner::Player& robot = sight.own[static_cast<std::size_t>(order.robot)];
+      robot.at.x += order.forward / 60;
+      robot.at.y += order.left / 60;
+      if (frame >= 120) {
+        const double gap_m =
+            distance_to_segment(Vec2(robot.at.x, robot.at.y), ball_m, target_m) - kRobotRadius_m;
+        ASSERT_GE(gap_m, 0.5) << "robot " << order.robot << " in frame " << frame;
+      }
+    }
+  }
+  for (const beginner::Player& robot : sight.own) EXPECT_LT(robot.at.x, 0) << robot.number;
 }
 
 // Languages that only few machines have are left out where they are missing.

@@ -12,7 +12,8 @@
 #define STOP_MPS 1.2  /* while play is stopped: the rules allow 1.5 m/s */
 #define TURN_RADPS 8.0
 #define KICK_MPS 5.0
-#define KEEP_OFF_M 0.65 /* from the ball, when the other team has it: the rules want 0.5 m from the hull */
+#define TOO_NEAR_M 0.6 /* to a ball that is not ours, or to its way: the rules want 0.5 m to the hull */
+#define KEEP_OFF_M 0.65 /* from there */
 
 enum { START = 1, FRAME = 2, END = 3, OUTPUT = 4 };       /* kinds of records */
 enum { HALT = 0, STOP = 1, KICKOFF = 4, RUNNING = 8 };    /* some values of `play` */
@@ -98,14 +99,27 @@ static struct aim line_up(double index, double count, struct point ball) {
   return aim;
 }
 
-static struct point keep_off(struct point at, struct point ball) {
-  double dx = at.x - ball.x, dy = at.y - ball.y;
-  if (dx * dx + dy * dy < KEEP_OFF_M * KEEP_OFF_M) {
-    struct point from = unit(dx, dy);
-    at.x = ball.x + KEEP_OFF_M * from.x;
-    at.y = ball.y + KEEP_OFF_M * from.y;
-  }
-  return at;
+/* The point nearest to the robot on the ball's way to where the referee wants it. */
+static struct point nearest_on_way(const struct robot *robot, struct point ball) {
+  struct point end = u8(138) ? point_at(40) : ball;
+  double way_x = end.x - ball.x, way_y = end.y - ball.y;
+  double whole = way_x * way_x + way_y * way_y;
+  double along = (robot->at.x - ball.x) * way_x + (robot->at.y - ball.y) * way_y;
+  if (along <= 0) return ball;
+  if (along >= whole) return end;
+  ball.x = ball.x + along / whole * way_x;
+  ball.y = ball.y + along / whole * way_y;
+  return ball;
+}
+
+/* Away from a point if the robot is near to it; otherwise on to the place, but around the point. */
+static struct point keep_off(const struct robot *robot, struct point place, struct point point) {
+  double dx = robot->at.x - point.x, dy = robot->at.y - point.y, lack;
+  struct point from = unit(dx, dy);
+  if (dx * dx + dy * dy < TOO_NEAR_M * TOO_NEAR_M) place = robot->at;
+  lack = KEEP_OFF_M - (place.x - point.x) * from.x - (place.y - point.y) * from.y;
+  if (lack > 0) { place.x = place.x + lack * from.x; place.y = place.y + lack * from.y; }
+  return place;
 }
 
 /* Writes a command that brings the robot there. */
@@ -152,7 +166,7 @@ static int decide(const struct robot *own, int count, char *commands) {
     if (is_ours && i == chaser) aim = attack(&own[i], ball);
     else if (i == 0) aim = guard(ball);
     if (i != 0) aim.at.x = out_of_areas(aim.at.x, aim.at.y);
-    if (!is_ours) aim.at = keep_off(aim.at, ball);
+    if (!is_ours) aim.at = keep_off(&own[i], aim.at, nearest_on_way(&own[i], ball));
     drive(&own[i], aim, most, latency, commands + COMMAND_BYTES * i);
   }
   return count;

@@ -14,8 +14,9 @@ constexpr double kSpeed_mps = 2.0;  // of all robots
 constexpr double kStop_mps = 1.2;   // while play is stopped: the rules allow 1.5 m/s
 constexpr double kTurn_radps = 8.0;
 constexpr double kKick_mps = 5.0;
-// From the ball, when the other team has it: the rules want 0.5 m from the hull.
-constexpr double kKeepOff_m = 0.65;
+// To a ball that is not ours, or to its way: the rules want 0.5 m to the hull.
+constexpr double kTooNear_m = 0.6;
+constexpr double kKeepOff_m = 0.65;  // from there
 
 enum Play {
   kHalt,
@@ -56,6 +57,8 @@ struct Sight {
   bool ours = false;
   Point ball;
   Point ball_velocity;
+  bool is_placed = false;
+  Point placement;  // where the referee wants the ball, if `is_placed`
   std::vector<Player> own;
 };
 
@@ -139,12 +142,26 @@ inline Aim line_up(std::size_t index, std::size_t count, const Point& ball, cons
   return {{x, y}, unit(ball.x - x, ball.y - y)};
 }
 
-inline Point keep_off(const Point& at, const Point& ball) {
-  const double dx = at.x - ball.x;
-  const double dy = at.y - ball.y;
-  if (dx * dx + dy * dy >= kKeepOff_m * kKeepOff_m) return at;
+// The point nearest to the robot on the ball's way to where the referee wants it.
+inline Point nearest_on_way(const Player& robot, const Point& ball, const Sight& sight) {
+  const Point end = sight.is_placed ? sight.placement : ball;
+  const Point way = {end.x - ball.x, end.y - ball.y};
+  const double whole = way.x * way.x + way.y * way.y;
+  const double along = (robot.at.x - ball.x) * way.x + (robot.at.y - ball.y) * way.y;
+  if (along <= 0) return ball;
+  if (along >= whole) return end;
+  return {ball.x + along / whole * way.x, ball.y + along / whole * way.y};
+}
+
+// Away from a point if the robot is near to it; otherwise on to the place, but around the point.
+inline Point keep_off(const Player& robot, Point place, const Point& point) {
+  const double dx = robot.at.x - point.x;
+  const double dy = robot.at.y - point.y;
+  if (dx * dx + dy * dy < kTooNear_m * kTooNear_m) place = robot.at;
   const Point from = unit(dx, dy);
-  return {ball.x + kKeepOff_m * from.x, ball.y + kKeepOff_m * from.y};
+  const double lack = kKeepOff_m - (place.x - point.x) * from.x - (place.y - point.y) * from.y;
+  if (lack > 0) place = {place.x + lack * from.x, place.y + lack * from.y};
+  return place;
 }
 
 // A command that brings the robot there.
@@ -175,15 +192,16 @@ inline std::vector<Order> decide(const Sight& sight, const Pitch& pitch) {
   std::size_t chaser = 0;  // the keeper in our own area; elsewhere somebody else
   if (!is_in_area(pitch, -ball.x, ball.y, 0.0)) chaser = nearest(sight.own, ball);
   for (std::size_t i = 0; i < sight.own.size(); ++i) {
+    const Player& robot = sight.own[i];
     Aim aim = line_up(i, sight.own.size(), ball, pitch);
     if (is_ours && i == chaser) {
-      aim = attack(sight.own[i], ball, pitch);
+      aim = attack(robot, ball, pitch);
     } else if (i == 0) {
       aim = guard(ball, pitch);
     }
     if (i != 0) aim.at.x = out_of_areas(pitch, aim.at.x, aim.at.y);
-    if (!is_ours) aim.at = keep_off(aim.at, ball);
-    orders.push_back(drive(sight.own[i], aim, most, latency));
+    if (!is_ours) aim.at = keep_off(robot, aim.at, nearest_on_way(robot, ball, sight));
+    orders.push_back(drive(robot, aim, most, latency));
   }
   return orders;
 }
@@ -216,10 +234,12 @@ inline Sight read_frame(const std::vector<char>& record) {
   Sight sight;
   sight.frame = number_at<std::int64_t>(record, 8);
   sight.latency = number_at<double>(record, 24);
+  sight.placement = point_at(record, 40);
   sight.ball = point_at(record, 56);
   sight.ball_velocity = point_at(record, 72);
   sight.play = number_at<std::uint8_t>(record, 136);
   sight.ours = number_at<std::uint8_t>(record, 137) != 0;
+  sight.is_placed = number_at<std::uint8_t>(record, 138) != 0;
   const std::size_t robots = number_at<std::uint8_t>(record, 144);
   for (std::size_t offset = 152; sight.own.size() < robots; offset += 64) {
     sight.own.push_back({number_at<std::int32_t>(record, offset + 56), point_at(record, offset),

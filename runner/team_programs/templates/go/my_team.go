@@ -19,7 +19,8 @@ const (
 	stopMps   float64 = 1.2 // while play is stopped: the rules allow 1.5 m/s
 	turnRadps float64 = 8.0
 	kickMps   float64 = 5.0
-	keepOffM  float64 = 0.65 // from the ball, when the other team has it: the rules want 0.5 m from the hull
+	tooNearM  float64 = 0.6  // to a ball that is not ours, or to its way: the rules want 0.5 m to the hull
+	keepOffM  float64 = 0.65 // from there
 )
 
 type Field struct {
@@ -52,12 +53,14 @@ type Robot struct {
 }
 
 type Frame struct {
-	Number  int64   `json:"frame"`
-	Latency float64 `json:"latency_s"`
-	Play    string  `json:"play"`
-	Ours    bool    `json:"ours"`
-	Ball    Ball    `json:"ball"`
-	Own     []Robot `json:"own"`
+	Number     int64    `json:"frame"`
+	Latency    float64  `json:"latency_s"`
+	Play       string   `json:"play"`
+	Ours       bool     `json:"ours"`
+	PlacementX *float64 `json:"placement_x_m"` // where the referee wants the ball
+	PlacementY *float64 `json:"placement_y_m"`
+	Ball       Ball     `json:"ball"`
+	Own        []Robot  `json:"own"`
 }
 
 // What we are sent: one of START, FRAME and END.
@@ -128,7 +131,7 @@ func decide(frame Frame, field Field) Output {
 			at.x = outOfAreas(field, at.x, at.y)
 		}
 		if !isOurs {
-			at = keepOff(at, ball)
+			at = keepOff(robot, at, nearestOnWay(robot, ball, frame))
 		}
 		output.Commands = append(output.Commands, drive(robot, at, to, most, latency))
 	}
@@ -205,13 +208,36 @@ func outOfAreas(field Field, x, y float64) float64 {
 	return x
 }
 
-func keepOff(at, ball Point) Point {
-	dx, dy := at.x-ball.x, at.y-ball.y
-	if dx*dx+dy*dy >= keepOffM*keepOffM {
-		return at
+// The point nearest to the robot on the ball's way to where the referee wants it.
+func nearestOnWay(robot Robot, ball Point, frame Frame) Point {
+	if frame.PlacementX == nil || frame.PlacementY == nil {
+		return ball
+	}
+	end := Point{*frame.PlacementX, *frame.PlacementY}
+	way := Point{end.x - ball.x, end.y - ball.y}
+	whole := way.x*way.x + way.y*way.y
+	along := (robot.X-ball.x)*way.x + (robot.Y-ball.y)*way.y
+	if along <= 0 {
+		return ball
+	}
+	if along >= whole {
+		return end
+	}
+	return Point{ball.x + along/whole*way.x, ball.y + along/whole*way.y}
+}
+
+// Away from a point if the robot is near to it; otherwise on to the place, but around the point.
+func keepOff(robot Robot, place, point Point) Point {
+	dx, dy := robot.X-point.x, robot.Y-point.y
+	if dx*dx+dy*dy < tooNearM*tooNearM {
+		place = Point{robot.X, robot.Y}
 	}
 	from := unit(dx, dy)
-	return Point{ball.x + keepOffM*from.x, ball.y + keepOffM*from.y}
+	lack := keepOffM - (place.x-point.x)*from.x - (place.y-point.y)*from.y
+	if lack > 0 {
+		place = Point{place.x + lack*from.x, place.y + lack*from.y}
+	}
+	return place
 }
 
 // A command that brings the robot to a point, facing a direction.

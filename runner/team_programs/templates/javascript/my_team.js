@@ -11,7 +11,8 @@ const SPEED_MPS = 2.0; // of all robots
 const STOP_MPS = 1.2; // while play is stopped: the rules allow 1.5 m/s
 const TURN_RADPS = 8.0;
 const KICK_MPS = 5.0;
-const KEEP_OFF_M = 0.65; // from the ball, when the other team has it: the rules want 0.5 m from the hull
+const TOO_NEAR_M = 0.6; // to a ball that is not ours, or to its way: the rules want 0.5 m to the hull
+const KEEP_OFF_M = 0.65; // from there
 const PLAYABLE = ["KICKOFF", "PENALTY", "DIRECT_FREE", "INDIRECT_FREE"]; // if it is ours
 
 function decide(frame, field) {
@@ -30,7 +31,7 @@ function decide(frame, field) {
     if (isOurs && robot === chaser) [x, y, toX, toY] = attack(robot, ballX, ballY, field);
     else if (robot === keeper) [x, y, toX, toY] = guard(ballX, ballY, field);
     if (robot !== keeper) x = outOfAreas(field, x, y);
-    if (!isOurs) [x, y] = keepOff(x, y, ballX, ballY);
+    if (!isOurs) [x, y] = keepOff(robot, x, y, ...nearestOnWay(robot, ballX, ballY, frame));
     return drive(robot, x, y, toX, toY, speed, latency);
   });
   return { frame: frame.frame, keeper: keeper.number, commands };
@@ -89,12 +90,25 @@ function outOfAreas(field, x, y) {
   return isInArea(field, -x, y, 0.3) ? -limit : x;
 }
 
-function keepOff(x, y, ballX, ballY) {
-  const dx = x - ballX;
-  const dy = y - ballY;
-  if (dx * dx + dy * dy >= KEEP_OFF_M * KEEP_OFF_M) return [x, y];
+// The point nearest to the robot on the ball's way to where the referee wants it.
+function nearestOnWay(robot, ballX, ballY, frame) {
+  if (frame.placement_x_m === null) return [ballX, ballY];
+  const [endX, endY] = [frame.placement_x_m, frame.placement_y_m];
+  const [wayX, wayY] = [endX - ballX, endY - ballY];
+  const whole = wayX * wayX + wayY * wayY;
+  const along = (robot.x_m - ballX) * wayX + (robot.y_m - ballY) * wayY;
+  if (along <= 0) return [ballX, ballY];
+  if (along >= whole) return [endX, endY];
+  return [ballX + (along / whole) * wayX, ballY + (along / whole) * wayY];
+}
+
+// Away from a point if the robot is near to it; otherwise on to (x, y), but around the point.
+function keepOff(robot, x, y, nearX, nearY) {
+  const [dx, dy] = [robot.x_m - nearX, robot.y_m - nearY];
+  if (dx * dx + dy * dy < TOO_NEAR_M * TOO_NEAR_M) [x, y] = [robot.x_m, robot.y_m];
   const [fromX, fromY] = unit(dx, dy);
-  return [ballX + KEEP_OFF_M * fromX, ballY + KEEP_OFF_M * fromY];
+  const lack = KEEP_OFF_M - (x - nearX) * fromX - (y - nearY) * fromY;
+  return lack > 0 ? [x + lack * fromX, y + lack * fromY] : [x, y];
 }
 
 // A command that brings the robot to (x, y), facing the direction (toX, toY).

@@ -13,7 +13,8 @@ SPEED_MPS = 2.0  # of all robots
 STOP_MPS = 1.2  # while play is stopped: the rules allow 1.5 m/s
 TURN_RADPS = 8.0
 KICK_MPS = 5.0
-KEEP_OFF_M = 0.65  # from the ball, when the other team has it: the rules want 0.5 m from the hull
+TOO_NEAR_M = 0.6  # to a ball that is not ours, or to its way: the rules want 0.5 m to the hull
+KEEP_OFF_M = 0.65  # from there
 PLAYABLE = ("KICKOFF", "PENALTY", "DIRECT_FREE", "INDIRECT_FREE")  # if it is ours
 
 
@@ -54,7 +55,7 @@ def decide(frame, field):
         if robot is not keeper:
             x = out_of_areas(field, x, y)
         if not is_ours:
-            x, y = keep_off(x, y, ball_x, ball_y)
+            x, y = keep_off(robot, x, y, *nearest_on_way(robot, ball_x, ball_y, frame))
         commands.append(drive(robot, x, y, to_x, to_y, speed, latency))
     return {"frame": frame["frame"], "keeper": keeper["number"], "commands": commands}
 
@@ -115,12 +116,29 @@ def out_of_areas(field, x, y):
     return x
 
 
-def keep_off(x, y, ball_x, ball_y):
-    dx, dy = x - ball_x, y - ball_y
-    if dx * dx + dy * dy >= KEEP_OFF_M * KEEP_OFF_M:
-        return x, y
+def nearest_on_way(robot, ball_x, ball_y, frame):
+    """The point nearest to the robot on the ball's way to where the referee wants it."""
+    if frame["placement_x_m"] is None:
+        return ball_x, ball_y
+    end_x, end_y = frame["placement_x_m"], frame["placement_y_m"]
+    way_x, way_y = end_x - ball_x, end_y - ball_y
+    whole = way_x * way_x + way_y * way_y
+    along = (robot["x_m"] - ball_x) * way_x + (robot["y_m"] - ball_y) * way_y
+    if along <= 0:
+        return ball_x, ball_y
+    if along >= whole:
+        return end_x, end_y
+    return ball_x + along / whole * way_x, ball_y + along / whole * way_y
+
+
+def keep_off(robot, x, y, near_x, near_y):
+    """Away from a point if the robot is near to it; otherwise on to (x, y), but around the point."""
+    dx, dy = robot["x_m"] - near_x, robot["y_m"] - near_y
+    if dx * dx + dy * dy < TOO_NEAR_M * TOO_NEAR_M:
+        x, y = robot["x_m"], robot["y_m"]
     from_x, from_y = unit(dx, dy)
-    return ball_x + KEEP_OFF_M * from_x, ball_y + KEEP_OFF_M * from_y
+    lack = KEEP_OFF_M - (x - near_x) * from_x - (y - near_y) * from_y
+    return (x + lack * from_x, y + lack * from_y) if lack > 0 else (x, y)
 
 
 def drive(robot, x, y, to_x, to_y, most, latency):

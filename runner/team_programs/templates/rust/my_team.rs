@@ -9,7 +9,8 @@ const SPEED_MPS: f64 = 2.0; // of all robots
 const STOP_MPS: f64 = 1.2; // while play is stopped: the rules allow 1.5 m/s
 const TURN_RADPS: f64 = 8.0;
 const KICK_MPS: f64 = 5.0;
-const KEEP_OFF_M: f64 = 0.65; // from the ball, when the other team has it: the rules want 0.5 m from the hull
+const TOO_NEAR_M: f64 = 0.6; // to a ball that is not ours, or to its way: the rules want 0.5 m to the hull
+const KEEP_OFF_M: f64 = 0.65; // from there
 
 const HALT: u8 = 0; // some values of `play`
 const STOP: u8 = 1;
@@ -36,6 +37,7 @@ struct Frame {
     ours: bool,
     ball: Point,
     ball_velocity: Point,
+    placement: Option<Point>, // where the referee wants the ball
     own: Vec<Robot>,
 }
 
@@ -84,7 +86,7 @@ fn decide(frame: &Frame, field: &Field) -> Vec<Command> {
             aim.at.x = out_of_areas(field, aim.at.x, aim.at.y);
         }
         if !is_ours {
-            aim.at = keep_off(aim.at, ball);
+            aim.at = keep_off(robot, aim.at, nearest_on_way(robot, ball, frame));
         }
         commands.push(drive(robot, &aim, most, latency));
     }
@@ -164,13 +166,33 @@ fn out_of_areas(field: &Field, x: f64, y: f64) -> f64 {
     }
 }
 
-fn keep_off(at: Point, ball: Point) -> Point {
-    let (dx, dy) = (at.x - ball.x, at.y - ball.y);
-    if dx * dx + dy * dy >= KEEP_OFF_M * KEEP_OFF_M {
-        return at;
+// The point nearest to the robot on the ball's way to where the referee wants it.
+fn nearest_on_way(robot: &Robot, ball: Point, frame: &Frame) -> Point {
+    let end = frame.placement.unwrap_or(ball);
+    let way = Point { x: end.x - ball.x, y: end.y - ball.y };
+    let whole = way.x * way.x + way.y * way.y;
+    let along = (robot.at.x - ball.x) * way.x + (robot.at.y - ball.y) * way.y;
+    if along <= 0.0 {
+        ball
+    } else if along >= whole {
+        end
+    } else {
+        Point { x: ball.x + along / whole * way.x, y: ball.y + along / whole * way.y }
+    }
+}
+
+// Away from a point if the robot is near to it; otherwise on to the place, but around the point.
+fn keep_off(robot: &Robot, mut place: Point, point: Point) -> Point {
+    let (dx, dy) = (robot.at.x - point.x, robot.at.y - point.y);
+    if dx * dx + dy * dy < TOO_NEAR_M * TOO_NEAR_M {
+        place = robot.at;
     }
     let from = unit(dx, dy);
-    Point { x: ball.x + KEEP_OFF_M * from.x, y: ball.y + KEEP_OFF_M * from.y }
+    let lack = KEEP_OFF_M - (place.x - point.x) * from.x - (place.y - point.y) * from.y;
+    if lack > 0.0 {
+        place = Point { x: place.x + lack * from.x, y: place.y + lack * from.y };
+    }
+    place
 }
 
 // A command that brings the robot there.
@@ -244,6 +266,7 @@ fn read_frame(record: &[u8]) -> Frame {
         ours: record[137] != 0,
         ball: point_at(record, 56),
         ball_velocity: point_at(record, 72),
+        placement: (record[138] != 0).then(|| point_at(record, 40)),
         own: record[152..].chunks_exact(64).take(robots).map(read_robot).collect(),
     }
 }
