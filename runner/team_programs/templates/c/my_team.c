@@ -9,7 +9,7 @@
 #include <string.h>
 
 #define SPEED_MPS 2.0 /* of all robots */
-#define STOP_MPS 1.2  /* while play is stopped: the rules allow 1.5 m/s */
+#define STOP_MPS 0.9  /* while play is stopped: the Laws of 2014 allow 1 m/s */
 #define TURN_RADPS 8.0
 #define KICK_MPS 5.0
 #define TOO_NEAR_M 0.6 /* to a ball that is not ours, or to its way: the rules want 0.5 m to the hull */

@@ -11,7 +11,7 @@
 #include <vector>
 
 constexpr double kSpeed_mps = 2.0;  // of all robots
-constexpr double kStop_mps = 1.2;   // while play is stopped: the rules allow 1.5 m/s
+constexpr double kStop_mps = 0.9;   // while play is stopped: the Laws of 2014 allow 1 m/s
 constexpr double kTurn_radps = 8.0;
 constexpr double kKick_mps = 5.0;
 // To a ball that is not ours, or to its way: the rules want 0.5 m to the hull.

@@ -16,7 +16,7 @@ import (
 
 const (
 	speedMps  float64 = 2.0 // of all robots
-	stopMps   float64 = 1.2 // while play is stopped: the rules allow 1.5 m/s
+	stopMps   float64 = 0.9 // while play is stopped: the Laws of 2014 allow 1 m/s
 	turnRadps float64 = 8.0
 	kickMps   float64 = 5.0
 	tooNearM  float64 = 0.6  // to a ball that is not ours, or to its way: the rules want 0.5 m to the hull

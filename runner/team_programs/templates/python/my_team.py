@@ -10,7 +10,7 @@ import math
 import sys
 
 SPEED_MPS = 2.0  # of all robots
-STOP_MPS = 1.2  # while play is stopped: the rules allow 1.5 m/s
+STOP_MPS = 0.9  # while play is stopped: the Laws of 2014 allow 1 m/s
 TURN_RADPS = 8.0
 KICK_MPS = 5.0
 TOO_NEAR_M = 0.6  # to a ball that is not ours, or to its way: the rules want 0.5 m to the hull
