@@ -8,13 +8,13 @@
 #include <utility>
 
 #include "league/game_log.hpp"
+#include "runner/cli/line_output.hpp"
 #include "runner/cli/output_file.hpp"
 #include "runner/cli/page_recorder.hpp"
 #include "runner/cli/shown_game.hpp"
 #include "runner/cli/speed.hpp"
 #include "runner/game/event_log.hpp"
 #include "runner/game/game_event.hpp"
-#include "runner/game/game_event_log.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/live/frame_pacer.hpp"
@@ -27,8 +27,13 @@ namespace {
 
 // The output files of a game. They appear when the game is over.
 struct GameFiles {
-  std::optional<PendingFile> events;
-  std::optional<PendingFile> game_events;
+  explicit GameFiles(const GameOutput& output)
+      : events("--events", output.events), game_events("--game-events", output.game_events) {
+    open_output(view, "--view", output.view);
+  }
+
+  LineOutput events;
+  LineOutput game_events;
   std::optional<PendingFile> view;
 };
 
@@ -42,8 +47,8 @@ void end_soon(int signal) {
 // Ends the game at its next frame once the user has pressed Ctrl-C.
 class Watch final : public Observer {
  public:
-  Watch(EventLog* events, GameEventLog* game_events, league::GameLog* log, PageRecorder* page)
-      : events_(events), game_events_(game_events), log_(log), page_(page) {
+  Watch(GameFiles& files, const PerSide<EventTeam>& teams, league::GameLog* log, PageRecorder* page)
+      : files_(&files), teams_(teams), log_(log), page_(page) {
     note_interrupts();
   }
   void on_other_detections(const OtherDetections& others) override {
@@ -55,35 +60,36 @@ class Watch final : public Observer {
     check_interrupt();
   }
   void on_decision(const referee::Decision& decision) override {
-    if (events_ != nullptr) events_->on_decision(decision);
-    if (game_events_ != nullptr) game_events_->on_decision(decision);
+    if (files_->events.is_open()) files_->events.add(decision_json(decision, teams_));
+    if (files_->game_events.is_open()) add_game_event(decision);
     if (log_ != nullptr) log_decision(decision);
     if (page_ != nullptr) page_->on_decision(decision);
   }
 
  private:
+  void add_game_event(const referee::Decision& decision) {
+    const std::optional<GameEvent> event = game_event_of(decision);
+    if (event) files_->game_events.add(game_event_json(*event));
+  }
+
   void log_decision(const referee::Decision& decision) {
     if (decision.command) log_->note(*decision.command);
     if (std::optional<GameEvent> event = game_event_of(decision)) log_->note(*std::move(event));
   }
 
-  EventLog* events_;           // null unless events are written
-  GameEventLog* game_events_;  // null unless game events are written
-  league::GameLog* log_;       // null unless a log is written
-  PageRecorder* page_;         // null unless a page is written
+  GameFiles* files_;
+  PerSide<EventTeam> teams_;
+  league::GameLog* log_;  // null unless a log is written
+  PageRecorder* page_;    // null unless a page is written
 };
 
-void open_files(GameFiles& files, const GameOutput& output,
-                const std::vector<std::string>& inputs) {
+void check_files(const GameOutput& output, const std::vector<std::string>& inputs) {
   check_outputs({{"--events", output.events},
                  {"--game-events", output.game_events},
                  {"--log", output.log},
                  {"--view", output.view},
                  {"--record", output.record}},
                 inputs);
-  open_output(files.events, "--events", output.events);
-  open_output(files.game_events, "--game-events", output.game_events);
-  open_output(files.view, "--view", output.view);
 }
 
 league::LoggedTeam logged_team_on(const GameConfiguration& game, Side side) {
@@ -176,16 +182,13 @@ void add_speed_option(CLI::App& verb, GameOutput& output) {
 GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
                     const std::vector<std::string>& inputs, const RecordedCommands& commands,
                     const GamePlayer& player) {
-  GameFiles files;
-  open_files(files, output, inputs);
+  check_files(output, inputs);
+  GameFiles files(output);
   std::optional<league::GameLog> log;
   open_log(log, game, output.log);
-  EventLog events(event_teams_of(game));
-  GameEventLog game_events;
   PageRecorder page;
   const std::optional<double> frames_per_s = pace_of(game, output);
-  Watch watch(files.events ? &events : nullptr, files.game_events ? &game_events : nullptr,
-              log ? &*log : nullptr, files.view ? &page : nullptr);
+  Watch watch(files, event_teams_of(game), log ? &*log : nullptr, files.view ? &page : nullptr);
   ShownGame shown(game, output.web, watch);
   const auto start = std::chrono::steady_clock::now();
   GamePrograms programs = programs_of(game, output, commands, player);
@@ -200,8 +203,8 @@ GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   shown.end();
   if (log) log->close();
-  if (files.events) files.events->commit(events.text());
-  if (files.game_events) files.game_events->commit(game_event_lines(game_events.events()));
+  files.events.commit();
+  files.game_events.commit();
   if (files.view) files.view->commit(page.page(game, record));
   const GameReport report{game, record, wall_s, build_id()};
   fmt::print("{}\n", output.json ? json_of(report) : text_of(report));

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <random>
 #include <utility>
+#include <vector>
 
 #include "runner/view/live_messages.hpp"
 #include "runner/view/recorded_decision.hpp"
@@ -18,9 +19,8 @@ using std::chrono::milliseconds;
 constexpr std::chrono::microseconds kFrameEvery{33'333};
 constexpr milliseconds kEarliest{3};  // how much before its time a frame may be sent
 constexpr milliseconds kMessageEvery{10};
-constexpr std::size_t kFramesPerChunk = 150;  // 5 s
-constexpr std::size_t kMostFrameChunks = 120;
-constexpr std::size_t kMostCallChunks = 10'000;
+constexpr std::size_t kFramesPerFold = 150;  // 5 s
+constexpr std::size_t kKeptFrames = 18'000;  // ten minutes
 
 std::string random_id() {
   std::random_device random;
@@ -31,12 +31,18 @@ bool has_calls(const GameRecording& part) {
   return !part.signals().empty() || !part.clock().empty() || !part.decisions().empty();
 }
 
+// Calls come before frames: the page needs the teams' ends first.
+std::vector<std::size_t> kept_entries() {
+  const LiveLimits limits;
+  return {limits.signals, limits.clock_marks, limits.decisions, kKeptFrames};
+}
+
 }  // namespace
 
 LivePage::LivePage(const PageContent& content, const FrameClock& clock, Send send)
     : clock_(&clock),
       send_(std::move(send)),
-      history_(start_message(content, random_id()), kMostFrameChunks, kMostCallChunks),
+      history_(start_message(content, random_id()), kept_entries()),
       present_(std::make_shared<const std::string>(present_message())),
       next_frame_(clock.now()),
       next_message_(next_frame_) {}
@@ -84,12 +90,14 @@ void LivePage::send_newest(FrameClock::Time now) {
   if (is_frame && newest_.frames() == 0) return;
   next_message_ = now + kMessageEvery;
   send_(history_.add(part_message(newest_.take()), is_frame));
-  if (frames_.frames() >= kFramesPerChunk) fold();
+  if (frames_.frames() >= kFramesPerFold) fold();
 }
 
 void LivePage::fold() {
-  const GameRecording calls = calls_.take();
-  history_.fold(part_message(frames_.take()), has_calls(calls) ? part_message(calls) : "");
+  auto [signals, clock, decisions] = call_messages(calls_.take());
+  const GameRecording frames = frames_.take();
+  history_.fold({std::move(signals), std::move(clock), std::move(decisions),
+                 CountedMessage{part_message(frames), frames.frames()}});
 }
 
 }  // namespace autoref::runner

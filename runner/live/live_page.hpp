@@ -17,7 +17,8 @@ namespace autoref::runner {
 
 // Takes published positions (soccer/published.hpp). Sends about 30 frames per second of the clock,
 // and decisions and changed signals with the next frame that is added, at most 100 messages per
-// second. New watchers see the last ten minutes and all calls.
+// second. New watchers get the last ten minutes and as many calls as a page keeps (LiveLimits), so
+// that the memory for them is limited: to about 10 MB, most of it after 13 hours of a game.
 class LivePage {
  public:
   using Send = std::function<void(const WebMessage&)>;
@@ -44,7 +45,7 @@ class LivePage {
   WebText present_;
   std::optional<Frame> skipped_;  // the last frame, unless it was sent
   GameRecording newest_;          // since the last message
-  GameRecording frames_;          // since the last chunk
+  GameRecording frames_;          // since the last fold
   GameRecording calls_;           // likewise
   FrameClock::Time next_frame_;
   FrameClock::Time next_message_;

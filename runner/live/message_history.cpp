@@ -7,19 +7,25 @@ namespace {
 
 WebText shared(std::string text) { return std::make_shared<const std::string>(std::move(text)); }
 
-void keep(std::deque<WebText>& chunks, const WebText& chunk, std::size_t most) {
-  if (chunk->empty()) return;
-  chunks.push_back(chunk);
-  if (chunks.size() > most) chunks.pop_front();
-}
-
 }  // namespace
 
-MessageHistory::MessageHistory(std::string start, std::size_t most_frame_chunks,
-                               std::size_t most_call_chunks)
-    : start_(shared(std::move(start))),
-      most_frame_chunks_(most_frame_chunks),
-      most_call_chunks_(most_call_chunks) {}
+void MessageList::add(CountedMessage message) {
+  if (message.entries == 0) return;
+  message.text.shrink_to_fit();  // it is kept for long
+  entries_ += message.entries;
+  messages_.push_back({shared(std::move(message.text)), message.entries});
+  while (entries_ - messages_.front().entries >= enough_) {
+    entries_ -= messages_.front().entries;
+    messages_.pop_front();
+  }
+}
+
+void MessageList::append_to(std::vector<WebText>& texts) const {
+  for (const Kept& message : messages_) texts.push_back(message.text);
+}
+
+MessageHistory::MessageHistory(std::string start, const std::vector<std::size_t>& enough)
+    : start_(shared(std::move(start))), lists_(enough.begin(), enough.end()) {}
 
 WebMessage MessageHistory::add(std::string text, bool is_frame) {
   WebText message = shared(std::move(text));
@@ -28,21 +34,16 @@ WebMessage MessageHistory::add(std::string text, bool is_frame) {
   return {std::move(message), is_frame, ++last_number_};
 }
 
-void MessageHistory::fold(std::string frames, std::string calls) {
-  const WebText frame_chunk = shared(std::move(frames));
-  const WebText call_chunk = shared(std::move(calls));
+void MessageHistory::fold(std::vector<CountedMessage> messages) {
   const std::lock_guard lock(mutex_);
   recent_.clear();
-  keep(frames_, frame_chunk, most_frame_chunks_);
-  keep(calls_, call_chunk, most_call_chunks_);
+  for (std::size_t i = 0; i < lists_.size(); ++i) lists_[i].add(std::move(messages.at(i)));
 }
 
-// Calls come first: the page needs the teams' ends before the frames.
 WebBacklog MessageHistory::backlog() const {
   const std::lock_guard lock(mutex_);
   WebBacklog backlog{{start_}, last_number_};
-  for (const auto* chunks : {&calls_, &frames_})
-    backlog.texts.insert(backlog.texts.end(), chunks->begin(), chunks->end());
+  for (const MessageList& list : lists_) list.append_to(backlog.texts);
   backlog.texts.insert(backlog.texts.end(), recent_.begin(), recent_.end());
   return backlog;
 }

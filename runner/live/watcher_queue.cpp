@@ -11,8 +11,10 @@ void WatcherQueue::begin_with(const WebBacklog& backlog) {
 
 bool WatcherQueue::push(const WebMessage& message) {
   if (message.number <= last_number_) return true;
-  if (!message.is_frame && waiting_.size() - frames_ >= kMostOthers) return false;
+  const bool is_long = bytes_ + message.text->size() > kMostWaiting_bytes;
+  if (!message.is_frame && (is_long || waiting_.size() - frames_ >= kMostOthers)) return false;
   waiting_.push_back(message);
+  bytes_ += message.text->size();
   frames_ += message.is_frame ? 1 : 0;
   if (frames_ > kMostFrames) leave_out_oldest_frame();
   return true;
@@ -21,6 +23,7 @@ bool WatcherQueue::push(const WebMessage& message) {
 void WatcherQueue::leave_out_oldest_frame() {
   const auto oldest = std::find_if(waiting_.begin(), waiting_.end(),
                                    [](const WebMessage& message) { return message.is_frame; });
+  bytes_ -= oldest->text->size();
   waiting_.erase(oldest);
   --frames_;
   ++left_out_;
@@ -34,6 +37,7 @@ WebText WatcherQueue::pop() {
   } else if (!waiting_.empty()) {
     next = waiting_.front().text;
     frames_ -= waiting_.front().is_frame ? 1 : 0;
+    bytes_ -= next->size();
     waiting_.pop_front();
   }
   return next;

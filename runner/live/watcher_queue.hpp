@@ -8,7 +8,9 @@
 
 namespace autoref::runner {
 
-// Of frames, only the newest wait; other messages are kept, up to a limit.
+// Of frames, only the newest wait; other messages are kept, up to limits of their number and of
+// their bytes (kMostWaiting_bytes, with the frames). The backlog is shared with the server, which
+// limits it.
 class WatcherQueue {
  public:
   static constexpr std::size_t kMostFrames = 3;
@@ -33,6 +35,7 @@ class WatcherQueue {
   std::int64_t last_number_ = 0;  // of the backlog
   std::deque<WebMessage> waiting_;
   std::size_t frames_ = 0;  // of them
+  std::size_t bytes_ = 0;   // of all of them
   std::int64_t left_out_ = 0;
 };
 

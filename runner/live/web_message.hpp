@@ -1,6 +1,7 @@
 // Messages to watchers of a game.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -12,6 +13,9 @@ namespace autoref::runner {
 
 // Shared by all watchers that it is sent to.
 using WebText = std::shared_ptr<const std::string>;
+
+// How long the messages that wait for one watcher, or for the network's thread, may be in total.
+inline constexpr std::size_t kMostWaiting_bytes = 4 << 20;
 
 struct WebMessage {
   WebText text;

@@ -54,7 +54,8 @@ class WebServer::Impl : public std::enable_shared_from_this<WebServer::Impl> {
 
   void send(WebMessage message) {
     const std::lock_guard lock(mutex_);
-    if (handed_over_.size() < kMostHandedOver) {
+    handed_over_bytes_ += message.text->size();
+    if (handed_over_.size() < kMostHandedOver && handed_over_bytes_ <= kMostWaiting_bytes) {
       handed_over_.push_back(std::move(message));
     } else {
       is_incomplete_ = true;
@@ -106,6 +107,7 @@ class WebServer::Impl : public std::enable_shared_from_this<WebServer::Impl> {
     {
       const std::lock_guard lock(mutex_);
       messages.swap(handed_over_);
+      handed_over_bytes_ = 0;
       std::swap(is_incomplete, is_incomplete_);
       is_posted_ = false;
     }
@@ -119,6 +121,7 @@ class WebServer::Impl : public std::enable_shared_from_this<WebServer::Impl> {
   web_asio::steady_timer pause_;
   std::mutex mutex_;
   std::vector<WebMessage> handed_over_;
+  std::size_t handed_over_bytes_ = 0;  // with those left out
   bool is_posted_ = false;
   bool is_incomplete_ = false;
 };

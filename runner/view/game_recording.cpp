@@ -119,7 +119,12 @@ GameRecording GameRecording::take() {
 }
 
 void GameRecording::add(RecordedDecision decision) {
-  if (is_shown(decision.event)) decisions_.push_back(std::move(decision));
+  if (!is_shown(decision.event)) return;
+  if (decisions_.size() >= kMostDecisions) {
+    is_full_ = true;
+    return;
+  }
+  decisions_.push_back(std::move(decision));
 }
 
 std::vector<RobotId> GameRecording::robots() const {

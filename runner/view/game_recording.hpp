@@ -29,10 +29,11 @@ struct ClockMark {
 // Takes published positions (soccer/published.hpp).
 class GameRecording {
  public:
-  // Frames and signals beyond these limits are left out. No game reaches them: kMostFrames frames
-  // last 4.6 hours at 60 frames per second.
+  // Frames, signals and decisions beyond these limits are left out. No game of the league reaches
+  // them: kMostFrames frames last 4.6 hours at 60 frames per second.
   static constexpr std::size_t kMostFrames = 1'000'000;
   static constexpr std::size_t kMostSignals = 100'000;
+  static constexpr std::size_t kMostDecisions = 100'000;
 
   // Times must increase.
   void add(const Frame& frame);

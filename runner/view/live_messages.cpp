@@ -1,15 +1,32 @@
 #include "runner/view/live_messages.hpp"
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "runner/io/json.hpp"
 #include "runner/view/base64.hpp"
 #include "runner/view/game_json.hpp"
 
 namespace autoref::runner {
+namespace {
+
+Json json_of(const LiveLimits& limits) {
+  return {
+      {"signals", limits.signals}, {"clock", limits.clock_marks}, {"decisions", limits.decisions}};
+}
+
+// Only one of the lists of `part`, and no frames.
+CountedMessage list_message(Json& part, const char* list) {
+  Json json = {{"type", "part"}, {"bytes", ""}};
+  fill_recording({}, json);
+  json[list] = std::move(part[list]);
+  return {json_text(json), json[list].size()};
+}
+
+}  // namespace
 
 std::string start_message(const PageContent& content, std::string_view id) {
-  Json json = {{"type", "start"}, {"id", id}};
+  Json json = {{"type", "start"}, {"id", id}, {"limits", json_of(LiveLimits{})}};
   json.update(game_json(content));
   return json_text(json);
 }
@@ -19,6 +36,13 @@ std::string part_message(const GameRecording& part) {
   fill_recording(part, json);
   json["bytes"] = base64_of(part.bytes());
   return json_text(json);
+}
+
+std::array<CountedMessage, 3> call_messages(const GameRecording& part) {
+  Json json;
+  fill_recording(part, json);
+  return {list_message(json, "signals"), list_message(json, "clock"),
+          list_message(json, "decisions")};
 }
 
 std::string present_message() { return json_text({{"type", "present"}}); }

@@ -129,7 +129,7 @@ function callsOf({signals, decisions}, shown) {
   return decisions.filter((one) => one.event !== "goal" && !shown.has(one)).map(highlightOfDecision);
 }
 
-// All highlights in order of time. The score is always the recorded one, whatever the decisions
+// The newest highlights in order of time. The score is always the recorded one, whatever the decisions
 // say.
 function highlightsOf(game, kicks) {
   const {signals, decisions} = game;
@@ -139,5 +139,5 @@ function highlightsOf(game, kicks) {
   const shots = kicks.map(highlightOfKick);
   const shown = addReasons(shots, decisions, ["goal", "penalty_kick_failed"]);
   const others = game.compared ? comparedCallsOf(game, new Set([...shown, ...counted])) : callsOf(game, shown);
-  return [...goals, ...shots, ...others].sort((a, b) => a.time_s - b.time_s).slice(0, kMostHighlights);
+  return [...goals, ...shots, ...others].sort((a, b) => a.time_s - b.time_s).slice(-kMostHighlights);
 }

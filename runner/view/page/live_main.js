@@ -1,8 +1,5 @@
 // Assembles the page of a live game.
 
-const kMostLiveSignals = 5000;
-const kMostLiveClock = 40000;
-const kMostLiveDecisions = 4000;
 const kMarksEvery_ms = 500;
 const kHeatEvery_ms = 5000;
 
@@ -46,12 +43,10 @@ class LivePage extends Page {
 
   add(part) {
     const {game} = this;
-    game.signals.push(...part.signals);
-    game.clock.push(...part.clock);
-    game.decisions.push(...part.decisions);
-    forgetOldest(game.signals, kMostLiveSignals);
-    forgetOldest(game.clock, kMostLiveClock);
-    forgetOldest(game.decisions, kMostLiveDecisions);
+    for (const list of ["signals", "clock", "decisions"]) {
+      game[list].push(...part[list]);
+      forgetOldest(game[list], game.limits[list]);
+    }
     this.recording.append(part);
     if (part.signals.length > 0 || part.decisions.length > 0) this.areCallsStale = true;
     this.isStale = true;

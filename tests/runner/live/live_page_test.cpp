@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "runner/io/json.hpp"
+#include "runner/view/live_messages.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -19,6 +20,13 @@ class HandClock final : public FrameClock {
 
  private:
   Time now_{};
+};
+
+struct BacklogCounts {
+  std::size_t signals = 0;
+  std::size_t clock_marks = 0;
+  std::size_t decisions = 0;
+  std::uint32_t last_counter = 0;
 };
 
 // A game at 60 frames per second, watched from its beginning.
@@ -38,6 +46,32 @@ class LivePageTest : public testing::Test {
     int frames = 0;
     for (const WebMessage& message : sent_) frames += Json::parse(*message.text).value("frames", 0);
     return frames;
+  }
+
+  // Every frame with a changed signal, a changed clock and a decision.
+  void play_with_calls(int frames, double speed) {
+    referee::Decision decision;
+    decision.finding.event = referee::Event::kGoal;
+    for (int i = 0; i < frames; ++i) {
+      ++signal_.command_counter;
+      signal_.stage_time_left_s = i % 600;
+      page_.add(decision);
+      play(1, speed);
+    }
+  }
+
+  // What a new watcher gets.
+  BacklogCounts counts() const {
+    BacklogCounts counts;
+    for (const WebText& text : page_.backlog().texts) {
+      const Json message = Json::parse(*text);
+      if (message["type"] != "part") continue;
+      counts.signals += message["signals"].size();
+      counts.clock_marks += message["clock"].size();
+      counts.decisions += message["decisions"].size();
+      for (const Json& signal : message["signals"]) counts.last_counter = signal["counter"];
+    }
+    return counts;
   }
 
   HandClock clock_;
@@ -107,6 +141,30 @@ TEST_F(LivePageTest, ForgetsFramesAfterTenMinutesButNoCalls) {
   }
   EXPECT_NEAR(frames, 18'000, 150);
   EXPECT_EQ(signals, 1U);
+}
+
+TEST_F(LivePageTest, KeepsAsManyCallsAsThePage) {
+  const LiveLimits limits;
+  for (const std::size_t most : {limits.signals, limits.clock_marks, limits.decisions})
+    EXPECT_LT(most, 50'000U);
+  play_with_calls(50'000, 4);
+  page_.end();
+  const std::size_t unfolded = 2 * 5 * 60 * 4;  // in 5 s at four times real time, twice
+  const BacklogCounts kept = counts();
+  EXPECT_GE(kept.signals, limits.signals);
+  EXPECT_LT(kept.signals, limits.signals + unfolded);
+  EXPECT_GE(kept.clock_marks, limits.clock_marks);
+  EXPECT_LT(kept.clock_marks, limits.clock_marks + unfolded);
+  EXPECT_GE(kept.decisions, limits.decisions);
+  EXPECT_LT(kept.decisions, limits.decisions + unfolded);
+  EXPECT_EQ(kept.last_counter, 50'000U);
+}
+
+TEST_F(LivePageTest, SaysHowManyCallsAPageKeeps) {
+  const Json limits = parsed(page_.backlog().texts.front())["limits"];
+  EXPECT_EQ(limits["signals"], LiveLimits{}.signals);
+  EXPECT_EQ(limits["clock"], LiveLimits{}.clock_marks);
+  EXPECT_EQ(limits["decisions"], LiveLimits{}.decisions);
 }
 
 TEST_F(LivePageTest, SaysThatTheGameIsOver) {

@@ -36,6 +36,31 @@ TEST(WatcherQueue, RefusesTooManyMessages) {
   EXPECT_TRUE(queue.push(numbered(100'000, true)));
 }
 
+// A message of 1 MiB, of which four fit in.
+WebMessage long_message(std::int64_t number, bool is_frame) {
+  return {std::make_shared<const std::string>(kMostWaiting_bytes / 4, ' '), is_frame, number};
+}
+
+TEST(WatcherQueue, RefusesTooManyBytes) {
+  WatcherQueue queue;
+  for (int i = 1; i <= 4; ++i) ASSERT_TRUE(queue.push(long_message(i, false)));
+  EXPECT_FALSE(queue.push(numbered(5, false)));
+}
+
+TEST(WatcherQueue, BytesThatWereTakenMakeRoom) {
+  WatcherQueue queue;
+  for (int i = 1; i <= 100; ++i) {
+    ASSERT_TRUE(queue.push(long_message(i, false)));
+    queue.pop();
+  }
+}
+
+TEST(WatcherQueue, BytesOfFramesThatWereLeftOutDoNotCount) {
+  WatcherQueue queue;
+  for (int i = 1; i <= 100; ++i) ASSERT_TRUE(queue.push(long_message(i, true)));
+  EXPECT_TRUE(queue.push(long_message(101, false)));
+}
+
 TEST(WatcherQueue, TheBacklogComesFirstAndIsNotRepeated) {
   WatcherQueue queue;
   WebBacklog backlog;

@@ -48,6 +48,19 @@ class Web : public testing::Test {
     return client;
   }
 
+  // How many of the messages a watcher gets that are sent while the server's thread is busy.
+  int received_while_busy(int count, const std::string& text) {
+    const auto client = watcher();
+    const WebClient busy(port());
+    busy.send(fmt::format("GET /game?p0002-1 HTTP/1.1\r\nHost: localhost:{}\r\n\r\n", port()));
+    is_busy_.get_future().wait();
+    for (int i = 0; i < count; ++i) send(text, false);
+    released_.set_value();
+    int messages = 0;
+    while (client->message()) ++messages;
+    return messages;
+  }
+
   int port() const { return server_.port(); }
 
   // The page of game p0002-1 keeps the server's thread busy until it is released.
@@ -173,15 +186,12 @@ TEST_F(Web, LeavesOutFramesForAWatcherThatDoesNotRead) {
 }
 
 TEST_F(Web, DisconnectsWatchersWhenTheGameOutrunsTheServer) {
-  const auto client = watcher();
-  const WebClient busy(port());
-  busy.send(fmt::format("GET /game?p0002-1 HTTP/1.1\r\nHost: localhost:{}\r\n\r\n", port()));
-  is_busy_.get_future().wait();
-  for (int i = 0; i < 100'000; ++i) send("a call", false);
-  released_.set_value();
-  int messages = 0;
-  while (client->message()) ++messages;
-  EXPECT_LT(messages, 100'000);
+  EXPECT_LT(received_while_busy(100'000, "a call"), 100'000);
+}
+
+TEST_F(Web, DisconnectsWatchersWhenTooManyBytesWaitForTheServer) {
+  const std::string call(kMostWaiting_bytes / 100, 'x');
+  EXPECT_LT(received_while_busy(200, call), 200);
 }
 
 TEST_F(Web, APortInUseIsAnErrorThatNamesTheOption) {

@@ -88,6 +88,17 @@ TEST(GameRecording, TakenInPartsRepeatsNoSignal) {
   EXPECT_EQ(second.signals().size(), 1U);
 }
 
+TEST(GameRecording, LeavesOutDecisionsBeyondItsLimit) {
+  GameRecording recording;
+  RecordedDecision decision;
+  decision.event = "goal";
+  for (std::size_t i = 0; i < GameRecording::kMostDecisions; ++i) recording.add(decision);
+  EXPECT_FALSE(recording.is_full());
+  recording.add(decision);
+  EXPECT_TRUE(recording.is_full());
+  EXPECT_EQ(recording.decisions().size(), GameRecording::kMostDecisions);
+}
+
 TEST(GameRecording, MakesTimesMonotonic) {
   GameRecording recording;
   recording.add(5, stopped());
