@@ -47,9 +47,8 @@ void WebHub::remove(const std::shared_ptr<WebConnection>& connection) {
 }
 
 void WebHub::drop(const std::shared_ptr<WebConnection>& connection) {
-  const std::shared_ptr<WebConnection> kept = connection;
-  remove(kept);
-  kept->close();
+  remove(connection);
+  connection->close();
 }
 
 // One computer cannot keep others out by connections that ask for nothing or take no answer.

@@ -62,6 +62,7 @@ class WebHub {
  private:
   Connections those_who(bool watch) const;
   void make_room();
+  // The caller holds the connection elsewhere than in connections_.
   void drop(const std::shared_ptr<WebConnection>& connection);
 
   WebOptions options_;
