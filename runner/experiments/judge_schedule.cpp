@@ -34,7 +34,7 @@ class JudgeCell {
         camera(std::move(its_camera)),
         base_(configured(schedule, rules, camera)) {}
 
-  // Settings of a pair of legs; the base's teams play if there are no matchups.
+  // The settings of a pair of legs. Without matchups, the teams of the base play.
   const SharedSettings& settings(const Matchups& matchups, int pair) {
     const std::array<std::string, 2> matchup =
         matchups.empty() ? std::array<std::string, 2>()

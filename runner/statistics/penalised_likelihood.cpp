@@ -17,7 +17,7 @@ constexpr double kRelativeRounding = 1e-13;  // relative error of a value that m
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// The model's statement on one game of a matchup.
+// What the model predicts for one game of a matchup.
 struct PredictedGame {
   double win = 0;       // probability that a wins
   double variance = 0;  // win (1 - win)

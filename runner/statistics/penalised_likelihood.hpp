@@ -23,7 +23,7 @@ struct LikelihoodPoint {
 };
 
 // Shortens a step so that it changes no strength by more than 2. Longer steps may end where all
-// results are certain, so that rounding errors rule the next step.
+// results are certain, where rounding errors determine the next step.
 Eigen::VectorXd shortened_step(const Eigen::VectorXd& step);
 
 // In the Bradley-Terry model (Rank analysis of incomplete block designs, Biometrika 39, 1952), team
@@ -37,8 +37,6 @@ Eigen::VectorXd shortened_step(const Eigen::VectorXd& step);
 // with n games in a matchup, and x = 1 for team a, -1 for b. The determinant is that on the space
 // of strengths that sum to zero in each group of teams linked by games. L* has a finite maximum
 // although L has none if, say, a team won all its games.
-//
-// Called by bradley_terry() and by the profile of the likelihood.
 class PenalisedLikelihood {
  public:
   // `totals` contains each matchup once. Matchups without games have no effect.

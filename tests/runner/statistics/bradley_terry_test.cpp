@@ -9,10 +9,10 @@
 namespace autoref::runner {
 namespace {
 
-// The expected strengths maximise the penalised likelihood written down anew in Python: in an
-// orthonormal basis Z of strengths that sum to zero, (w * logp + (n - w) * logq).sum() +
-// numpy.linalg.slogdet(Z.T @ (n * p * q * Z.T).T)[1] / 2, with scipy.optimize.minimize(method =
-// 'BFGS') and then Newton steps with numerical derivatives (NumPy 1.24, SciPy 1.10).
+// The expected strengths come from an independent maximisation in Python: in an orthonormal basis Z
+// of strengths that sum to zero, (w * logp + (n - w) * logq).sum() + numpy.linalg.slogdet(Z.T @ (n
+// * p * q * Z.T).T)[1] / 2, with scipy.optimize.minimize(method = 'BFGS') and then Newton steps
+// with numerical derivatives (NumPy 1.24, SciPy 1.10).
 
 TEST(BradleyTerry, MaximisesFirthsPenalisedLikelihood) {
   expect_near_rating(bradley_terry(3, kThree), {0.82402605, -0.47532911, -0.34869695});

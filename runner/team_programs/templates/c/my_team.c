@@ -12,7 +12,7 @@
 #define STOP_MPS 0.9  /* while play is stopped: the Laws of 2014 allow 1 m/s */
 #define TURN_RADPS 8.0
 #define KICK_MPS 5.0
-#define TOO_NEAR_M 0.6 /* to a ball that is not ours, or to its way: the rules want 0.5 m to the hull */
+#define TOO_NEAR_M 0.6 /* to the ball or its path while we may not play it: the rules want 0.5 m to the hull */
 #define KEEP_OFF_M 0.65 /* from there */
 
 enum { START = 1, FRAME = 2, END = 3, OUTPUT = 4 };       /* kinds of records */

@@ -14,7 +14,7 @@ constexpr double kSpeed_mps = 2.0;  // of all robots
 constexpr double kStop_mps = 0.9;   // while play is stopped: the Laws of 2014 allow 1 m/s
 constexpr double kTurn_radps = 8.0;
 constexpr double kKick_mps = 5.0;
-// To a ball that is not ours, or to its way: the rules want 0.5 m to the hull.
+// To the ball or its path while we may not play it: the rules want 0.5 m to the hull.
 constexpr double kTooNear_m = 0.6;
 constexpr double kKeepOff_m = 0.65;  // from there
 

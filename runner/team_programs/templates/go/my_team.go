@@ -19,7 +19,7 @@ const (
 	stopMps   float64 = 0.9 // while play is stopped: the Laws of 2014 allow 1 m/s
 	turnRadps float64 = 8.0
 	kickMps   float64 = 5.0
-	tooNearM  float64 = 0.6  // to a ball that is not ours, or to its way: the rules want 0.5 m to the hull
+	tooNearM  float64 = 0.6  // to the ball or its path while we may not play it: the rules want 0.5 m to the hull
 	keepOffM  float64 = 0.65 // from there
 )
 

@@ -9,7 +9,7 @@ const SPEED_MPS: f64 = 2.0; // of all robots
 const STOP_MPS: f64 = 0.9; // while play is stopped: the Laws of 2014 allow 1 m/s
 const TURN_RADPS: f64 = 8.0;
 const KICK_MPS: f64 = 5.0;
-const TOO_NEAR_M: f64 = 0.6; // to a ball that is not ours, or to its way: the rules want 0.5 m to the hull
+const TOO_NEAR_M: f64 = 0.6; // to the ball or its path while we may not play it: the rules want 0.5 m to the hull
 const KEEP_OFF_M: f64 = 0.65; // from there
 
 const HALT: u8 = 0; // some values of `play`
