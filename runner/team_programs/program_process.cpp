@@ -92,13 +92,39 @@ ssize_t write_without_signal(int descriptor, std::string_view bytes) {
 
 std::string start_failure(const ProgramSpec& spec, const SupervisorReport& report) {
   const char* reason = strerror(report.value);
-  if (report.kind == SupervisorReport::kNoDirectory) {
-    return fmt::format("cannot enter the directory {}: {}", spec.directory, reason);
+  switch (report.kind) {
+    case SupervisorReport::kNoUser:
+      return fmt::format("cannot start {} under a user without rights: {}", spec.command[0],
+                         reason);
+    case SupervisorReport::kNoDirectory:
+      return fmt::format("cannot enter the directory {}: {}", spec.directory, reason);
+    case SupervisorReport::kUnreadable:
+      return fmt::format("{} cannot read {}: {}", spec.command[0],
+                         spec.command.at(static_cast<std::size_t>(report.argument)), reason);
+    case SupervisorReport::kNoProgram:
+      return fmt::format("cannot start {}: {}", spec.command[0], reason);
+    default:
+      return fmt::format("cannot start a process for {}: {}", spec.command[0], reason);
   }
-  if (report.kind == SupervisorReport::kNoProgram) {
-    return fmt::format("cannot start {}: {}", spec.command[0], reason);
+}
+
+// What follows a failure of a program that may do less than AutoRef.
+constexpr const char* kMayDoLess =
+    "AutoRef runs as root, and therefore starts programs under a user that may read only what "
+    "everybody may";
+constexpr const char* kHowToLetIt =
+    "start AutoRef as a user, or give the program a folder that everybody may read";
+
+// What the specification gives goes before what is added.
+ProgramSpec with_environment(ProgramSpec spec, const std::vector<std::string>& added) {
+  for (const std::string& entry : added) {
+    const std::string name = entry.substr(0, entry.find('=') + 1);
+    const bool is_given =
+        std::any_of(spec.environment.begin(), spec.environment.end(),
+                    [&name](const std::string& given) { return given.starts_with(name); });
+    if (!is_given) spec.environment.push_back(entry);
   }
-  return fmt::format("cannot start a process for {}: {}", spec.command[0], reason);
+  return spec;
 }
 
 // How many processes the system has killed since it was started, because memory had run out.
@@ -124,8 +150,11 @@ ProgramProcess::ProgramProcess(ProgramSpec spec) : spec_(std::move(spec)) {
   Pipe reports;
   Pipe started;
   stderr_.emplace(err.release(0), spec_);
-  supervisor_ = start_supervisor(spec_, {in.reader(), out.writer(), err.writer(), life.reader(),
-                                         reports.writer(), started.writer()});
+  if (runs_as_root()) user_.emplace();
+  supervisor_ = start_supervisor(
+      user_ ? with_environment(spec_, user_->environment()) : spec_,
+      {in.reader(), out.writer(), err.writer(), life.reader(), reports.writer(), started.writer()},
+      user_ ? user_->id() : kSameUser);
   in_ = in.release(1);
   out_ = out.release(0);
   life_ = life.release(1);
@@ -143,8 +172,11 @@ void ProgramProcess::wait_for_start(int started) {
   }
   if (size != sizeof failure) return;
   end(0.0);
-  if (is_shortage(failure.value)) throw InputOutputError(start_failure(spec_, failure));
-  throw ProgramError(start_failure(spec_, failure));
+  const std::string what = start_failure(spec_, failure);
+  if (user_ && (failure.value == EACCES || failure.kind == SupervisorReport::kNoUser))
+    throw InputOutputError(fmt::format("{}; {}: {}", what, kMayDoLess, kHowToLetIt));
+  if (is_shortage(failure.value)) throw InputOutputError(what);
+  throw ProgramError(what);
 }
 
 void ProgramProcess::write(std::string_view bytes) {
@@ -191,6 +223,7 @@ std::string_view ProgramProcess::read(Clock::time_point deadline) {
       throw fault(fmt::format("did not answer within {:g} s", spec_.limits.answer_s));
     }
     const ssize_t size = ::read(out_, received_.data(), received_.size());
+    has_output_begun_ = has_output_begun_ || size > 0;
     if (size > 0) return std::string_view(received_).substr(0, static_cast<std::size_t>(size));
     if (size == 0) close_once(out_);
   }
@@ -247,7 +280,10 @@ std::string ProgramProcess::how_it_ended() const {
 ProgramError ProgramProcess::fault(std::string_view what) const {
   const std::string lines = stderr_->last_lines();
   const std::string heading = lines.empty() ? "" : "; its last lines on standard error:\n";
-  return ProgramError(fmt::format("{} {}{}{}", spec_.command[0], what, heading, lines),
+  const bool lacked_rights =
+      user_ && !has_output_begun_ && lines.find(strerror(EACCES)) != std::string::npos;
+  const std::string hint = lacked_rights ? fmt::format(" ({})", kMayDoLess) : std::string();
+  return ProgramError(fmt::format("{} {}{}{}{}", spec_.command[0], what, hint, heading, lines),
                       was_killed_from_outside());
 }
 

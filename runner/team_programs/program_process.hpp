@@ -9,6 +9,7 @@
 
 #include "runner/team_programs/program_spec.hpp"
 #include "runner/team_programs/program_stderr.hpp"
+#include "runner/team_programs/program_user.hpp"
 #include "runner/team_programs/supervisor.hpp"
 
 namespace autoref::runner {
@@ -20,8 +21,9 @@ class ProgramProcess {
  public:
   using Clock = std::chrono::steady_clock;
 
-  // Starts the program. Throws ProgramError if it cannot be started, InputOutputError if AutoRef
-  // has no process, descriptor or file for it.
+  // Starts the program, under a user of its own if this process runs as root. Throws ProgramError
+  // if it cannot be started, InputOutputError if AutoRef has no process, descriptor or file for it,
+  // or that user may not read it.
   explicit ProgramProcess(ProgramSpec spec);
   ~ProgramProcess() { end(0.0); }
   ProgramProcess(const ProgramProcess&) = delete;
@@ -68,11 +70,13 @@ class ProgramProcess {
   int out_ = -1;
   int life_ = -1;
   int reports_ = -1;
-  std::uint64_t kills_before_ = 0;  // by the system, for lack of memory
+  std::uint64_t kills_before_ = 0;   // by the system, for lack of memory
+  std::optional<ProgramUser> user_;  // unless the program runs under this process's
   std::optional<ProgramStderr> stderr_;
   Supervisor supervisor_;
   std::optional<SupervisorReport> report_;
   bool has_reports_ended_ = false;  // without a report
+  bool has_output_begun_ = false;
   std::string pending_;
   std::string received_;
 };

@@ -18,6 +18,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 
 #include "runner/io/errors.hpp"
 
@@ -27,16 +28,20 @@ namespace {
 
 constexpr int kCountEvery_ms = 50;
 constexpr std::size_t kMostCounted = 4096;
-// User ids without an account, those that systemd gives to dynamic users.
-constexpr int kFirstUid = 61184;
-constexpr int kUids = 4336;
+
+// A word of the command that names a file or folder.
+struct NamedFile {
+  int argument;
+  std::string path;  // absolute, as many programs open it
+};
 
 struct PreparedProgram {
   std::vector<char*> arguments;
   std::vector<char*> environment;
+  std::vector<NamedFile> files;
   std::string uid_map;
   std::string gid_map;
-  int uid;  // of a program that root starts; programs that run at once should have different ones
+  int user;  // kSameUser, or of the program
 };
 
 std::vector<char*> pointers(const std::vector<std::string>& words) {
@@ -63,8 +68,20 @@ std::vector<char*> environment_of(const ProgramSpec& spec) {
   return result;
 }
 
-[[noreturn]] void fail_to_start(int descriptor, SupervisorReport::Kind kind) {
-  const SupervisorReport report{kind, errno};
+std::vector<NamedFile> files_of(const ProgramSpec& spec) {
+  std::vector<NamedFile> files;
+  std::error_code error;
+  const auto directory =
+      std::filesystem::absolute(spec.directory.empty() ? "." : spec.directory, error);
+  for (std::size_t i = 0; i < spec.command.size(); ++i) {
+    const std::string path = directory / spec.command[i];
+    if (std::filesystem::exists(path, error)) files.push_back({static_cast<int>(i), path});
+  }
+  return files;
+}
+
+[[noreturn]] void fail_to_start(int descriptor, SupervisorReport::Kind kind, int argument = -1) {
+  const SupervisorReport report{kind, errno, argument};
   [[maybe_unused]] const ssize_t ignored = write(descriptor, &report, sizeof report);
   _exit(127);
 }
@@ -76,17 +93,21 @@ void limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
   setrlimit(resource, &wanted);
 }
 
-// The kernel limits the tasks of a user, but not root's. A program that root starts therefore runs
-// under a user id of its own, and keeps only root's right to read and write every file. Returns
-// false if this process may not change its user.
-bool leave_root(int uid) {
+// Gives up root's user, groups and rights, for good. Returns false if this process may not.
+bool leave_root(int user) {
   __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
-  std::array<__user_cap_data_struct, _LINUX_CAPABILITY_U32S_3> rights{};
-  constexpr __u32 kFiles = 1U << CAP_DAC_OVERRIDE;
-  rights[0] = {kFiles, kFiles, kFiles};
-  return prctl(PR_SET_KEEPCAPS, 1) == 0 && syscall(SYS_setresuid, uid, uid, uid) == 0 &&
-         syscall(SYS_capset, &header, rights.data()) == 0 &&
-         prctl(PR_CAP_AMBIENT, PR_CAP_AMBIENT_RAISE, CAP_DAC_OVERRIDE, 0, 0) == 0;
+  std::array<__user_cap_data_struct, _LINUX_CAPABILITY_U32S_3> none{};
+  return syscall(SYS_setgroups, 0, nullptr) == 0 && syscall(SYS_setresgid, user, user, user) == 0 &&
+         syscall(SYS_setresuid, user, user, user) == 0 &&
+         syscall(SYS_capset, &header, none.data()) == 0 &&
+         prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0;
+}
+
+void check_files(const ProgramEnds& ends, const PreparedProgram& prepared) {
+  for (const NamedFile& file : prepared.files) {
+    if (access(file.path.c_str(), R_OK) != 0)
+      fail_to_start(ends.started, SupervisorReport::kUnreadable, file.argument);
+  }
 }
 
 void limit_all(const ProgramLimits& limits, bool has_own_user) {
@@ -107,18 +128,21 @@ void default_signals() {
 
 [[noreturn]] void become_program(const ProgramSpec& spec, const ProgramEnds& ends,
                                  const PreparedProgram& prepared, unsigned long flags) {
-  const bool has_own_user = (flags & CLONE_NEWUSER) != 0 || leave_root(prepared.uid);
+  const bool leaves_root = prepared.user != kSameUser;
+  if (leaves_root && !leave_root(prepared.user))
+    fail_to_start(ends.started, SupervisorReport::kNoUser);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   setsid();
   default_signals();
   if (!spec.directory.empty() && chdir(spec.directory.c_str()) != 0) {
     fail_to_start(ends.started, SupervisorReport::kNoDirectory);
   }
+  if (leaves_root) check_files(ends, prepared);
   dup2(ends.in, STDIN_FILENO);
   dup2(ends.out, STDOUT_FILENO);
   dup2(ends.err, STDERR_FILENO);
   close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);
-  limit_all(spec.limits, has_own_user);
+  limit_all(spec.limits, leaves_root || (flags & CLONE_NEWUSER) != 0);
   execvpe(prepared.arguments[0], prepared.arguments.data(), prepared.environment.data());
   fail_to_start(ends.started, SupervisorReport::kNoProgram);
 }
@@ -275,11 +299,16 @@ void close_all_but(int a, int b) {
 
 }  // namespace
 
-Supervisor start_supervisor(const ProgramSpec& spec, const ProgramEnds& ends) {
-  const PreparedProgram prepared{
-      pointers(spec.command), environment_of(spec), fmt::format("{0} {0} 1", geteuid()),
-      fmt::format("{0} {0} 1", getegid()), kFirstUid + (61 * getpid() + ends.in) % kUids};
-  for (const unsigned long flags : {CLONE_NEWPID, CLONE_NEWUSER | CLONE_NEWPID, 0}) {
+Supervisor start_supervisor(const ProgramSpec& spec, const ProgramEnds& ends, int user) {
+  const PreparedProgram prepared{pointers(spec.command),
+                                 environment_of(spec),
+                                 files_of(spec),
+                                 fmt::format("{0} {0} 1", geteuid()),
+                                 fmt::format("{0} {0} 1", getegid()),
+                                 user};
+  // Root can make PID namespaces, unless a container forbids them. Users need a user namespace.
+  const unsigned long namespaces = user == kSameUser ? CLONE_NEWUSER | CLONE_NEWPID : CLONE_NEWPID;
+  for (const unsigned long flags : {namespaces, 0UL}) {
     const auto pid =
         static_cast<pid_t>(syscall(SYS_clone, flags | SIGCHLD, nullptr, nullptr, nullptr, nullptr));
     if (pid == 0) live_as_supervisor(spec, ends, prepared, flags);

@@ -10,9 +10,18 @@ namespace autoref::runner {
 
 // What the supervisor reports, in one write.
 struct SupervisorReport {
-  enum Kind : int { kEnded, kTooManyProcesses, kNoDirectory, kNoProgram, kNoProcess };
+  enum Kind : int {
+    kEnded,
+    kTooManyProcesses,
+    kNoUser,  // failures to start, from here on
+    kNoDirectory,
+    kUnreadable,
+    kNoProgram,
+    kNoProcess
+  };
   Kind kind = kEnded;
-  int value = 0;  // kEnded: status as from waitpid(); failures to start: the error number
+  int value = 0;      // kEnded: status as from waitpid(); failures to start: the error number
+  int argument = -1;  // kUnreadable: the word of the command that names the file
 };
 
 // Descriptors for the supervisor and the program. All are close-on-exec.
@@ -30,7 +39,12 @@ struct Supervisor {
   bool has_namespace = false;  // the kernel ends all processes of the program with the supervisor
 };
 
-// Starts a supervisor, in a PID namespace if the system allows one. Throws InputOutputError.
-Supervisor start_supervisor(const ProgramSpec& spec, const ProgramEnds& ends);
+// The program runs under the user of this process.
+inline constexpr int kSameUser = -1;
+
+// Starts a supervisor, in a PID namespace if the system allows one. `user` is the id under which
+// the program runs without further rights, which only root can choose; the supervisor itself
+// keeps its user. Throws InputOutputError.
+Supervisor start_supervisor(const ProgramSpec& spec, const ProgramEnds& ends, int user);
 
 }  // namespace autoref::runner

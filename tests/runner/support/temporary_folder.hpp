@@ -10,12 +10,14 @@
 
 namespace autoref::runner {
 
+// Everybody may write to it, also programs that do not run under the user of the test.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "autoref-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
     path_ = name;
+    std::filesystem::permissions(path_, std::filesystem::perms::all);
   }
   ~TemporaryFolder() { std::filesystem::remove_all(path_); }
   TemporaryFolder(const TemporaryFolder&) = delete;

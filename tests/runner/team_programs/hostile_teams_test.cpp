@@ -99,10 +99,12 @@ TEST(TeamPrograms, MayFloodTheirStandardError) {
 }
 
 // Plays a game whose team a runs `before` when its standard error's file, $file, does not exist
-// yet. Returns what AutoRef says.
+// yet, in a folder that it may change. Returns what AutoRef says.
 std::string messages_after(const std::string& before, GameRecord& record) {
   const TimeLimit limit;
   const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "stderr");
+  std::filesystem::permissions(folder / "stderr", std::filesystem::perms::all);
   GameConfiguration game = shell_game("");
   game.id = "game";
   game.a = shell_team("file='" + (folder / "stderr/game.a.txt").string() + "'\n" + before +

@@ -1,0 +1,77 @@
+#include "runner/team_programs/program_user.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <pwd.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+
+#include "runner/io/errors.hpp"
+
+namespace autoref::runner {
+namespace {
+
+// systemd's range for dynamic users: https://systemd.io/UIDS-GIDS
+constexpr int kFirstUser = 61184;
+constexpr int kUsers = 4336;
+constexpr const char* kLocks = "/run/autoref-users";
+
+bool has_account(int id) {
+  passwd entry{};
+  passwd* found = nullptr;
+  std::array<char, 4096> text{};
+  getpwuid_r(static_cast<uid_t>(id), &entry, text.data(), text.size(), &found);
+  return found != nullptr;
+}
+
+// Locks the byte of the id in a file of root's. The lock ends with the descriptor, however the
+// process ends. Returns whether nobody else holds it.
+bool lock(int file, int id) {
+  struct flock byte {};
+  byte.l_type = F_WRLCK;
+  byte.l_whence = SEEK_SET;
+  byte.l_start = id;
+  byte.l_len = 1;
+  return fcntl(file, F_OFD_SETLK, &byte) == 0;
+}
+
+}  // namespace
+
+bool runs_as_root() {
+  uid_t real = 0;
+  uid_t effective = 0;
+  uid_t saved = 0;
+  return getresuid(&real, &effective, &saved) == 0 && (real == 0 || effective == 0 || saved == 0);
+}
+
+ProgramUser::LockFile::LockFile()
+    : descriptor(open(kLocks, O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0600)) {
+  if (descriptor < 0) throw io_error(kLocks, errno);
+}
+
+ProgramUser::LockFile::~LockFile() { close(descriptor); }
+
+ProgramUser::ProgramUser() {
+  int tried = 0;
+  do {
+    if (tried == kUsers)
+      throw InputOutputError(kLocks + std::string(": every user runs a program"));
+    id_ = kFirstUser + (61 * getpid() + tried++) % kUsers;
+  } while (has_account(id_) || !lock(locks_.descriptor, id_));
+  const auto id = static_cast<uid_t>(id_);
+  if (chown(folder_.path().c_str(), id, id) != 0) {
+    const int error_number = errno;
+    throw io_error(fmt::format("AutoRef runs as root, but cannot start programs under another "
+                               "user; start it as a user: {} cannot be given to user {}",
+                               folder_.path().string(), id_),
+                   error_number);
+  }
+}
+
+std::vector<std::string> ProgramUser::environment() const {
+  return {"HOME=" + folder_.path().string(), "TMPDIR=" + folder_.path().string()};
+}
+
+}  // namespace autoref::runner
