@@ -207,6 +207,10 @@ void fill_geometry(const Field& field, std::span<const CameraPosition> cameras,
   size.set_goal_width(whole_mm(field.goal_width_m));
   size.set_goal_depth(whole_mm(field.goal_depth_m));
   size.set_boundary_width(whole_mm(field.run_off_m));
+  if (field.goal_line_run_off_m > 0)
+    size.set_boundary_width_goal_line(whole_mm(field.goal_line_run_off_m));
+  if (field.goal_substitution_area_m > 0)
+    size.set_goal_substitution_area_width(whole_mm(field.goal_substitution_area_m));
   size.set_center_circle_radius(whole_mm(field.centre_circle_radius_m));
   size.set_line_thickness(whole_mm(field.line_width_m));
   size.set_goal_center_to_penalty_mark(whole_mm(field.penalty_mark_m));
@@ -233,8 +237,14 @@ Field field_of(const Geometry& geometry) {
   field.width_m = length_m("field_width", size.field_width());
   field.goal_width_m = length_m("goal_width", size.goal_width());
   field.goal_depth_m = length_m("goal_depth", size.goal_depth());
-  field.run_off_m =
-      size.boundary_width() == 0 ? 0 : length_m("boundary_width", size.boundary_width());
+  const auto length_or_0_m = [](const char* name, std::int32_t size_mm) {
+    return size_mm == 0 ? 0 : length_m(name, size_mm);
+  };
+  field.run_off_m = length_or_0_m("boundary_width", size.boundary_width());
+  field.goal_line_run_off_m =
+      length_or_0_m("boundary_width_goal_line", size.boundary_width_goal_line());
+  field.goal_substitution_area_m =
+      length_or_0_m("goal_substitution_area_width", size.goal_substitution_area_width());
   read_lines(size, field.defence_area);
   for (const FieldArc& arc : size.field_arcs()) read_arc(arc, field);
   if (size.has_line_thickness())

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "sim/box2d_bridge.hpp"
+#include "soccer/robot_shape.hpp"
 
 namespace autoref::sim {
 namespace {
@@ -177,8 +178,11 @@ void validate(const Field& field) {
   check_range("field.length_m", field.length_m, 4.0, 30.0);
   check_range("field.width_m", field.width_m, 2.0, 20.0);
   // Leaves space for balls and robots behind a goal.
+  const double behind_goal_m = field.goal_depth_m + field.goal_wall_thickness_m + 0.2;
+  if (field.goal_line_run_off_m > 0)
+    check_range("field.goal_line_run_off_m", field.goal_line_run_off_m, behind_goal_m, 5.0);
   check_range("field.run_off_m", field.run_off_m,
-              field.goal_depth_m + field.goal_wall_thickness_m + 0.2, 5.0);
+              field.goal_line_run_off_m > 0 ? 2 * kRobotRadius_m : behind_goal_m, 5.0);
   check_range("field.goal_width_m", field.goal_width_m, 0.2, field.width_m - 0.4);
   check_range("field.goal_depth_m", field.goal_depth_m, 0.05, 1.0);
   check_range("field.goal_wall_thickness_m", field.goal_wall_thickness_m, 0.01, 0.1);

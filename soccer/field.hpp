@@ -21,7 +21,10 @@ struct DefenceArea {
 struct Field {
   double length_m = 6.05_m;
   double width_m = 4.05_m;
-  double run_off_m = 0.675_m;  // from the outer edge of the lines to the wall
+  double run_off_m = 0.675_m;      // from the outer edge of the touch lines to the wall
+  double goal_line_run_off_m = 0;  // from that of the goal lines; 0: as far as from touch lines
+  double goal_substitution_area_m = 0;  // width of the areas behind the goal lines in which robots
+                                        // may be exchanged (2026, division A); 0: without
   double line_width_m = 10_mm;
   double centre_circle_radius_m = 500_mm;
   double penalty_mark_m = 750_mm;  // from the goal line of the goal attacked
@@ -35,7 +38,10 @@ struct Field {
   double half_length_m() const { return length_m / 2; }    // the paper's F_x
   double half_width_m() const { return width_m / 2; }      // the paper's F_y
   double half_goal_m() const { return goal_width_m / 2; }  // the paper's G_w
-  double wall_x_m() const { return half_length_m() + run_off_m; }
+  double behind_goal_lines_m() const {
+    return goal_line_run_off_m > 0 ? goal_line_run_off_m : run_off_m;
+  }
+  double wall_x_m() const { return half_length_m() + behind_goal_lines_m(); }
   double wall_y_m() const { return half_width_m() + run_off_m; }
   Vec2 goal_centre_m(Side side) const { return {goal_sign(side) * half_length_m(), 0.0}; }
   // The penalty mark in front of the goal of `side`.

@@ -87,6 +87,7 @@ constexpr std::array kNumbers = {
 
 constexpr std::string_view kEdition = "edition";
 constexpr std::string_view kInForce = "in_force.";
+constexpr std::string_view kGoalLineRunOff = "field.goal_line_run_off_m";
 
 }  // namespace
 
@@ -102,7 +103,17 @@ void visit_rule_numbers(const RuleBook& rules,
   }
 }
 
-bool set_rule_number(RuleBook& rules, std::string_view name, double value) {
+void visit_start_numbers(const RuleBook& rules, const Field& field,
+                         const std::function<void(std::string_view name, double value)>& visit) {
+  visit_rule_numbers(rules, visit);
+  visit(kGoalLineRunOff, field.behind_goal_lines_m());
+}
+
+bool set_start_number(RuleBook& rules, Field& field, std::string_view name, double value) {
+  if (name == kGoalLineRunOff) {
+    field.goal_line_run_off_m = value;
+    return true;
+  }
   for (const RuleNumber& number : kNumbers) {
     if (number.name != name) continue;
     std::visit(

@@ -48,7 +48,7 @@ class Field(NamedTuple):
 
     length_m: float
     width_m: float
-    run_off_m: float  # from the lines to the wall
+    run_off_m: float  # from the touch lines to the wall
     line_width_m: float
     centre_circle_radius_m: float
     penalty_mark_m: float  # from the goal line of the goal attacked

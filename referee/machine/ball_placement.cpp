@@ -68,8 +68,8 @@ bool is_near_enough(const RefereeState& state, const RefereeInput& input) {
 
 // "The ball ... must not be inside a field corner, a goal corner or behind the goal."
 bool is_out_of_reach(const Field& field, const Vec2& ball_m) {
-  const Vec2 to_wall_m(field.half_length_m() + field.run_off_m - std::abs(ball_m.x()),
-                       field.half_width_m() + field.run_off_m - std::abs(ball_m.y()));
+  const Vec2 to_wall_m(field.wall_x_m() - std::abs(ball_m.x()),
+                       field.wall_y_m() - std::abs(ball_m.y()));
   const bool is_in_corner = to_wall_m.x() < kCorner_m && to_wall_m.y() < kCorner_m;
   const double flank_m = field.half_goal_m() + field.goal_wall_thickness_m + kCorner_m;
   const bool is_at_goal =

@@ -26,8 +26,8 @@ class Turn {
 };
 
 Vec2 inside_walls(const Vec2& position_m, const Field& field) {
-  const double x_m = field.length_m / 2 + field.run_off_m - kRobotRadius_m;
-  const double y_m = field.width_m / 2 + field.run_off_m - kRobotRadius_m;
+  const double x_m = field.wall_x_m() - kRobotRadius_m;
+  const double y_m = field.wall_y_m() - kRobotRadius_m;
   return {std::clamp(position_m.x(), -x_m, x_m), std::clamp(position_m.y(), -y_m, y_m)};
 }
 

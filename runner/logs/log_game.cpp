@@ -62,6 +62,7 @@ void check_judged(const GameSettings& game) {
   constexpr double kAnyRunOff_m = 2;
   Field field = game.field;
   field.run_off_m = kAnyRunOff_m;
+  field.goal_line_run_off_m = kAnyRunOff_m;
   sim::validate(field);
   referee::Referee{referee_configuration(resolved(game))};
 }

@@ -101,7 +101,14 @@ void list_field(Field& field, Branch to) {
             "distance between the outer edges of the goal lines");
   to.number("width_m", field.width_m, {2, 20}, "m",
             "distance between the outer edges of the touch lines");
-  to.number("run_off_m", field.run_off_m, {0.1, 5}, "m", "distance from the lines to the wall");
+  to.number("run_off_m", field.run_off_m, {0.1, 5}, "m",
+            "distance from the touch lines to the wall");
+  to.number("goal_line_run_off_m", field.goal_line_run_off_m, {0, 5}, "m",
+            "distance from the goal lines to the wall; 0: run_off_m");
+  to.number(
+      "goal_substitution_area_m", field.goal_substitution_area_m, {0, 5}, "m",
+      "width of the areas behind the goal lines in which robots may be exchanged; 0: without; "
+      "vision says so, and nothing else depends on it");
   to.number("line_width_m", field.line_width_m, {0, 0.05}, "m", "width of the lines");
   to.number("centre_circle_radius_m", field.centre_circle_radius_m, {0.1, 5}, "m",
             "radius to the outer edge of the line");

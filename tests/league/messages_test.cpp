@@ -2,6 +2,8 @@
 
 #include <limits>
 #include <map>
+#include <stdexcept>
+#include <string>
 
 #include "league/detection_merger.hpp"
 #include "league/field_message.hpp"
@@ -343,6 +345,34 @@ TEST(RefereeMessages, OfAnUnknownStageAreRejected) {
   fill_referee({}, {}, 0, packet);
   packet.set_stage(14);
   EXPECT_FALSE(signal_of(packet).has_value());
+}
+
+// The league's numbers, checked without generated code: 300, 600 and 1000 mm as varints.
+TEST(FieldMessage, HasTheMarginsOf2026UnderTheirNumbers) {
+  Field field;
+  field.run_off_m = 0.3;
+  field.goal_line_run_off_m = 0.6;
+  field.goal_substitution_area_m = 1.0;
+  Geometry geometry;
+  fill_geometry(field, {}, geometry);
+  const std::string bytes = geometry.field().SerializeAsString();
+  EXPECT_NE(bytes.find("\x28\xac\x02"), std::string::npos) << "5";
+  EXPECT_NE(bytes.find("\x80\x01\xd8\x04"), std::string::npos) << "16";
+  EXPECT_NE(bytes.find("\x88\x01\xe8\x07"), std::string::npos) << "17";
+  const Field read = field_of(geometry);
+  EXPECT_DOUBLE_EQ(read.run_off_m, 0.3);
+  EXPECT_DOUBLE_EQ(read.goal_line_run_off_m, 0.6);
+  EXPECT_DOUBLE_EQ(read.goal_substitution_area_m, 1.0);
+}
+
+TEST(FieldMessage, LeavesOutMarginsThatDoNotDiffer) {
+  Geometry geometry;
+  fill_geometry(Field{}, {}, geometry);
+  EXPECT_FALSE(geometry.field().has_boundary_width_goal_line());
+  EXPECT_FALSE(geometry.field().has_goal_substitution_area_width());
+  EXPECT_DOUBLE_EQ(field_of(geometry).wall_x_m(), Field().wall_x_m());
+  geometry.mutable_field()->set_boundary_width_goal_line(-600);
+  EXPECT_THROW(field_of(geometry), std::invalid_argument);
 }
 
 }  // namespace

@@ -19,11 +19,11 @@ struct WideScene {
   const BallState& ball() const { return world.state().ball; }
   double path_m() const { return ball().position_m.x() + 14.0; }  // from where `kicked` puts it
   void frames(int count) {
-    for (int f = 0; f < count; ++f) world.step({}, {});
+    for (int f = 0; f < count; ++f) world.step({}, std::nullopt);
   }
   // Steps until the ball rolls, for at most 30 s. Returns how far it has slid.
   double slid_m() {
-    for (int f = 0; f < 60 * 30 && !ball().is_rolling; ++f) world.step({}, {});
+    for (int f = 0; f < 60 * 30 && !ball().is_rolling; ++f) world.step({}, std::nullopt);
     return path_m();
   }
   // Steps while the ball is faster than that. Returns its path up to the last such frame.
@@ -31,7 +31,7 @@ struct WideScene {
     double last_m = 0.0;
     while (ball().velocity_mps.x() > speed_mps) {
       last_m = path_m();
-      world.step({}, {});
+      world.step({}, std::nullopt);
     }
     return last_m;
   }
@@ -39,7 +39,7 @@ struct WideScene {
   double highest_m(int count) {
     double highest_m = 0.0;
     for (int f = 0; f < count; ++f) {
-      world.step({}, {});
+      world.step({}, std::nullopt);
       highest_m = std::max(highest_m, ball().height_m);
     }
     return highest_m;
@@ -178,6 +178,23 @@ TEST(BallAgainstAWall, KeepsLessThanAThirdOfItsSpeed) {
   scene.frames(6);
   EXPECT_LT(scene.ball().velocity_mps.y(), 0.0);
   EXPECT_GT(scene.ball().velocity_mps.y(), -0.3 * 2.0);
+}
+
+TEST(BallAgainstAWall, MeetsItWhereTheFieldHasItBehindTheGoalLines) {
+  Field field;
+  field.run_off_m = 0.3;
+  field.goal_line_run_off_m = 0.6;
+  World world(field, quiet(), specs(1, 1), 1);
+  BallState ball;
+  ball.position_m = {field.half_length_m() + 0.3, 1.5};
+  ball.velocity_mps = {2.0, 0.0};
+  world.put_ball(ball);
+  double farthest_m = 0;
+  for (int i = 0; i < 60; ++i) {
+    world.step({}, std::nullopt);
+    farthest_m = std::max(farthest_m, world.state().ball.position_m.x());
+  }
+  EXPECT_NEAR(farthest_m, field.half_length_m() + 0.6 - kBallRadius_m, 0.02);
 }
 
 }  // namespace

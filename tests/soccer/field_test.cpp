@@ -17,6 +17,16 @@ TEST(Field, HasThePapersSize) {
   EXPECT_DOUBLE_EQ(field.wall_y_m(), 2.7);
 }
 
+// Division A in 2026.
+TEST(Field, MayHaveItsWallsFartherBehindTheGoalLines) {
+  Field field;
+  field.run_off_m = 0.3;
+  EXPECT_DOUBLE_EQ(field.wall_x_m(), 3.325);
+  field.goal_line_run_off_m = 0.6;
+  EXPECT_DOUBLE_EQ(field.wall_x_m(), 3.625);
+  EXPECT_DOUBLE_EQ(field.wall_y_m(), 2.325);
+}
+
 TEST(Field, PenaltyMarkLies750MmInFrontOfTheGoal) {
   EXPECT_TRUE(Field().penalty_mark_at(Side::kEast).isApprox(Vec2(2.275, 0)));
 }

@@ -54,11 +54,13 @@ class Description {
     return add_each(keeper, leaves, timeout);
   }
   Description& add(const Field& field) {
-    const auto& [length, width, run_off, line, circle, mark, area, goal_width, depth, opening, bar,
-                 wall] = field;
+    const auto& [length, width, run_off, goal_line_run_off, substitution_area, line, circle, mark,
+                 area, goal_width, depth, opening, bar, wall] = field;
     const auto& [shape, area_depth, straight] = area;
-    return add_each(length, width, run_off, line, circle, mark, shape, area_depth, straight,
-                    goal_width, depth, opening, bar, wall);
+    static_cast<void>(goal_line_run_off);  // 0 says the same as run_off
+    static_cast<void>(substitution_area);  // is not sent
+    return add_each(length, width, run_off, field.behind_goal_lines_m(), line, circle, mark, shape,
+                    area_depth, straight, goal_width, depth, opening, bar, wall);
   }
   template <typename Enum>
   requires std::is_enum_v<Enum> Description& add(Enum value) {

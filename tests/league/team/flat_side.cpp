@@ -42,6 +42,8 @@ Field field_of(const FlatStart& s) {
   return {s.length_m,
           s.width_m,
           s.run_off_m,
+          0,  // among the numbers
+          0,
           s.line_width_m,
           s.centre_circle_radius_m,
           s.penalty_mark_m,
@@ -127,7 +129,7 @@ class FlatSide final : public ProgramSide {
     }
     for (std::uint32_t i = 0; i < head.rule_numbers; ++i) {
       const auto number = records.take<FlatNumber>();
-      if (!set_rule_number(start.rules, number.name.data(), number.value))
+      if (!set_start_number(start.rules, start.field, number.name.data(), number.value))
         throw std::runtime_error("unknown rule number");
     }
     for (std::uint32_t i = 0; i < head.params; ++i) {

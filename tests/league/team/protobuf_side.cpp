@@ -28,6 +28,8 @@ Field field_of(const team::TeamField& f) {
   return {f.length_m(),
           f.width_m(),
           f.run_off_m(),
+          0,  // among the numbers
+          0,
           f.line_width_m(),
           f.centre_circle_radius_m(),
           f.penalty_mark_m(),
@@ -101,7 +103,7 @@ class ProtobufSide final : public ProgramSide {
     start.field = field_of(message.field());
     start.rules.name = message.rules();
     for (const team::TeamNumber& number : message.rule_numbers()) {
-      if (!set_rule_number(start.rules, number.name(), number.value()))
+      if (!set_start_number(start.rules, start.field, number.name(), number.value()))
         throw std::runtime_error("unknown number");
     }
     for (const team::TeamNumber& number : message.params())

@@ -24,12 +24,13 @@ class RandomMessages {
     start.latency_s = number();
     start.random_seed = random_();
     start.params = {{"line_m", number()}, {"a \"name\"", number()}, {std::string(55, 'x'), -0.0}};
-    for (double* member : {&start.field.length_m, &start.field.width_m, &start.field.run_off_m,
-                           &start.field.line_width_m, &start.field.centre_circle_radius_m,
-                           &start.field.penalty_mark_m, &start.field.defence_area.depth_m,
-                           &start.field.defence_area.straight_m, &start.field.goal_width_m,
-                           &start.field.goal_depth_m, &start.field.goal_opening_height_m,
-                           &start.field.goal_bar_radius_m, &start.field.goal_wall_thickness_m}) {
+    for (double* member :
+         {&start.field.length_m, &start.field.width_m, &start.field.run_off_m,
+          &start.field.goal_line_run_off_m, &start.field.line_width_m,
+          &start.field.centre_circle_radius_m, &start.field.penalty_mark_m,
+          &start.field.defence_area.depth_m, &start.field.defence_area.straight_m,
+          &start.field.goal_width_m, &start.field.goal_depth_m, &start.field.goal_opening_height_m,
+          &start.field.goal_bar_radius_m, &start.field.goal_wall_thickness_m}) {
       *member = number();
     }
     if (one_in(2)) start.field.defence_area.shape = DefenceArea::Shape::kBox;

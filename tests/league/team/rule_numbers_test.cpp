@@ -58,17 +58,31 @@ TEST(RuleNumbers, GiveTheWholeRuleBookBack) {
     const RuleBook rules = *find_rule_book(name);
     RuleBook read;
     read.name = name;
-    visit_rule_numbers(rules, [&read](std::string_view number, double value) {
-      EXPECT_TRUE(set_rule_number(read, number, value)) << number;
+    Field field;
+    visit_start_numbers(rules, {}, [&](std::string_view number, double value) {
+      EXPECT_TRUE(set_start_number(read, field, number, value)) << number;
     });
     EXPECT_EQ(read, rules);
   }
 }
 
+TEST(RuleNumbers, EndWithTheDistanceToTheWallBehindTheGoalLines) {
+  Field field;
+  std::vector<double> last;
+  for (const double behind_m : {0.0, 0.6}) {
+    field.goal_line_run_off_m = behind_m;
+    visit_start_numbers({}, field, [&last](std::string_view name, double value) {
+      if (name == "field.goal_line_run_off_m") last.push_back(value);
+    });
+  }
+  EXPECT_EQ(last, (std::vector<double>{field.run_off_m, 0.6}));
+}
+
 TEST(RuleNumbers, RefuseUnknownNames) {
   RuleBook rules;
-  EXPECT_FALSE(set_rule_number(rules, "kick_limit", 1));
-  EXPECT_FALSE(set_rule_number(rules, "in_force.aimless", 1));
+  Field field;
+  EXPECT_FALSE(set_start_number(rules, field, "kick_limit", 1));
+  EXPECT_FALSE(set_start_number(rules, field, "in_force.aimless", 1));
 }
 
 }  // namespace

@@ -59,6 +59,12 @@ TEST_F(ForeignLog, WithTheLeaguesMarginOf300MillimetresIsJudged) {
   expect_judged();
   write({.change_field = [](league::FieldSize& size) { size.set_boundary_width(0); }});
   expect_judged();
+  write({.change_field = [](league::FieldSize& size) {
+    size.set_boundary_width(300);
+    size.set_boundary_width_goal_line(600);
+    size.set_goal_substitution_area_width(1000);
+  }});
+  expect_judged();
 }
 
 TEST_F(ForeignLog, WithoutTheStagesClockIsJudgedWithTheBooksHalf) {
