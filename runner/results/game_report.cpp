@@ -7,6 +7,7 @@
 
 #include "runner/io/checksum.hpp"
 #include "runner/io/json.hpp"
+#include "runner/results/end_text.hpp"
 #include "runner/results/game_row.hpp"
 #include "soccer/colour.hpp"
 
@@ -126,8 +127,7 @@ std::string text_of(const GameReport& report) {
   if (record.shootout) {
     text += fmt::format("   shoot-out {}:{}", (*record.shootout)[0], (*record.shootout)[1]);
   }
-  if (record.status != Status::kOk)
-    text += fmt::format("\n{}: {}", name_of(record.status), record.void_reason);
+  text += fmt::format("\nended: {}", end_text(game, record));
   text += fmt::format("\ncalls: {}", calls_text(record));
   text += counts_text(record);
   text += fmt::format("\n{:.0f} s played, ball in play {:.0f} s; took {:.2f} s, {:.0f} x real time",
