@@ -14,7 +14,8 @@ std::vector<ComparedCall> compared_calls(const Agreement& agreement) {
     calls.push_back({pair.recorded ? pair.recorded->stop_s : pair.refereed->stop_s,
                      pair.recorded ? title_of(*pair.recorded) : "",
                      pair.refereed ? title_of(*pair.refereed) : "",
-                     other_referee_text(pair, agreement)});
+                     other_referee_text(pair, agreement),
+                     pair.refereed ? std::optional(pair.refereed->stop_s) : std::nullopt});
   }
   return calls;
 }

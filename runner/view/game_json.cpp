@@ -109,7 +109,8 @@ Json compared_json(const ComparedCall& call) {
   return {{"time_s", call.time_s},
           {"recorded", call.recorded},
           {"autoref", call.autoref},
-          {"other", call.other}};
+          {"other", call.other},
+          {"autoref_s", call.autoref_s ? Json(*call.autoref_s) : Json()}};
 }
 
 }  // namespace

@@ -18,10 +18,11 @@ struct PageFact {
 
 // A call of a recorded game, made by the recorded referee, by AutoRef, or by both.
 struct ComparedCall {
-  double time_s = 0;
+  double time_s = 0;     // when the recorded referee called; AutoRef's time if only it called
   std::string recorded;  // what the recorded referee called; empty: nothing
   std::string autoref;   // what AutoRef called; empty: nothing
   std::string other;     // if only one called: what the other referee did instead
+  std::optional<double> autoref_s{};  // when AutoRef called; nullopt: it did not
   bool operator==(const ComparedCall&) const = default;
 };
 

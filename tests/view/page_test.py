@@ -58,6 +58,21 @@ return sum / (3 * data.length / 4);
 """
 
 
+SCAN_STEP_S = 0.1
+
+# The time, the last command and the pill's text, every SCAN_STEP_S.
+SCAN_PILL = f"""
+const found = [];
+for (let time_s = page.recording.first_s; time_s < page.recording.last_s; time_s += {SCAN_STEP_S}) {{
+  page.player.seek(time_s);
+  page.show();
+  const signal = page.game.signals[lastNotAfter(page.game.signals, time_s + 1e-6, (one) => one.time_s)];
+  found.push([time_s, signal?.command ?? "", document.getElementById("command").textContent]);
+}}
+return found;
+"""
+
+
 class PageTest(GamePage):
     """A game in which cobalt scores several goals."""
 
@@ -145,6 +160,31 @@ class PageTest(GamePage):
         self.assertGreater(len(stops), 0)
         self.press("n")
         self.assertNotEqual(self.text("callReason"), "")
+
+    def test_says_in_play_while_and_only_while_the_ball_is(self):
+        pills = self.browser.execute_script(SCAN_PILL)
+        in_play_s = sum(1 for _, _, pill in pills if pill == "In play") * SCAN_STEP_S
+        self.assertAlmostEqual(in_play_s, self.record["ball_in_play_s"], delta=0.04 * self.record["ball_in_play_s"] + 1)
+        for time_s, command, pill in pills:
+            if command in ("HALT", "STOP") or command.startswith(("GOAL", "PREPARE", "BALL_PLACEMENT", "TIMEOUT")):
+                self.assertNotEqual(pill, "In play", time_s)
+        self.assertNotIn("Force start", [pill for _, _, pill in pills])
+        self.assertIn("Direct free kick, yellow", [pill for _, _, pill in pills])  # until it is taken
+        self.leave_picture("in_play")
+
+    def test_takes_a_ball_that_is_not_seen_for_one_that_has_not_moved(self):
+        frames = self.browser.execute_script(
+            """
+            const signal = {...page.game.signals.find((one) => one.command.startsWith("DIRECT_FREE"))};
+            const real = freedAt(page.recording, signal);
+            const begin = page.recording.indexAt(signal.time_s);
+            const hidden = {...page.recording, indexAt: () => begin, ball: {...page.recording.ball}};
+            hidden.ball.x = hidden.ball.x.map((x, i) => i === begin || i === begin + 2 ? kNothing : x);
+            signal.freedAt = undefined;
+            return [begin, real, freedAt(hidden, signal)];"""
+        )
+        self.assertGreater(frames[1], frames[0] + 3)
+        self.assertAlmostEqual(frames[2], frames[1], delta=1)
 
     def test_draws_each_layer(self):
         self.press("gg" + Keys.ARROW_LEFT)
@@ -414,9 +454,51 @@ class ComparedPageTest(BrowserTest):
         self.settle()
         self.assertEqual(self.browser.get_log("browser"), [])
         self.assertGreater(self.compared["recorded"], 2)
-        self.assertEqual(len(self.marks("")), self.compared["recorded"])
         self.assertEqual(len(self.marks(".missed")), self.compared["recorded"] - self.compared["right"])
         self.leave_picture("compared")
+
+    def disagreements(self, compared):
+        return compared["recorded"] + compared["judged"] - 2 * compared["right"]
+
+    def test_lists_a_call_of_both_referees_once(self):
+        self.browser.get(self.page.as_uri())
+        self.settle()
+        self.assertGreater(self.compared["right"], 2)
+        titles, reasons = self.texts(".highlight .title"), self.texts(".highlight .reason")
+        agreed = [reason for reason in reasons if re.search(r"Recorded: [^.]+\.$", reason)]
+        self.assertEqual(len(agreed), self.compared["right"])
+        recorded = [title for title in titles if title.startswith("Recorded: ")]
+        self.assertEqual(len(recorded), self.compared["recorded"] - self.compared["right"])
+        self.assertTrue(any(title.startswith("Both: ") for title in titles))
+        self.assertEqual(len(self.texts(".highlight.disagreement")), self.disagreements(self.compared))
+
+    def test_lists_only_disagreements_if_asked(self):
+        self.browser.get(self.annotated_page.as_uri())
+        self.settle()
+
+        def listed():
+            return [one for one in self.browser.find_elements(By.CSS_SELECTOR, ".highlight") if one.is_displayed()]
+
+        everything = len(listed())
+        disagreements = self.disagreements(self.annotated)
+        self.assertGreater(disagreements, 0)
+        self.browser.find_element(By.ID, "disagreements").click()
+        self.settle()
+        self.assertEqual(len(listed()), disagreements)
+        self.leave_picture("disagreements")
+        self.browser.find_element(By.TAG_NAME, "body").send_keys("n")
+        self.settle()
+        self.assertEqual(self.texts(".highlight.disagreement .when")[0], self.text("time").split(".")[0])
+        self.browser.find_element(By.TAG_NAME, "body").send_keys("d")
+        self.settle()
+        self.assertEqual(len(listed()), everything)
+
+    def test_has_no_filter_without_a_comparison(self):
+        page = self.annotated_page.with_name("plain.html")
+        played_game(GamePage.autoref, GamePage.scenario, str(page), match__half_s=5)
+        self.browser.get(page.as_uri())
+        self.settle()
+        self.assertFalse(self.browser.find_element(By.ID, "disagreements").is_displayed())
 
     def test_marks_what_was_missed_and_opens_at_that_moment(self):
         missed = [call for call in self.annotated["calls"] if call["recorded"]]

@@ -12,6 +12,7 @@ function highlightItem(highlight, seek) {
   button.type = "button";
   button.className = `highlight ${highlight.kind}`;
   button.classList.toggle("missed", highlight.isMissed === true);
+  button.classList.toggle("disagreement", highlight.isDisagreement === true);
   button.dataset.side = highlight.side ?? "";
   button.dataset.color = highlight.color ?? "";
   button.append(textElement("span", "when", minutesAndSeconds(highlight.time_s)),
@@ -29,6 +30,7 @@ class EventList {
     this.highlights = highlights;
     this.list = document.getElementById("eventList");
     this.current = -1;
+    this.hasOnlyDisagreements = false;
     const items = document.createDocumentFragment();
     for (const highlight of highlights) items.append(highlightItem(highlight, seek));
     this.list.append(items);
@@ -46,7 +48,8 @@ class EventList {
 
   // The next highlight of this kind, forwards (1) or backwards (-1); of any kind if `kind` is null.
   neighbour(time_s, direction, kind = null) {
-    const fits = (highlight) => kind === null || highlight.kind === kind;
+    const isListed = (highlight) => !this.hasOnlyDisagreements || highlight.isDisagreement === true;
+    const fits = (highlight) => isListed(highlight) && (kind === null || highlight.kind === kind);
     const lies = (highlight) => direction * (highlight.time_s - time_s) > 1e-3;
     const ahead = this.highlights.filter((highlight) => fits(highlight) && lies(highlight));
     return direction > 0 ? ahead[0] : ahead[ahead.length - 1];
@@ -67,7 +70,7 @@ class EventList {
   reveal() {
     const {list} = this;
     const item = list.children[this.current];
-    if (!item) return;
+    if (!item || item.offsetParent === null) return;  // none, or not listed
     list.scrollTop = item.offsetTop - list.offsetTop - (list.clientHeight - item.offsetHeight) / 2;
   }
 

@@ -2,6 +2,8 @@
 
 // A goal and its call may be a packet or two apart.
 const kSameGoal_s = 1;
+// A person shows a card some seconds after AutoRef.
+const kSameCard_s = 10;
 const kMostHighlights = 4000;
 
 // Events name sides by colour.
@@ -80,14 +82,14 @@ function highlightOfDecision(decision) {
 }
 
 // Adds the referee's reasons to highlights found in the signals; returns the decisions that were
-// used.
+// used, each with its highlight.
 function addReasons(moments, decisions, events) {
   const calls = decisions.filter((decision) => events.includes(decision.event));
-  const used = new Set();
+  const used = new Map();
   for (const moment of moments) {
     const call = calls.find((one) => Math.abs(one.time_s - moment.time_s) <= kSameGoal_s && !used.has(one));
     if (!call) continue;
-    used.add(call);
+    used.set(call, moment);
     moment.reason = call.reason ?? "";
     moment.rule = call.rule ?? "";
     moment.position_m = call.position_m;
@@ -100,27 +102,78 @@ function highlightOfKick(kick) {
           title: kickTitle(kick), reason: ""};
 }
 
-// A call of the recorded referee, with what AutoRef did.
-function highlightOfRecorded({time_s, recorded, autoref, other}) {
-  const reason = autoref ? "AutoRef made the same call." : `${other}.`;
-  const title = `Recorded: ${isCommand(recorded) ? commandTitle(recorded) : recorded}`;
-  return {time_s, kind: "recorded", side: null, isMissed: !autoref, title, reason};
+function titleOfRecorded({recorded}) {
+  return isCommand(recorded) ? commandTitle(recorded) : recorded;
 }
 
-// Adds what the recorded referee did to calls that only AutoRef made.
+function highlightOfRecorded(call) {
+  const reason = call.autoref ? "AutoRef made the same call." : `${call.other}.`;
+  const title = `Recorded: ${titleOfRecorded(call)}`;
+  const isMissed = !call.autoref;
+  return {time_s: call.time_s, kind: "recorded", side: null, isMissed, isDisagreement: isMissed, title, reason};
+}
+
+// The highlight of AutoRef's decision in this comparison. Several decisions may have its time, such as a
+// foul and a card.
+function highlightOfAutoref({autoref, autoref_s}, highlights) {
+  const made = [...highlights.keys()].filter((one) => Math.abs(one.time_s - autoref_s) < 1e-3);
+  const named = made.find(({event}) => event === autoref.split(" (")[0]);
+  return highlights.get(named ?? made[0]);
+}
+
+function withSentence(reason, sentence) {
+  return `${reason} ${sentence}`.trim();
+}
+
+// Turns the highlight of AutoRef's call into that of both referees'.
+function addAgreement(moment, call) {
+  moment.reason = withSentence(moment.reason, `Recorded: ${titleOfRecorded(call)}.`);
+  if (moment.kind !== "stop") return;
+  moment.kind = "recorded";
+  moment.title = `Both: ${moment.call}`;
+}
+
+function addDisagreement(moment, {other}) {
+  moment.isDisagreement = true;
+  moment.reason = withSentence(moment.reason, `${capitalised(other)}.`);
+}
+
+// Adds what the recorded referee did to AutoRef's highlights; returns those of the other recorded calls.
 function addRecorded(highlights, compared) {
-  for (const {time_s, recorded, other} of compared) {
-    const call = recorded ? null : highlights.find((one) => Math.abs(one.time_s - time_s) < 1e-3);
-    if (call) call.reason = `${call.reason} ${capitalised(other)}.`.trim();
+  const others = [];
+  for (const call of compared) {
+    const moment = call.autoref ? highlightOfAutoref(call, highlights) : undefined;
+    if (call.recorded && !moment) others.push(highlightOfRecorded(call));
+    else if (call.recorded) addAgreement(moment, call);
+    else if (moment) addDisagreement(moment, call);
   }
+  return others;
 }
 
-// AutoRef's calls beside the recorded referee's.
+// The recorded cards that AutoRef did not show; its highlights of the others say that both did.
+function otherCards(recorded, calls) {
+  const left = calls.filter(({kind}) => kind === "card");
+  return recorded.filter((card) => {
+    const isSame = (one) => one.color === card.color && one.side === card.side;
+    const place = left.findIndex((one) => isSame(one) && Math.abs(one.time_s - card.time_s) <= kSameCard_s);
+    if (place < 0) return true;
+    const [own] = left.splice(place, 1);
+    own.title = `Both: ${own.call}`;
+    return false;
+  });
+}
+
+// AutoRef's calls beside the recorded referee's; a call of both is listed once. `shown` has the decisions
+// that belong to other highlights.
 function comparedCallsOf({signals, decisions, compared}, shown) {
-  const calls = decisions.filter((one) => !shown.has(one)).map(highlightOfDecision);
-  for (const call of calls) call.title = `AutoRef: ${call.title}`;
-  addRecorded(calls, compared);
-  return [...calls, ...cardsOf(signals), ...compared.filter((one) => one.recorded).map(highlightOfRecorded)];
+  const calls = new Map();
+  for (const decision of decisions.filter((one) => !shown.has(one))) {
+    const call = highlightOfDecision(decision);
+    calls.set(decision, {...call, call: call.title, title: `AutoRef: ${call.title}`});
+  }
+  const recorded = addRecorded(new Map([...shown, ...calls]), compared);
+  const own = [...calls.values()];
+  return [...own, ...otherCards(cardsOf(signals), own), ...recorded];
 }
 
 // Decisions; without any, what the signals show.
@@ -138,6 +191,6 @@ function highlightsOf(game, kicks) {
   const counted = addReasons(goals, decisions, ["goal"]);
   const shots = kicks.map(highlightOfKick);
   const shown = addReasons(shots, decisions, ["goal", "penalty_kick_failed"]);
-  const others = game.compared ? comparedCallsOf(game, new Set([...shown, ...counted])) : callsOf(game, shown);
+  const others = game.compared ? comparedCallsOf(game, new Map([...shown, ...counted])) : callsOf(game, shown);
   return [...goals, ...shots, ...others].sort((a, b) => a.time_s - b.time_s).slice(-kMostHighlights);
 }

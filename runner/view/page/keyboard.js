@@ -9,6 +9,7 @@ const kKeys = {
   g: "nextGoal", G: "previousGoal",
   Home: "toBegin", End: "toEnd",
   1: "layer1", 2: "layer2", 3: "layer3", 4: "layer4", 5: "layer5",
+  d: "disagreements",
   "?": "help",
 };
 

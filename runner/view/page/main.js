@@ -32,6 +32,7 @@ class Page {
   begin() {
     this.setTitle();
     this.showFacts();
+    this.showFilter();
     this.listen();
     for (const [event, isPaper] of [["beforeprint", true], ["afterprint", false]]) {
       window.addEventListener(event, () => this.print(isPaper));
@@ -90,8 +91,10 @@ class Page {
     this.isStale = false;
     const {time_s} = this.player;
     const signalIndex = lastNotAfter(this.game.signals, time_s + 1e-6, (signal) => signal.time_s);
-    this.pitch.draw(this.recording.sceneAt(time_s), signalIndex, this.layers, this.events.highlightAt(time_s));
-    this.scoreboard.show(time_s, this.game.signals[Math.max(signalIndex, 0)]);
+    const scene = this.recording.sceneAt(time_s);
+    const play = playAt(this.recording, this.game, this.game.signals[signalIndex], scene.index);
+    this.pitch.draw(scene, signalIndex, this.layers, this.events.highlightAt(time_s));
+    this.scoreboard.show(time_s, this.game.signals[Math.max(signalIndex, 0)], play);
     this.timeline.show(time_s);
     this.events.show(time_s);
     this.showControls();
@@ -112,6 +115,24 @@ class Page {
     document.getElementById(`layer-${name}`).setAttribute("aria-pressed", String(this.layers[name]));
     document.body.classList.toggle("without-list", !this.layers.list);
     this.isStale = true;
+  }
+
+  showFilter() {
+    const button = document.getElementById("disagreements");
+    const count = this.events.highlights.filter((one) => one.isDisagreement).length;
+    button.hidden = !this.game.compared;
+    button.disabled = count === 0;
+    button.textContent = count === 0 ? "No disagreements" : `Only disagreements (${count})`;
+  }
+
+  // Lists all events, or only the calls of one referee that the other did not make.
+  toggleDisagreements() {
+    if (!this.game.compared || document.getElementById("disagreements").disabled) return;
+    this.events.hasOnlyDisagreements = !this.events.hasOnlyDisagreements;
+    const isOn = this.events.hasOnlyDisagreements;
+    document.getElementById("disagreements").setAttribute("aria-pressed", String(isOn));
+    document.body.classList.toggle("only-disagreements", isOn);
+    this.events.reveal();
   }
 
   seekMoment(direction, kind) {
@@ -141,6 +162,7 @@ class Page {
       nextGoal: () => this.seekMoment(1, "goal"),
       toBegin: () => player.seek(recording.first_s),
       toEnd: () => player.seek(recording.last_s),
+      disagreements: () => this.toggleDisagreements(),
       help: () => this.toggleHelp(),
     };
     kLayers.forEach((name, i) => { actions[`layer${i + 1}`] = () => this.toggleLayer(name); });

@@ -1,6 +1,8 @@
-// What the rules require at restarts: who must keep away from the ball, and until when.
+// What the rules require at restarts: who must keep away from the ball, and until when; and whether the
+// ball is in play.
 
 const kInPlay_mm = 50;  // the ball is in play once it has moved this far (Laws 13)
+const kOutsideFrames = 3;  // in a row; fewer may be a false detection
 const kRestarts = ["DIRECT_FREE", "INDIRECT_FREE", "PREPARE_KICKOFF", "NORMAL_START"];
 const kRunning = ["NORMAL_START", "FORCE_START", "DIRECT_FREE", "INDIRECT_FREE"];
 
@@ -15,15 +17,40 @@ function takerOf(signals, index) {
   return sideOfCommand(signals[index - 1].command);
 }
 
-// The first frame with the ball in play after the signal; cached in the signal.
+// The first frame with the ball in play after the signal; cached in the signal. A ball that is not
+// seen has not moved.
 function freedAt(recording, signal) {
   if (signal.freedAt !== undefined) return signal.freedAt;
   const {x, y} = recording.ball;
-  const begin = recording.indexAt(signal.time_s);
+  let begin = recording.indexAt(signal.time_s);
+  while (begin < recording.count && x[begin] === kNothing) ++begin;
+  const isThere = (i) => x[i] === kNothing || Math.hypot(x[i] - x[begin], y[i] - y[begin]) <= kInPlay_mm;
   let i = begin;
-  while (i < recording.count && Math.hypot(x[i] - x[begin], y[i] - y[begin]) <= kInPlay_mm) ++i;
+  while (i < recording.count && isThere(i)) ++i;
   signal.freedAt = i;
   return i;
+}
+
+// Whether the ball was wholly outside the field in some frames from `begin` to `end`.
+function hasLeftField(recording, {field, shapes}, begin, end) {
+  const {x, y} = recording.ball;
+  const far_mm = {x: field.halfLength_mm + shapes.ballRadius_mm, y: field.halfWidth_mm + shapes.ballRadius_mm};
+  let outside = 0;
+  for (let i = begin; i <= end && outside < kOutsideFrames; ++i) {
+    if (x[i] === kNothing) continue;
+    outside = Math.abs(x[i]) > far_mm.x || Math.abs(y[i]) > far_mm.y ? outside + 1 : 0;
+  }
+  return outside >= kOutsideFrames;
+}
+
+// "before" the kick of a restart or while the game is stopped, "in" play, or "out" of it: the ball has left
+// the field, and no command has followed.
+function playAt(recording, game, signal, frame) {
+  if (!signal || !isRunning(signal)) return "before";
+  const isForced = kindOfCommand(signal.command) === "FORCE_START";
+  const begin = isForced ? recording.indexAt(signal.time_s) : freedAt(recording, signal);
+  if (frame < begin) return "before";
+  return hasLeftField(recording, game, begin, frame) ? "out" : "in";
 }
 
 // The sides that must now keep away from the ball; empty while play is on.

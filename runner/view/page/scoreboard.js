@@ -1,14 +1,15 @@
-// Team names, score, clock, and the referee's command.
+// Team names, score, clock, and whether the ball is in play or which command holds.
 
 function setText(id, text) {
   const element = document.getElementById(id);
   if (element.textContent !== text) element.textContent = text;
 }
 
-function signOf(signal) {
-  const kind = kindOfCommand(signal.command);
-  if (kind === "HALT") return "halt";
-  return isRunning(signal) ? "running" : "stopped";
+const kPlayTitles = {in: "In play", out: "Out of play"};
+
+function signOf(signal, play) {
+  if (kindOfCommand(signal.command) === "HALT") return "halt";
+  return play === "in" ? "running" : "stopped";
 }
 
 class Scoreboard {
@@ -22,7 +23,8 @@ class Scoreboard {
     });
   }
 
-  show(time_s, signal) {
+  // `play` is as in playAt().
+  show(time_s, signal, play) {
     setText("clock", this.clockAt(time_s));
     if (!signal) return;
     const standing = this.shootout.standingAt(time_s);
@@ -31,9 +33,16 @@ class Scoreboard {
       this.showCards(signal, side);
     }
     setText("stage", stageTitle(signal.stage));
-    setText("command", commandTitle(signal.command));
-    document.getElementById("command").dataset.sign = signOf(signal);
-    document.getElementById("command").dataset.side = sideOfCommand(signal.command) ?? "";
+    this.showCommand(signal, play);
+  }
+
+  showCommand(signal, play) {
+    const title = commandTitle(signal.command);
+    const pill = document.getElementById("command");
+    setText("command", kPlayTitles[play] ?? title);
+    pill.title = `Last command: ${title}`;
+    pill.dataset.sign = signOf(signal, play);
+    pill.dataset.side = kPlayTitles[play] ? "" : sideOfCommand(signal.command) ?? "";
   }
 
   showCards(signal, side) {

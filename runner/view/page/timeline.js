@@ -26,6 +26,7 @@ class Timeline {
       mark.tabIndex = -1;  // keyboard users reach events through the list
       mark.className = `mark ${highlight.kind}`;
       mark.classList.toggle("missed", highlight.isMissed === true);
+      mark.classList.toggle("disagreement", highlight.isDisagreement === true);
       mark.dataset.side = highlight.side ?? "";
       mark.dataset.color = highlight.color ?? "";
       mark.style.left = `${100 * this.shareOf(highlight.time_s)}%`;

@@ -17,10 +17,10 @@ TEST(ComparedCalls, SayWhatEachRefereeDid) {
       {std::nullopt, shown_call_at(12, "goal_kick", Side::kEast)},
       {std::nullopt, shown_call_at(40, "goal", Side::kEast)}};
   const std::vector<ComparedCall> expected = {
-      {5, "DIRECT_FREE_BLUE", "throw_in (yellow)", ""},
-      {9, "DIRECT_FREE_YELLOW", "", "AutoRef: goal_kick (blue) at 12.00 s"},
-      {12, "", "goal_kick (blue)", "recorded: DIRECT_FREE_YELLOW at 9.00 s"},
-      {40, "", "goal (blue)", "recorded: nothing"}};
+      {5, "DIRECT_FREE_BLUE", "throw_in (yellow)", "", 5.1},
+      {9, "DIRECT_FREE_YELLOW", "", "AutoRef: goal_kick (blue) at 12.00 s", std::nullopt},
+      {12, "", "goal_kick (blue)", "recorded: DIRECT_FREE_YELLOW at 9.00 s", 12},
+      {40, "", "goal (blue)", "recorded: nothing", 40}};
   EXPECT_EQ(compared_calls(agreement), expected);
 }
 
