@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "runner/io/table.hpp"
 #include "runner/view/field_marks.hpp"
 #include "runner/view/svg.hpp"
 #include "soccer/published.hpp"
@@ -15,7 +16,9 @@
 namespace autoref::runner {
 namespace {
 
-constexpr double kCaption_m = 0.12;           // font size
+constexpr double kCaption_m = 0.12;           // largest font size
+constexpr double kCaptionBand_m = 0.22;       // above the carpet, where no robot is
+constexpr double kLetterWidth = 0.62;         // of the font size, on average
 constexpr double kShownBallRadius_m = 0.035;  // larger than in reality, to be visible
 constexpr double kFarthestStep_m = 0.4;       // a larger step is a placement, not motion
 constexpr double kShortestStep_m = 0.015;
@@ -157,12 +160,22 @@ std::string caption(const DrawnGame& game) {
                      name_of(signal.stage), name_of(signal.command));
 }
 
+// Writes the caption into the band above the carpet, smaller if it is too long for one line.
+void draw_caption(const std::string& text, const Vec2& half_size_m, Svg& svg) {
+  constexpr double kMargin_m = 0.08;
+  const double length_m = 2 * (half_size_m.x() - kMargin_m);
+  const double letters = static_cast<double>(width_of(text));
+  const double size_m = std::min(kCaption_m, length_m / (kLetterWidth * std::max(1.0, letters)));
+  svg.text({-half_size_m.x() + kMargin_m, half_size_m.y() + kMargin_m}, text,
+           fmt::format(R"(id="caption" fill="#17302a" font-size="{:.0f}")", size_m * 1000));
+}
+
 }  // namespace
 
 std::string drawing_of(const DrawnGame& game) {
   const Field& field = game.field;
   const Vec2 half_size_m(field.wall_x_m(), field.wall_y_m());
-  Svg svg(half_size_m);
+  Svg svg(half_size_m, kCaptionBand_m);
   draw_field(field, !game.signal || game.signal->blue_on_positive_half, svg);
   if (game.frames.size() > 1) draw_paths(game, svg);
   const Frame& last = game.frames.back();
@@ -170,8 +183,7 @@ std::string drawing_of(const DrawnGame& game) {
   for (const Side side : kSides)
     for (const RobotObservation& robot : last.robots[side]) draw_robot(side, robot, svg);
   if (last.ball) draw_ball(*last.ball, svg);
-  svg.text({-field.half_length_m(), field.half_width_m() + 0.09}, caption(game),
-           fmt::format(R"(id="caption" fill="#f2f7f4" font-size="{:.0f}")", kCaption_m * 1000));
+  draw_caption(caption(game), half_size_m, svg);
   svg.end_group();
   return svg.text();
 }

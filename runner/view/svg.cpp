@@ -46,12 +46,17 @@ std::string path_of(const MarkArc& arc) {
 
 }  // namespace
 
-Svg::Svg(const Vec2& half_size_m)
+Svg::Svg(const Vec2& half_size_m, double band_m)
     : body_(fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{:.0f}\" "
                         "height=\"{:.0f}\" viewBox=\"{} {} {} {}\">\n",
-                        kSvgWidth_px, kSvgWidth_px * half_size_m.y() / half_size_m.x(),
-                        mm(-half_size_m.x()), mm(-half_size_m.y()), mm(2 * half_size_m.x()),
-                        mm(2 * half_size_m.y()))) {}
+                        kSvgWidth_px,
+                        kSvgWidth_px * (2 * half_size_m.y() + band_m) / (2 * half_size_m.x()),
+                        mm(-half_size_m.x()), mm(-half_size_m.y() - band_m),
+                        mm(2 * half_size_m.x()), mm(2 * half_size_m.y() + band_m))) {
+  body_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"#ffffff\"/>\n",
+                       mm(-half_size_m.x()), mm(-half_size_m.y() - band_m), mm(2 * half_size_m.x()),
+                       mm(band_m));
+}
 
 void Svg::line(std::span<const Vec2> points_m, std::string_view look) {
   std::string path;

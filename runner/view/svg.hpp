@@ -14,8 +14,9 @@ namespace autoref::runner {
 // element, such as `fill="red"`.
 class Svg {
  public:
-  // Shows everything within `half_size_m` of the field's centre.
-  explicit Svg(const Vec2& half_size_m);
+  // Shows everything within `half_size_m` of the field's centre, and a white band of this height
+  // above it.
+  Svg(const Vec2& half_size_m, double band_m);
 
   void line(std::span<const Vec2> points_m, std::string_view look);
   void arc(const MarkArc& arc, std::string_view look);
