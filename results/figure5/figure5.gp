@@ -5,7 +5,10 @@ set datafile separator ","
 set multiplot layout 1,2
 set key left top reverse Left
 set grid ytics
-set yrange [-3:*]
+set yrange [0:*]
+set offsets 0, 0, graph 0.04, 0  # room above the highest bar
+# Bars end at 0, since no team has fewer goals.
+low(mean, deviation) = mean > deviation ? mean - deviation : 0
 set ylabel "goals a game, mean and standard deviation"
 full = "#1f6fb4"
 less = "#d1495b"
@@ -13,17 +16,17 @@ less = "#d1495b"
 set title "acceleration and top speed scaled, 20 games a value"
 set xlabel "share of full acceleration and top speed"
 set xrange [1.05:0.45]
-plot "speed/summary.csv" using ($1+0.006):4:5 skip 1 with yerrorbars pt 7 lc rgb full title "unhandicapped", \
+plot "speed/summary.csv" using ($1+0.006):4:(low($4,$5)):($4+$5) skip 1 with yerrorbars pt 7 lc rgb full title "unhandicapped", \
      "" using ($1+0.006):4 skip 1 with lines lc rgb full notitle, \
-     "" using ($1-0.006):6:7 skip 1 with yerrorbars pt 5 lc rgb less title "handicapped", \
+     "" using ($1-0.006):6:(low($6,$7)):($6+$7) skip 1 with yerrorbars pt 5 lc rgb less title "handicapped", \
      "" using ($1-0.006):6 skip 1 with lines lc rgb less notitle
 
 set title "fewer robots, 60 games a value"
 set xlabel "robots"
 set xrange [6.5:0.5]
 set xtics 1
-plot "robots/summary.csv" using ($1+0.06):4:5 skip 1 with yerrorbars pt 7 lc rgb full title "unhandicapped", \
+plot "robots/summary.csv" using ($1+0.06):4:(low($4,$5)):($4+$5) skip 1 with yerrorbars pt 7 lc rgb full title "unhandicapped", \
      "" using ($1+0.06):4 skip 1 with lines lc rgb full notitle, \
-     "" using ($1-0.06):6:7 skip 1 with yerrorbars pt 5 lc rgb less title "handicapped", \
+     "" using ($1-0.06):6:(low($6,$7)):($6+$7) skip 1 with yerrorbars pt 5 lc rgb less title "handicapped", \
      "" using ($1-0.06):6 skip 1 with lines lc rgb less notitle
 unset multiplot

@@ -10,9 +10,9 @@
 namespace autoref::runner {
 namespace {
 
-// Wide tables and plots scroll in their own box. On paper, where nothing scrolls, the font shrinks
-// until they fit: `--letters` is the width in characters (0.62 em each), 176 mm the width of A4 and
-// Letter between the margins.
+// Wide tables scroll in their own box; plots are scaled to the page. On paper, where nothing
+// scrolls, the font shrinks until they fit: `--letters` is the width in characters (0.62 em each),
+// 176 mm the width of A4 and Letter between the margins.
 constexpr const char* kStyle =
     "body{font:16px/1.5 system-ui,sans-serif;color:#222;background:#fff;max-width:60em;"
     "margin:2em auto;padding:0 1em;overflow-wrap:anywhere}\n"
@@ -30,7 +30,6 @@ constexpr const char* kStyle =
     "svg{max-width:100%;height:auto}\n"
     "@media screen and (max-width:40em){\n"
     "body{margin:1em auto}h1{font-size:1.3em}ul{padding-left:1.2em}\n"
-    "figure svg{max-width:none;width:38em}\n"
     "tr>.name:first-child{position:sticky;left:0;background:#fff;max-width:8em;"
     "white-space:normal;overflow-wrap:break-word}\n"
     ".words tr>.name:first-child{position:static;max-width:none}\n"
@@ -140,7 +139,7 @@ std::string html_of(const Link& link) {
 
 std::string html_of(const Figure& figure) {
   return fmt::format(
-      "<figure>\n<div class=\"wide\">{0}</div>\n<figcaption>{1} Data: <code>{2}/{3}.csv</code>, "
+      "<figure>\n{0}<figcaption>{1} Data: <code>{2}/{3}.csv</code>, "
       "script: <code>{2}/{3}.gp</code>.</figcaption>\n</figure>\n",
       element_of(figure.svg), escaped(figure.caption), figure.folder, figure.name);
 }

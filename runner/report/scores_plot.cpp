@@ -26,7 +26,8 @@ std::string csv_of(const std::vector<Group>& groups) {
 // Draws a team's points shifted sideways, so neither team's bars hide the other's.
 std::string curve(char team, const char* colour, int point, char shift) {
   return fmt::format(
-      "data using (column('value') {3} dodge):'mean_{0}':'sd_{0}' with yerrorbars pt -1 lw 1.5 lc "
+      "data using (column('value') {3} dodge):'mean_{0}':(low(column('mean_{0}'), "
+      "column('sd_{0}'))):(column('mean_{0}') + column('sd_{0}')) with yerrorbars pt -1 lw 1.5 lc "
       "rgb '{1}' notitle, \\\n"
       "     data using (column('value') {3} dodge):'mean_{0}' with linespoints pt {2} ps 0.7 lw 2 "
       "lc rgb '{1}' title 'team {0}'",
@@ -37,7 +38,9 @@ std::string script_of(const NumericFactor& factor, const std::vector<Group>& gro
   return script_head("scores", kHeight_px) + factor_axis(factor, groups) +
          fmt::format(
              "set ylabel 'goals per game, mean and standard deviation'\n"
-             "set yrange [*<0:*]\n"
+             "set yrange [0:*]\n"
+             "set offsets 0, 0, graph 0.04, 0\n"
+             "low(mean, deviation) = mean > deviation ? mean - deviation : 0\n"
              "set key top left reverse Left\n"
              "dodge = {}\n"
              "plot {}, \\\n     {}\n",
@@ -53,7 +56,8 @@ std::optional<Plot> scores_plot(const Scenario& scenario, const ExperimentResult
   return Plot{"scores",
               fmt::format("Goals of both teams against {}: the mean over each value's games; bars "
                           "show the standard deviation of single games, not the uncertainty of "
-                          "the mean. Same form as the AutoRef paper's Fig. 5.",
+                          "the mean, and end at 0, since no team has fewer goals. Same form as the "
+                          "AutoRef paper's Fig. 5.",
                           factor->path),
               csv_of(results.groups), script_of(*factor, results.groups)};
 }

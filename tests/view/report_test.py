@@ -69,6 +69,18 @@ class ReportTest(BrowserTest):
         wider = [box for box in self.browser.execute_script(WIDTHS, "pre, .wide") if box[0] > box[1]]
         self.assertTrue(wider, "no table is wide enough for this test")
 
+    def test_on_a_phone_scales_plots_to_the_page(self):
+        self.show(PHONE)
+        plots = self.browser.find_elements(By.CSS_SELECTOR, "figure svg")
+        self.assertGreater(len(plots), 1)
+        for plot in plots:
+            self.assertLessEqual(plot.rect["x"] + plot.rect["width"], PHONE[0])
+            self.assertIsNotNone(plot.get_dom_attribute("viewBox"))
+            width, height = [float(part) for part in plot.get_dom_attribute("viewBox").split()[2:]]
+            self.assertAlmostEqual(plot.rect["height"], plot.rect["width"] * height / width, delta=2)
+            box = plot.find_element(By.XPATH, "..")
+            self.assertLessEqual(box.get_property("scrollWidth"), box.get_property("clientWidth"))
+
     def test_on_a_phone_leaves_room_beside_a_long_name(self):
         self.show(PHONE)
         for width in self.browser.execute_script(

@@ -66,7 +66,7 @@ TEST(Html, GivesTheWidthOfTablesAndLinesInCharacters) {
 TEST(Html, EmbedsTheDrawingsOfFigures) {
   const std::string text =
       html_of({"t", {Figure{"plots", "scores", "Goals.", "<?xml?>\n<svg><g/></svg>\n"}}});
-  EXPECT_TRUE(has(text, "<svg><g/></svg>\n</div>\n<figcaption>Goals.")) << text;
+  EXPECT_TRUE(has(text, "<svg><g/></svg>\n<figcaption>Goals.")) << text;
   EXPECT_FALSE(has(text, "<?xml"));
   EXPECT_TRUE(has(text, "script: <code>plots/scores.gp</code>"));
 }

@@ -4,7 +4,9 @@
 
 #include <limits>
 
+#include "runner/io/files.hpp"
 #include "runner/report/running_mean.hpp"
+#include "tests/checkout.hpp"
 #include "tests/runner/batch/fake_games.hpp"
 #include "tests/runner/support/has_part.hpp"
 
@@ -72,6 +74,22 @@ TEST(Plots, HaveNamedColumns) {
 TEST(ScoresPlot, HasTheBaselineOnTheLeft) {
   const std::optional<Plot> plot = scores_plot(small_sweep(), played_fakes(small_sweep()));
   EXPECT_TRUE(has(plot.value().script, "set xrange [6.06:4.94]")) << plot->script;
+}
+
+// gnuplot ends an axis at the next tic, which may be where the highest bar ends.
+void expect_axis_of_goals(const std::string& script) {
+  EXPECT_TRUE(has(script, "set yrange [0:*]\n")) << script;
+  EXPECT_TRUE(has(script, "set offsets 0, 0, graph 0.04, 0")) << script;
+  EXPECT_TRUE(has(script, "low(mean, deviation) = mean > deviation ? mean - deviation : 0\n"))
+      << script;
+}
+
+TEST(ScoresPlot, BeginsAtNoGoalsAndHasRoomAboveTheHighestBar) {
+  expect_axis_of_goals(scores_plot(small_sweep(), played_fakes(small_sweep())).value().script);
+}
+
+TEST(Figure5, BeginsAtNoGoalsAndHasRoomAboveTheHighestBar) {
+  expect_axis_of_goals(read_file(in_checkout("results/figure5/figure5.gp")).value());
 }
 
 TEST(DifferencePlot, ShowsTheSlope) {
