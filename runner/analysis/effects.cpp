@@ -167,7 +167,7 @@ std::string effects_csv(const std::vector<Effect>& effects) {
   return csv;
 }
 
-std::string effects_table(const std::vector<Effect>& effects) {
+TextBlocks effects_table(const std::vector<Effect>& effects) {
   if (effects.empty()) return {};
   const bool has_all = effects.size() <= kMostShown;
   std::vector<Cells> rows = {{"effect", "on a minus b [95 %]", "p"}};
@@ -176,7 +176,9 @@ std::string effects_table(const std::vector<Effect>& effects) {
     rows.push_back({effect_name(effect), mean_text(effect.mean, effect.interval),
                     effect.p_holm ? p_text(*effect.p_holm) : ""});
   }
-  return aligned(rows, {Align::kLeft}) + (has_all ? "" : "Interactions: effects.csv\n");
+  TextBlocks blocks = {TextTable{std::move(rows), {Align::kLeft}}};
+  if (!has_all) blocks.emplace_back("Interactions: effects.csv\n");
+  return blocks;
 }
 
 }  // namespace autoref::runner

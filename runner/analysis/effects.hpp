@@ -8,6 +8,7 @@
 
 #include "runner/analysis/groups.hpp"
 #include "runner/experiments/scenario.hpp"
+#include "runner/io/table.hpp"
 #include "runner/statistics/interval.hpp"
 
 namespace autoref::runner {
@@ -48,6 +49,6 @@ std::string effects_csv(const std::vector<Effect>& effects);
 
 // The text table; leaves out interactions if there are more than fit on a screen. Empty without
 // effects.
-std::string effects_table(const std::vector<Effect>& effects);
+TextBlocks effects_table(const std::vector<Effect>& effects);
 
 }  // namespace autoref::runner

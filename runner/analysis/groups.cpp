@@ -95,7 +95,15 @@ Cells summary_cells(const Group& group) {
   return cells;
 }
 
-Cells table_columns() { return {"games", "goals a", "goals b", "a minus b [95 %]", "void"}; }
+Cells table_columns() { return {"games", "goals a", "goals b", "a minus b [95 %]", kVoidHead}; }
+
+TextTable without_void_games(TextTable table) {
+  const Cells& head = table.rows.front();
+  const auto found = std::find(head.begin(), head.end(), kVoidHead);
+  if (found == head.end()) return table;
+  const auto column = static_cast<std::size_t>(found - head.begin());
+  return without_zeros(std::move(table), column);
+}
 
 Cells table_cells(const Group& group) {
   return {std::to_string(group.goals_a.size()), score_text(group.goals_a),

@@ -10,6 +10,7 @@
 
 #include "runner/analysis/result_shares.hpp"
 #include "runner/io/csv.hpp"
+#include "runner/io/table.hpp"
 #include "runner/results/game_row.hpp"
 #include "runner/statistics/interval.hpp"
 #include "runner/statistics/paired_difference.hpp"
@@ -55,7 +56,11 @@ inline Cells result_columns() { return share_columns({"wins_a", "draws", "wins_b
 
 // A group's columns in text tables: games, goals, mean difference with its interval, void games.
 Cells table_columns();
+inline constexpr const char* kVoidHead = "void";
 Cells table_cells(const Group& group);
+
+// The table without its column of void games if no game is void.
+TextTable without_void_games(TextTable table);
 
 // "+0.50 [-0.10, +1.10]": the mean over games, followed by its 95 % interval over pairs if known.
 std::string difference_text(const std::vector<double>& differences,

@@ -83,13 +83,14 @@ std::vector<Cells> bracket_rows(const std::vector<Tie>& ties, const RowsById& ro
   return lines;
 }
 
-std::string bracket_table(const std::vector<Tie>& ties, const RowsById& rows) {
+TextBlocks bracket_table(const std::vector<Tie>& ties, const RowsById& rows) {
   std::string champion;
   for (const Tie& tie : ties) {
     if (tie.name == "final") champion = winner_of(tie);
   }
-  const std::string table = aligned(bracket_rows(ties, rows), kBracketColumns);
-  return champion.empty() ? table : table + fmt::format("\nthe winner is {}\n", champion);
+  TextBlocks blocks = {TextTable{bracket_rows(ties, rows), kBracketColumns}};
+  if (!champion.empty()) blocks.emplace_back(fmt::format("\nthe winner is {}\n", champion));
+  return blocks;
 }
 
 }  // namespace autoref::runner

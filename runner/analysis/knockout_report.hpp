@@ -20,6 +20,6 @@ inline const std::vector<Align> kBracketColumns = {Align::kLeft, Align::kRight, 
                                                    Align::kLeft, Align::kLeft,  Align::kLeft};
 
 // The same as lines of text, followed by the winner.
-std::string bracket_table(const std::vector<Tie>& ties, const RowsById& rows);
+TextBlocks bracket_table(const std::vector<Tie>& ties, const RowsById& rows);
 
 }  // namespace autoref::runner

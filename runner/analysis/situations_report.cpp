@@ -122,18 +122,19 @@ std::string scene_differences_csv(const std::vector<SceneDifference>& difference
 
 std::vector<Cells> scenes_rows(const std::vector<SceneGroup>& groups) {
   std::vector<Cells> rows = {{"situation", "attackers", "defenders", "scenes", "scored [95 %]",
-                              "score [95 %]", "ball kept", "gained m", "void"}};
+                              "score [95 %]", "ball kept", "gained m", kVoidHead}};
   for (const SceneGroup& group : groups) rows.push_back(table_row(group));
   return rows;
 }
 
-std::string scenes_table(const std::vector<SceneGroup>& groups,
-                         const std::vector<SceneDifference>& differences) {
-  std::string table = aligned(scenes_rows(groups), kScenesColumns);
-  if (differences.empty()) return table;
-  return table + "\n" +
-         aligned(differences_rows(differences),
-                 {Align::kLeft, Align::kLeft, Align::kLeft, Align::kLeft});
+TextBlocks scenes_table(const std::vector<SceneGroup>& groups,
+                        const std::vector<SceneDifference>& differences) {
+  TextBlocks blocks = {without_void_games({scenes_rows(groups), kScenesColumns, 3})};
+  if (differences.empty()) return blocks;
+  blocks.emplace_back("\n");
+  blocks.emplace_back(TextTable{
+      differences_rows(differences), {Align::kLeft, Align::kLeft, Align::kLeft, Align::kLeft}, 4});
+  return blocks;
 }
 
 }  // namespace autoref::runner

@@ -23,7 +23,7 @@ std::vector<Cells> scenes_rows(const std::vector<SceneGroup>& groups);
 inline const std::vector<Align> kScenesColumns = {Align::kLeft, Align::kLeft, Align::kLeft};
 
 // Both tables as lines of text.
-std::string scenes_table(const std::vector<SceneGroup>& groups,
-                         const std::vector<SceneDifference>& differences);
+TextBlocks scenes_table(const std::vector<SceneGroup>& groups,
+                        const std::vector<SceneDifference>& differences);
 
 }  // namespace autoref::runner

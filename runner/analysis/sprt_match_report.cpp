@@ -73,9 +73,9 @@ std::string verdict_text(const SprtMatch& match, const SprtMatchState& state) {
   return text;
 }
 
-std::string sprt_match_table(const SprtMatch& match, const Group& matchup,
-                             const SprtMatchState& state) {
-  return matchups_table({matchup}) + "\n" + verdict_text(match, state);
+TextBlocks sprt_match_table(const SprtMatch& match, const Group& matchup,
+                            const SprtMatchState& state) {
+  return {matchups_table({matchup}), "\n" + verdict_text(match, state)};
 }
 
 }  // namespace autoref::runner

@@ -5,6 +5,7 @@
 
 #include "runner/analysis/groups.hpp"
 #include "runner/analysis/sprt_match_state.hpp"
+#include "runner/io/table.hpp"
 
 namespace autoref::runner {
 
@@ -21,7 +22,7 @@ std::string sprt_match_csv(const SprtMatch& match, const Group& matchup,
 std::string verdict_text(const SprtMatch& match, const SprtMatchState& state);
 
 // The matchup's table, followed by the verdict.
-std::string sprt_match_table(const SprtMatch& match, const Group& matchup,
-                             const SprtMatchState& state);
+TextBlocks sprt_match_table(const SprtMatch& match, const Group& matchup,
+                            const SprtMatchState& state);
 
 }  // namespace autoref::runner

@@ -133,12 +133,12 @@ std::vector<Cells> standings_rows(const std::vector<Standing>& standings) {
   return rows;
 }
 
-std::string matchups_table(const std::vector<Group>& matchups) {
-  return aligned(matchups_rows(matchups), kMatchupsColumns);
+TextTable matchups_table(const std::vector<Group>& matchups) {
+  return without_void_games({matchups_rows(matchups), kMatchupsColumns, 2});
 }
 
-std::string standings_table(const std::vector<Standing>& standings) {
-  return aligned(standings_rows(standings), kStandingsColumns);
+TextTable standings_table(const std::vector<Standing>& standings) {
+  return {standings_rows(standings), kStandingsColumns, 2};
 }
 
 }  // namespace autoref::runner

@@ -32,7 +32,7 @@ inline const std::vector<Align> kMatchupsColumns = {Align::kLeft, Align::kLeft};
 inline const std::vector<Align> kStandingsColumns = {Align::kRight, Align::kLeft};
 
 // The same as lines of text.
-std::string matchups_table(const std::vector<Group>& matchups);
-std::string standings_table(const std::vector<Standing>& standings);
+TextTable matchups_table(const std::vector<Group>& matchups);
+TextTable standings_table(const std::vector<Standing>& standings);
 
 }  // namespace autoref::runner

@@ -118,10 +118,12 @@ std::string slope_text(const Sweep& sweep, const std::vector<Group>& groups) {
                             slope->interval->high);
 }
 
-std::string summary_table(const Sweep& sweep, const std::vector<Group>& groups) {
-  const std::string table = aligned(summary_rows(sweep, groups));
+TextBlocks summary_table(const Sweep& sweep, const std::vector<Group>& groups) {
+  const std::size_t factors = sweep.factors.size();
+  TextBlocks blocks = {without_void_games({summary_rows(sweep, groups), {}, factors})};
   const std::string slope = slope_text(sweep, groups);
-  return slope.empty() ? table : table + "\n" + slope;
+  if (!slope.empty()) blocks.emplace_back("\n" + slope);
+  return blocks;
 }
 
 }  // namespace autoref::runner

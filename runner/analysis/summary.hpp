@@ -7,6 +7,7 @@
 
 #include "runner/analysis/groups.hpp"
 #include "runner/experiments/scenario.hpp"
+#include "runner/io/table.hpp"
 #include "runner/statistics/interval.hpp"
 
 namespace autoref::runner {
@@ -38,6 +39,6 @@ std::vector<Cells> summary_rows(const Sweep& sweep, const std::vector<Group>& gr
 std::string slope_text(const Sweep& sweep, const std::vector<Group>& groups);
 
 // Both as lines of text.
-std::string summary_table(const Sweep& sweep, const std::vector<Group>& groups);
+TextBlocks summary_table(const Sweep& sweep, const std::vector<Group>& groups);
 
 }  // namespace autoref::runner

@@ -203,9 +203,9 @@ std::string comparison_text(const Tuning& tuning, const TuningState& state) {
   return verdict_of(tuning, state.test) + "\n" + gain_text(tuning, state.test) + "\n";
 }
 
-std::string tuning_table(const Tuning& tuning, const TuningState& state) {
-  return aligned(parameter_rows(tuning, state), kParameterColumns) + "\n" +
-         comparison_text(tuning, state);
+TextBlocks tuning_table(const Tuning& tuning, const TuningState& state) {
+  return {TextTable{parameter_rows(tuning, state), kParameterColumns},
+          "\n" + comparison_text(tuning, state)};
 }
 
 }  // namespace autoref::runner

@@ -31,6 +31,6 @@ inline const std::vector<Align> kParameterColumns = {Align::kLeft};
 std::string comparison_text(const Tuning& tuning, const TuningState& state);
 
 // Both.
-std::string tuning_table(const Tuning& tuning, const TuningState& state);
+TextBlocks tuning_table(const Tuning& tuning, const TuningState& state);
 
 }  // namespace autoref::runner

@@ -382,7 +382,6 @@ class Experiment {
 
   void conclude(ExperimentReport& report) const {
     report.results = write_results(options_.folder, scenario_, format_, rows_);
-    report.transitions_never_used = transitions_never_used(rows_);
   }
 
   const Scenario& scenario_;

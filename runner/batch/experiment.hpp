@@ -52,10 +52,9 @@ struct ExperimentReport {
   int done = 0;                 // by this run and earlier ones
   int played = 0;               // by this run
   int void_games = 0;
-  int killed_games = 0;                             // void games that the next run replays
-  int unrepeatable_games = 0;                       // their programs did not repeat their commands
-  ExperimentResults results;                        // if complete
-  std::vector<std::string> transitions_never_used;  // of the referee's state machine; if complete
+  int killed_games = 0;        // void games that the next run replays
+  int unrepeatable_games = 0;  // their programs did not repeat their commands
+  ExperimentResults results;   // if complete
 };
 
 // Plays the games that have no row yet (with the same id, configuration and build), and those that

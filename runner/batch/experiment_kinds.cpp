@@ -108,7 +108,7 @@ ProgressTable matchups_shown(const std::vector<Group>& matchups) {
 
 // Puts standings first, since a small screen shows only the first part.
 void show_standings(ExperimentResults& results, const std::string& noun) {
-  results.table = matchups_table(results.groups) + "\n" + standings_table(results.standings);
+  results.table = {matchups_table(results.groups), "\n", standings_table(results.standings)};
   // The last columns are the ratings or the goal difference; the fourth is the number of games
   // played.
   std::vector<std::size_t> to_spare = {8, 3};
@@ -136,7 +136,8 @@ ExperimentResults results_of(const Sweep& sweep, const RowsById& rows) {
   if (!results.effects.empty()) {
     results.files.push_back(
         {"effects.csv", "a row per effect of the factors", effects_csv(results.effects)});
-    results.table += "\n" + effects_table(results.effects);
+    results.table.emplace_back("\n");
+    for (auto& block : effects_table(results.effects)) results.table.push_back(std::move(block));
   }
   results.shown = {{summary_rows(sweep, results.groups),
                     {},

@@ -13,6 +13,7 @@
 #include "runner/experiments/scenario.hpp"
 #include "runner/experiments/schedule.hpp"
 #include "runner/io/json.hpp"
+#include "runner/io/table.hpp"
 #include "runner/processes/standings_table.hpp"
 #include "runner/results/row_format.hpp"
 
@@ -82,7 +83,7 @@ struct ExperimentResults {
   std::vector<Standing> standings;  // of a round robin or of challengers, best team first
   std::shared_ptr<const TuningState> tuning = {};  // null for other kinds
   std::vector<ResultFile> files;
-  std::string table;                 // as text
+  TextBlocks table;                  // for the terminal and the report
   std::vector<ProgressTable> shown;  // the same for the terminal while the experiment runs
   std::shared_ptr<const Json> json;  // the same as a JSON object
 };

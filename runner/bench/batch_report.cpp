@@ -7,6 +7,8 @@
 #include "runner/bench/batch_bench.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/json.hpp"
+#include "runner/io/table.hpp"
+#include "runner/io/terminal.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -19,6 +21,18 @@ std::string text_of_ratio(const MeasuredRatio& ratio) {
 std::string text_of_share(const MeasuredRatio& share) {
   return fmt::format("{:.3f} % [{:.3f}, {:.3f}]", 100 * share.median, 100 * share.interval.low,
                      100 * share.interval.high);
+}
+
+TextTable crowd_table(const BatchBench& bench) {
+  TextTable table{
+      {{"workers", "cost of a game", "waits per game", "parent", "private MB", "resident MB"}}};
+  for (const CrowdRow& row : bench.crowds) {
+    table.rows.push_back(
+        {std::to_string(row.workers), text_of_ratio(row.cost),
+         fmt::format("{:.2f}", row.waits_per_game), fmt::format("{:.2f} %", 100 * row.parent_share),
+         fmt::format("{:.2f}", row.private_mb), fmt::format("{:.2f}", row.resident_mb)});
+  }
+  return table;
 }
 
 void print_batch(const BatchBench& bench) {
@@ -38,13 +52,7 @@ void print_batch(const BatchBench& bench) {
              text_of_ratio(bench.short_frames));
   fmt::print("  per wall-clock second     {} of those of full games, with one worker\n\n",
              text_of_ratio(bench.short_wall));
-  fmt::print("{:>7}  {:>22}  {:>14}  {:>12}  {:>10}  {:>11}\n", "workers", "cost of a game",
-             "waits per game", "parent", "private MB", "resident MB");
-  for (const CrowdRow& row : bench.crowds) {
-    fmt::print("{:7}  {:>22}  {:14.2f}  {:10.2f} %  {:10.2f}  {:11.2f}\n", row.workers,
-               text_of_ratio(row.cost), row.waits_per_game, 100 * row.parent_share, row.private_mb,
-               row.resident_mb);
-  }
+  fmt::print("{}", table_text(crowd_table(bench), text_width(stdout)));
 }
 
 void add_ratio(Json& json, const std::string& name, const MeasuredRatio& ratio) {

@@ -11,6 +11,7 @@
 #include "runner/experiments/scenario.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/table.hpp"
+#include "runner/io/terminal.hpp"
 #include "runner/processes/progress.hpp"
 #include "runner/team_programs/program_games.hpp"
 
@@ -28,7 +29,8 @@ std::string table_of(const std::vector<Rehearsal>& rehearsals) {
     rows.push_back({rehearsal.played, std::to_string(rehearsal.games),
                     fmt::format("{:.1f}", rehearsal.wall_s_a_game), verdict_on(rehearsal)});
   }
-  return aligned(rows, {Align::kLeft, Align::kRight, Align::kRight, Align::kLeft});
+  return table_text({std::move(rows), {Align::kLeft, Align::kRight, Align::kRight, Align::kLeft}},
+                    text_width(stdout));
 }
 
 // Replaces the number of a tuning's iteration, so that all iterations count as one variant:

@@ -60,7 +60,7 @@ int judge_verb(const JudgeArguments& arguments) {
   if (arguments.json) {
     fmt::print("{}\n", json_of(report));
   } else {
-    fmt::print("{}\n", markdown_of(report));
+    print_judged(report);
     print_judged_files(folder);
   }
   return static_cast<double>(report.void_games.size()) <= kMostVoid * run.games ? kDone

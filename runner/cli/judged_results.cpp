@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "runner/io/files.hpp"
+#include "runner/io/terminal.hpp"
 #include "runner/judge/judged_rows.hpp"
 #include "runner/report/build_reports.hpp"
 #include "runner/report/judge_document.hpp"
@@ -27,6 +28,16 @@ void write_judged(const fs::path& folder, const JudgeReport& report) {
   replace_file(folder / kFaultsFile, report.faults_csv);
 }
 
+void print_judged(const JudgeReport& report) {
+  fmt::print("{}\n", is_terminal(stdout) ? text_of(blocks_of(report), text_width(stdout))
+                                         : markdown_of(report));
+}
+
+void print_judged_scores(const JudgeReport& report) {
+  fmt::print("{}", is_terminal(stdout) ? text_of(scores_text_of(report), text_width(stdout))
+                                       : scores_markdown_of(report));
+}
+
 void print_judged_files(const fs::path& folder) {
   fmt::print("{}\n{}   one row per missed event or wrong call\n", (folder / kJudgeFile).string(),
              (folder / kFaultsFile).string());
@@ -35,17 +46,17 @@ void print_judged_files(const fs::path& folder) {
 std::string report_judged(const ResultFolder& folder, const fs::path& into, LostGames lost) {
   const JudgeReport report = report_of(folder);
   if (lost == LostGames::kKeep && !folder.damaged.empty()) {
+    print_judged(report);
     fmt::print(
-        "{}\nnothing is written, since rows are damaged: let autoref judge play their games "
-        "again, or pass --allow-fewer\n",
-        markdown_of(report));
+        "nothing is written, since rows are damaged: let autoref judge play their games again, or "
+        "pass --allow-fewer\n");
     return scores_markdown_of(report);
   }
   write_judged(into, report);
   const Document document = judge_document(folder, report, into == folder.path ? "." : "..");
   replace_file(into / kMarkdownReport, markdown_of(document));
   replace_file(into / kHtmlReport, html_of(document));
-  fmt::print("{}\n", markdown_of(report));
+  print_judged(report);
   if (!folder.is_complete()) {
     fmt::print("{} of {} games so far\n", folder.completed_games.done.size(), folder.needed);
   }

@@ -15,6 +15,12 @@ bool is_judged(const Scenario& scenario);
 
 // Writes judge.csv and faults.csv.
 void write_judged(const std::filesystem::path& folder, const JudgeReport& report);
+// Prints the report on standard output: Markdown, or tables that fit if it is a terminal.
+void print_judged(const JudgeReport& report);
+
+// Prints only the table of F1 by rule book.
+void print_judged_scores(const JudgeReport& report);
+
 void print_judged_files(const std::filesystem::path& folder);
 
 // Writes judge.csv, faults.csv, report.md and report.html into `into`, and prints their paths and

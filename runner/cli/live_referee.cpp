@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -14,6 +13,7 @@
 #include "runner/game/event_log.hpp"
 #include "runner/game/game_event.hpp"
 #include "runner/io/errors.hpp"
+#include "runner/io/terminal.hpp"
 #include "runner/live/referee_status.hpp"
 #include "runner/live/web_view.hpp"
 #include "runner/logs/user_log.hpp"
@@ -79,7 +79,7 @@ class RefereeScreen {
     const auto now = std::chrono::steady_clock::now();
     if (!is_terminal_ || now < due_) return;
     due_ = now + kRedrawEvery;
-    write_message(stdout, "\033[H\033[2J" + status_text(status, lines_, columns()));
+    write_message(stdout, "\033[H\033[2J" + status_text(status, lines_, text_width(stdout)));
   }
 
   void end() const {
@@ -95,12 +95,6 @@ class RefereeScreen {
   void say_faults() const {
     for (const std::string& fault : texts_of(latest_.faults))
       write_message(stderr, fmt::format("autoref: {}\n", fault));
-  }
-
-  static std::size_t columns() {
-    winsize size{};
-    const bool is_known = ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-    return is_known ? size.ws_col : 80;
   }
 
   std::string verb_;  // such as "would call "

@@ -17,6 +17,8 @@
 #include "runner/game/game_event.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
+#include "runner/io/table.hpp"
+#include "runner/io/terminal.hpp"
 #include "runner/live/frame_pacer.hpp"
 #include "runner/logs/logged_cameras.hpp"
 #include "runner/results/game_report.hpp"
@@ -207,7 +209,7 @@ GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
   files.game_events.commit();
   if (files.view) files.view->commit(page.page(game, record));
   const GameReport report{game, record, wall_s, build_id()};
-  fmt::print("{}\n", output.json ? json_of(report) : text_of(report));
+  fmt::print("{}\n", output.json ? json_of(report) : wrapped(text_of(report), text_width(stdout)));
   return record;
 }
 

@@ -9,6 +9,7 @@
 #include "runner/cli/referee_game.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
+#include "runner/io/terminal.hpp"
 #include "runner/io/words.hpp"
 #include "runner/logs/annotations.hpp"
 #include "runner/logs/log_page.hpp"
@@ -129,7 +130,8 @@ int referee_verb(const RefereeArguments& arguments) {
     page->commit(log_page(log, arguments.log, games.front().field, decisions, evaluation.agreement,
                           facts.log.source));
   fmt::print("{}\n", arguments.json ? referee_log_json(evaluation, facts, comparison)
-                                    : referee_log_text(evaluation, facts, comparison));
+                                    : text_of(referee_log_text(evaluation, facts, comparison),
+                                              text_width(stdout)));
   return facts.log.damage ? kBadInput : kDone;
 }
 

@@ -10,6 +10,7 @@
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/judged_results.hpp"
 #include "runner/io/errors.hpp"
+#include "runner/io/terminal.hpp"
 #include "runner/report/folder_report.hpp"
 #include "runner/report/report.hpp"
 
@@ -32,7 +33,7 @@ void print_files(const ExperimentResults& results, const WrittenReport& report,
 
 void print_report(const FolderReport& written) {
   const ResultFolder& folder = written.folder;
-  fmt::print("{}\n", written.results.table);
+  fmt::print("{}\n", text_of(written.results.table, text_width(stdout)));
   if (!folder.is_complete()) {
     fmt::print("{} of {} games: do not stop early because of interim intervals\n",
                folder.completed_games.done.size(), folder.needed);

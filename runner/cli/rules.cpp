@@ -8,6 +8,7 @@
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/rules_report.hpp"
 #include "runner/io/errors.hpp"
+#include "runner/io/terminal.hpp"
 #include "runner/io/words.hpp"
 #include "soccer/rule_book.hpp"
 
@@ -28,7 +29,8 @@ int rules_verb(const RulesArguments& arguments) {
                      fmt::format("there is no rule book '{}'; expected one of {}", arguments.book,
                                  listed(rule_book_names())));
   }
-  fmt::print("{}", arguments.json ? rules_json(*rules) : rules_text(*rules));
+  fmt::print("{}",
+             arguments.json ? rules_json(*rules) : text_of(rules_text(*rules), text_width(stdout)));
   return kDone;
 }
 

@@ -18,22 +18,6 @@ std::string threshold_text(const RuleBook& rules, const RuleEntry& entry) {
   return fmt::format("{:g} {}", rules.*entry.threshold, entry.unit);
 }
 
-// Column widths: the length of the longest text in each column.
-struct Widths {
-  std::size_t name = 0;
-  std::size_t section = 0;
-};
-
-Widths widths_of(const RuleBook& rules) {
-  Widths widths;
-  for (const RuleEntry& entry : rule_table()) {
-    if (!rules.has(entry.rule)) continue;
-    widths.name = std::max(widths.name, entry.name.size());
-    widths.section = std::max(widths.section, section_of(rules, entry.rule).size());
-  }
-  return widths;
-}
-
 Json json_of(const RuleBook& rules, const RuleEntry& entry) {
   const bool has_threshold = entry.threshold != nullptr;
   return {{"rule", entry.name},
@@ -46,21 +30,20 @@ Json json_of(const RuleBook& rules, const RuleEntry& entry) {
 
 }  // namespace
 
-std::string rules_text(const RuleBook& rules) {
-  std::string text = fmt::format("Rules in force in '{}':\n\n", rules.name);
+TextBlocks rules_text(const RuleBook& rules) {
   std::vector<std::string_view> others;
-  const Widths widths = widths_of(rules);
+  TextTable table{{}, {Align::kLeft, Align::kLeft, Align::kRight, Align::kLeft}};
   for (const RuleEntry& entry : rule_table()) {
-    if (!rules.has(entry.rule)) {
+    if (rules.has(entry.rule)) {
+      table.rows.push_back({std::string(entry.name), std::string(section_of(rules, entry.rule)),
+                            threshold_text(rules, entry), std::string(entry.about)});
+    } else {
       others.push_back(entry.name);
-      continue;
     }
-    text += fmt::format("{:{}}  {:{}}  {:>8}  {}\n", entry.name, widths.name,
-                        section_of(rules, entry.rule), widths.section, threshold_text(rules, entry),
-                        entry.about);
   }
-  return text + fmt::format("\nNot in force (enable one with match.switch.NAME: true):\n{}\n",
-                            fmt::join(others, ", "));
+  return {fmt::format("Rules in force in '{}':\n\n", rules.name), std::move(table),
+          fmt::format("\nNot in force (enable one with match.switch.NAME: true):\n{}\n",
+                      fmt::join(others, ", "))};
 }
 
 std::string rules_json(const RuleBook& rules) {

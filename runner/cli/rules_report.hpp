@@ -3,13 +3,14 @@
 
 #include <string>
 
+#include "runner/io/table.hpp"
 #include "soccer/rule_book.hpp"
 
 namespace autoref::runner {
 
 // One line per rule in force: name, section, threshold and description; then the rules not in
 // force, which a game file may enable.
-std::string rules_text(const RuleBook& rules);
+TextBlocks rules_text(const RuleBook& rules);
 
 // The rules as one JSON object.
 std::string rules_json(const RuleBook& rules);

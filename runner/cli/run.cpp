@@ -13,6 +13,7 @@
 #include "runner/cli/started_games.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
+#include "runner/io/terminal.hpp"
 #include "runner/live/web_table.hpp"
 #include "runner/report/folder_report.hpp"
 
@@ -63,11 +64,9 @@ void end_table(std::optional<WebTable>& table) {
 
 void print_results(const Scenario& scenario, const ExperimentReport& report,
                    const fs::path& folder) {
-  if (!scenario.about.empty()) fmt::print("{}\n\n", scenario.about);
-  fmt::print("{}\n", report.results.table);
-  const std::vector<std::string>& never = report.transitions_never_used;
-  fmt::print("referee transitions never used in {} games: {}\n\n", report.games,
-             never.empty() ? "none" : fmt::format("{}", fmt::join(never, ", ")));
+  const std::size_t width = text_width(stdout);
+  if (!scenario.about.empty()) fmt::print("{}\n\n", wrapped(scenario.about, width));
+  fmt::print("{}\n", text_of(report.results.table, width));
   fmt::print("{}   one row per game\n", (folder / "results.csv").string());
   for (const ResultFile& file : report.results.files) {
     fmt::print("{}   {}\n", (folder / file.name).string(), file.about);

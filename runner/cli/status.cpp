@@ -7,6 +7,7 @@
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/judged_results.hpp"
 #include "runner/io/errors.hpp"
+#include "runner/io/terminal.hpp"
 #include "runner/judge/judged_rows.hpp"
 #include "runner/report/folder_report.hpp"
 
@@ -46,11 +47,12 @@ int status_verb(const FolderArguments& arguments) {
   const ResultFolder folder = open_results(arguments.folder, arguments.build);
   print_counts(folder);
   if (is_judged(folder.scenario)) {
-    fmt::print("\n{}", scores_markdown_of(report_of(folder)));
+    fmt::print("\n");
+    print_judged_scores(report_of(folder));
     return kDone;
   }
   const ExperimentResults results = results_of(folder.scenario, folder.completed_games.done);
-  fmt::print("\n{}", results.table);
+  fmt::print("\n{}", text_of(results.table, text_width(stdout)));
   if (!folder.is_complete() && !results.groups.empty()) {
     fmt::print(
         "\nDo not stop early because of interim intervals: stopping at the first favourable one is "

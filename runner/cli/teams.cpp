@@ -6,6 +6,7 @@
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/teams_report.hpp"
 #include "runner/io/errors.hpp"
+#include "runner/io/terminal.hpp"
 #include "runner/io/words.hpp"
 
 namespace autoref::runner {
@@ -22,9 +23,10 @@ const strategies::Entry& team_named(const std::string& name) {
 }
 
 std::string text_for(const TeamsArguments& arguments) {
-  if (arguments.name.empty()) return arguments.json ? teams_json() : teams_text();
+  const auto shown = [](const TextBlocks& blocks) { return text_of(blocks, text_width(stdout)); };
+  if (arguments.name.empty()) return arguments.json ? teams_json() : shown(teams_text());
   const strategies::Entry& team = team_named(arguments.name);
-  return arguments.json ? team_json(team) : team_text(team);
+  return arguments.json ? team_json(team) : shown(team_text(team));
 }
 
 }  // namespace

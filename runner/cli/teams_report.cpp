@@ -36,12 +36,13 @@ Json json_of(const Entry& team) {
 
 }  // namespace
 
-std::string teams_text() {
+TextBlocks teams_text() {
   std::vector<std::vector<std::string>> rows;
   for (const Entry& team : strategies::all_strategies()) {
     rows.push_back({std::string(team.name), std::string(team.about)});
   }
-  return "Teams (autoref teams NAME lists a team's parameters):\n\n" + aligned(rows, kAllLeft);
+  return {"Teams (autoref teams NAME lists a team's parameters):\n\n",
+          TextTable{std::move(rows), kAllLeft}};
 }
 
 std::string teams_json() {
@@ -50,14 +51,14 @@ std::string teams_json() {
   return json_text({{"teams", std::move(teams)}}) + "\n";
 }
 
-std::string team_text(const Entry& team) {
+TextBlocks team_text(const Entry& team) {
   const std::string head = fmt::format("{}: {}\n\n", team.name, team.about);
-  if (team.params.empty()) return head + "This team has no parameters.\n";
+  if (team.params.empty()) return {head + "This team has no parameters.\n"};
   std::vector<std::vector<std::string>> rows = {{"parameter", "unit", "default", "range", ""}};
   for (const Parameter& parameter : team.params) rows.push_back(cells_of(parameter));
-  return head + aligned(rows, kAllLeft) +
-         fmt::format("\nIn a scenario: {{ strategy: {}, params: {{ {}: {} }} }}\n", team.name,
-                     team.params.front().name, team.params.front().standard);
+  return {head, TextTable{std::move(rows), kAllLeft},
+          fmt::format("\nIn a scenario: {{ strategy: {}, params: {{ {}: {} }} }}\n", team.name,
+                      team.params.front().name, team.params.front().standard)};
 }
 
 std::string team_json(const Entry& team) { return json_text(json_of(team)) + "\n"; }

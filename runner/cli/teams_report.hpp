@@ -3,18 +3,19 @@
 
 #include <string>
 
+#include "runner/io/table.hpp"
 #include "strategies/registry.hpp"
 
 namespace autoref::runner {
 
 // One line per team: name and description.
-std::string teams_text();
+TextBlocks teams_text();
 
 // All teams as one JSON object, each in the format of team_json().
 std::string teams_json();
 
 // A team's description and one line per parameter: name, unit, default, range, description.
-std::string team_text(const strategies::Entry& team);
+TextBlocks team_text(const strategies::Entry& team);
 
 // The team as one JSON object.
 std::string team_json(const strategies::Entry& team);

@@ -1,7 +1,9 @@
-// Renders the judge's report as Markdown.
+// Renders the judge's report as Markdown and for terminals.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
+#include <variant>
 
 #include "runner/judge/judge_report.hpp"
 #include "runner/judge/judge_tables.hpp"
@@ -40,32 +42,69 @@ std::string joined(const std::vector<std::string>& words) {
   return words.empty() ? "none" : fmt::format("{}", fmt::join(words, ", "));
 }
 
+// The report's parts, in order.
+using Content = std::vector<std::variant<std::string, JudgeTable>>;
+
+Content content_of(const JudgeReport& report) {
+  Content content;
+  content.emplace_back(fmt::format("seeds: {}\n\n", text_of(report.seeds)));
+  const auto add = [&content](JudgeTable table, std::string_view caption) {
+    content.emplace_back(std::move(table));
+    content.emplace_back(fmt::format("\n{}\n\n", caption));
+  };
+  add(summary_table(report), kSummaryCaption);
+  add(scores_table(report, ScoreCells::kWithIntervals), kIntervalsCaption);
+  add(last_touch_table(report), kLastTouchCaption);
+  add(delays_table(report), kDelaysCaption);
+  add(reliability_table(report), kReliabilityCaption);
+  content.emplace_back(
+      list("events called twice", report.second_calls) +
+      list("calls that require play, made while play was stopped", report.calls_in_stop) +
+      list("right calls of events that happened later", report.calls_before_events) +
+      list("void games", report.void_games) +
+      fmt::format("referee transitions never used: {}\n", joined(report.transitions_never_used)) +
+      fmt::format("events never seen: {}\n", joined(report.rules_never_seen)));
+  for (const std::string& rules : books_in(report)) {
+    content.emplace_back(fmt::format("\nrules: {}, {} games with each camera{}\n\n", rules,
+                                     games_with(report, rules),
+                                     report.seeds.size() > 1 ? " and seed" : ""));
+    content.emplace_back(events_table(report, rules));
+  }
+  return content;
+}
+
+TextTable text_table(JudgeTable table) {
+  return {std::move(table.rows), std::vector<Align>(table.names, Align::kLeft), table.names};
+}
+
 }  // namespace
 
 std::string scores_markdown_of(const JudgeReport& report) {
   return markdown_table(scores_table(report, ScoreCells::kWithIntervals));
 }
 
+TextBlocks scores_text_of(const JudgeReport& report) {
+  return {text_table(scores_table(report, ScoreCells::kWithIntervals))};
+}
+
 std::string markdown_of(const JudgeReport& report) {
-  std::string text = fmt::format("seeds: {}\n\n{}\n{}\n\n{}\n{}\n\n{}\n{}\n\n{}\n{}\n\n{}\n{}\n\n",
-                                 text_of(report.seeds), markdown_table(summary_table(report)),
-                                 kSummaryCaption, scores_markdown_of(report), kIntervalsCaption,
-                                 markdown_table(last_touch_table(report)), kLastTouchCaption,
-                                 markdown_table(delays_table(report)), kDelaysCaption,
-                                 markdown_table(reliability_table(report)), kReliabilityCaption);
-  text += list("events called twice", report.second_calls);
-  text += list("calls that require play, made while play was stopped", report.calls_in_stop);
-  text += list("right calls of events that happened later", report.calls_before_events);
-  text += list("void games", report.void_games);
-  text +=
-      fmt::format("referee transitions never used: {}\n", joined(report.transitions_never_used));
-  text += fmt::format("events never seen: {}\n", joined(report.rules_never_seen));
-  for (const std::string& rules : books_in(report)) {
-    text += fmt::format("\nrules: {}, {} games with each camera{}\n\n{}", rules,
-                        games_with(report, rules), report.seeds.size() > 1 ? " and seed" : "",
-                        markdown_table(events_table(report, rules)));
+  std::string text;
+  for (const auto& part : content_of(report)) {
+    const auto* table = std::get_if<JudgeTable>(&part);
+    text += table != nullptr ? markdown_table(*table) : std::get<std::string>(part);
   }
   return text;
+}
+
+TextBlocks blocks_of(const JudgeReport& report) {
+  TextBlocks blocks;
+  for (auto& part : content_of(report)) {
+    if (auto* table = std::get_if<JudgeTable>(&part))
+      blocks.emplace_back(text_table(std::move(*table)));
+    else
+      blocks.emplace_back(std::move(std::get<std::string>(part)));
+  }
+  return blocks;
 }
 
 }  // namespace autoref::runner

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runner/experiments/judge_schedule.hpp"
+#include "runner/io/table.hpp"
 #include "runner/judge/judge_tally.hpp"
 #include "runner/results/game_row.hpp"
 
@@ -44,8 +45,12 @@ JudgeReport report_of(const JudgeSchedule& schedule, const RowsById& rows);
 // and a table of all measures for each rule book.
 std::string markdown_of(const JudgeReport& report);
 
+// The same for a terminal, where rows of Markdown would be far too wide.
+TextBlocks blocks_of(const JudgeReport& report);
+
 // Only the table of F1 by rule book.
 std::string scores_markdown_of(const JudgeReport& report);
+TextBlocks scores_text_of(const JudgeReport& report);
 
 // judge.csv: seeds, rules, camera, event, whether it is rare, and measures with their intervals;
 // cells without a value are empty. Last touches are events, too. Rows with the rule book kAllRules

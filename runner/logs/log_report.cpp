@@ -208,8 +208,8 @@ std::string info_json(const RecordedFacts& facts) {
                     {"damaged_at", log.damage ? Json(log.damage->offset) : Json()}});
 }
 
-std::string referee_log_text(const LogRefereeResult& evaluation, const RecordedFacts& facts,
-                             const Comparison& comparison) {
+TextBlocks referee_log_text(const LogRefereeResult& evaluation, const RecordedFacts& facts,
+                            const Comparison& comparison) {
   Rows rows = {{"time", comparison.is_annotated ? "annotated" : "recorded", "AutoRef", "",
                 "the other referee", comparison.page.empty() ? "" : "moment"}};
   for (const CallPair& pair : evaluation.agreement.pairs) {
@@ -218,14 +218,12 @@ std::string referee_log_text(const LogRefereeResult& evaluation, const RecordedF
                     link_to(pair, comparison)});
   }
   const Agreement& all = evaluation.agreement;
-  return fmt::format(
-      "{}\n"
+  std::string text = fmt::format(
+      "\n"
       "score     recorded {}, AutoRef {}:{}\n"
       "calls     {} recorded, {} by AutoRef, {} of them right\n"
       "precision {:.3f}   recall {:.3f}   F1 {:.3f}   ({})\n"
       "challenge {:+} (1 for a right call, -2 for a wrong one)\n{}",
-      aligned(rows, {Align::kRight, Align::kLeft, Align::kLeft, Align::kLeft, Align::kLeft,
-                     Align::kLeft}),
       facts.last_signal ? fmt::format("{}:{}", facts.last_signal->goals[Side::kWest],
                                       facts.last_signal->goals[Side::kEast])
                         : "-",
@@ -235,6 +233,10 @@ std::string referee_log_text(const LogRefereeResult& evaluation, const RecordedF
                               : "same restart, at most 2 s ahead",
       all.challenge_score(),
       game_events_text(compared(facts.game_events, evaluation.game_events, evaluation.control)));
+  return {TextTable{std::move(rows),
+                    {Align::kRight, Align::kLeft, Align::kLeft, Align::kLeft, Align::kLeft,
+                     Align::kLeft}},
+          std::move(text)};
 }
 
 std::string referee_log_json(const LogRefereeResult& evaluation, const RecordedFacts& facts,

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "runner/io/table.hpp"
 #include "runner/logs/log_referee.hpp"
 #include "runner/logs/recorded_facts.hpp"
 
@@ -22,8 +23,8 @@ struct Comparison {
 };
 
 // AutoRef's calls next to the recorded ones, and their agreement.
-std::string referee_log_text(const LogRefereeResult& evaluation, const RecordedFacts& facts,
-                             const Comparison& comparison = {});
+TextBlocks referee_log_text(const LogRefereeResult& evaluation, const RecordedFacts& facts,
+                            const Comparison& comparison = {});
 std::string referee_log_json(const LogRefereeResult& evaluation, const RecordedFacts& facts,
                              const Comparison& comparison = {});
 

@@ -8,18 +8,11 @@
 namespace autoref::runner {
 namespace {
 
-std::size_t width_of_line(std::string_view line) {
-  // In UTF-8, bytes of the form 10xxxxxx continue a character.
-  return static_cast<std::size_t>(std::count_if(line.begin(), line.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-  }));
-}
-
 std::size_t widest_line(const std::string& text) {
   std::size_t widest = 0;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
-    widest = std::max(widest, width_of_line(std::string_view(text).substr(begin, end - begin)));
+    widest = std::max(widest, width_of(text.substr(begin, end - begin)));
     begin = end + 1;
   }
   return widest;
@@ -41,29 +34,6 @@ ProgressTable narrowed(ProgressTable table, int columns) {
     remove_column(table, table.dispensable.empty() ? last : table.dispensable.front());
   }
   return table;
-}
-
-// Breaks long lines between words.
-std::string wrapped(const std::string& text, int columns) {
-  const auto most = static_cast<std::size_t>(std::max(1, columns - 1));
-  std::string lines = text;
-  std::size_t begin = 0;
-  std::size_t space = std::string::npos;  // the last space of the line
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (lines[i] == '\n') {
-      begin = i + 1;
-      space = std::string::npos;
-      continue;
-    }
-    if (space != std::string::npos &&
-        width_of_line(std::string_view(lines).substr(begin, i + 1 - begin)) > most) {
-      lines[space] = '\n';
-      begin = space + 1;
-      space = std::string::npos;
-    }
-    if (lines[i] == ' ') space = i;
-  }
-  return lines;
 }
 
 int line_count(const std::string& text) {
@@ -93,7 +63,8 @@ std::string fitted(const std::vector<ProgressTable>& tables, int lines, int colu
     int room = lines - line_count(text) - gap;
     if (room < kLeastLines || table.rows.empty()) break;
     text.append(static_cast<std::size_t>(gap), '\n');
-    const std::string lines_below = wrapped(table.text, columns);
+    const std::string lines_below =
+        wrapped(table.text, static_cast<std::size_t>(std::max(1, columns - 1)));
     const int below = lines_below.empty() ? 0 : line_count(lines_below) + 1;
     const bool has_room_for_text = room - below >= kLeastLines;
     if (has_room_for_text) room -= below;

@@ -77,7 +77,7 @@ std::vector<FolderReport> write_folder_reports(const fs::path& path, const std::
   std::vector<BuildReport> overview;
   for (const std::string& each : builds) {
     reports.push_back(write_one(open_results(path, each), build_folder(path, each), lost));
-    overview.push_back({reports.back().folder, reports.back().results.table});
+    overview.push_back({reports.back().folder, text_of(reports.back().results.table)});
   }
   write_overview(path, overview);
   return reports;

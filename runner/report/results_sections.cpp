@@ -86,7 +86,7 @@ std::string cross_text(const std::optional<CrossCell>& cell) {
 }  // namespace
 
 Section results_section(const ResultFolder& folder, const ExperimentResults& results) {
-  Section section = {Heading{"Results"}, Verbatim{results.table}};
+  Section section = {Heading{"Results"}, Verbatim{text_of(results.table)}};
   if (!results.groups.empty()) section.emplace_back(meaning_of_intervals(folder, results));
   if (results.tuning) section.emplace_back(meaning_of_tuning());
   return section;

@@ -1,8 +1,5 @@
 #include "runner/results/game_row.hpp"
 
-#include <algorithm>
-
-#include "referee/machine/machine.hpp"
 #include "runner/settings/fields.hpp"
 
 namespace autoref::runner {
@@ -27,23 +24,6 @@ GameRecord void_record(const std::string& reason) {
   record.end_reason = EndReason::kVoid;
   record.void_reason = reason;
   return record;
-}
-
-std::vector<std::string> transitions_never_used(const RowsById& rows) {
-  const auto is_used = [&rows](std::string_view label) {
-    return std::any_of(rows.begin(), rows.end(), [label](const auto& entry) {
-      const std::vector<std::string_view>& taken = entry.second.record.transitions;
-      return std::find(taken.begin(), taken.end(), label) != taken.end();
-    });
-  };
-  std::vector<std::string> never;
-  for (const auto& part :
-       {referee::transitions_in_figure(), referee::transitions_outside_figure()}) {
-    for (const referee::Transition& transition : part) {
-      if (!is_used(transition.label)) never.emplace_back(transition.label);
-    }
-  }
-  return never;
 }
 
 }  // namespace autoref::runner

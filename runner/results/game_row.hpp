@@ -58,8 +58,4 @@ GameRow row_of(const ScheduledGame& game);
 // The record of a game that could not be completed.
 GameRecord void_record(const std::string& reason);
 
-// Labels of the state machine's transitions that occurred in none of the games, whether or not they
-// are in the paper's figure (referee/machine/machine.hpp). In the state machine's order.
-std::vector<std::string> transitions_never_used(const RowsById& rows);
-
 }  // namespace autoref::runner

@@ -103,7 +103,7 @@ TEST(Effects, NeedTwoFactors) {
 
 TEST(Effects, AreShownWithIntervals) {
   const auto effects = effects_with(3, [](int a, int, int pair) { return a == 5 ? pair : 0; });
-  const std::string table = effects_table(effects);
+  const std::string table = text_of(effects_table(effects));
   EXPECT_NE(table.find("+2.00 [-0.48, +4.48]"), std::string::npos) << table;
   EXPECT_NE(effects_csv(effects).find("\na.robots,5,,,3,2.0000,-0.4841,4.4841,"), std::string::npos)
       << effects_csv(effects);

@@ -166,17 +166,17 @@ TEST(StandingsReport, WritesInfinityForTheOpenEndOfAnInterval) {
 }
 
 TEST(StandingsReport, SaysAtLeastAndAtMostForAnOpenEnd) {
-  const std::string table = standings_table(standings_in(kOneWin));
+  const std::string table = table_text(standings_table(standings_in(kOneWin)), kTextWidth);
   EXPECT_NE(table.find("+0.55 [at least -0.92]\n"), std::string::npos) << table;
   EXPECT_NE(table.find("-0.55 [at most +0.92]\n"), std::string::npos) << table;
 }
 
 TEST(StandingsReport, PrintsTablesOfTeamsAndMatchups) {
-  const std::string table = standings_table(standings_in(kThreeTeams));
+  const std::string table = table_text(standings_table(standings_in(kThreeTeams)), 200);
   EXPECT_NE(table.find("\n1   bold        7       4     2       1      1     4:2"),
             std::string::npos)
       << table;
-  const std::string matchups = matchups_table(matchups_in(kThreeTeams));
+  const std::string matchups = table_text(matchups_table(matchups_in(kThreeTeams)), kTextWidth);
   EXPECT_NE(matchups.find("\nbold   zone       2   0.50 ± 0.71   1.00 ± 0.00"), std::string::npos)
       << matchups;
 }

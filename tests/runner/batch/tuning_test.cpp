@@ -119,8 +119,9 @@ TEST(Tuning, FindsABetterTeamAndSaysSo) {
   const ExperimentReport report = tune(folder.path(), small_tuning("spsa"));
   ASSERT_TRUE(report.results.tuning);
   EXPECT_EQ(report.results.tuning->test.state.verdict, ThreeWayVerdict::kBetter);
-  EXPECT_NE(report.results.table.find("The result is better than the start"), std::string::npos)
-      << report.results.table;
+  EXPECT_NE(text_of(report.results.table).find("The result is better than the start"),
+            std::string::npos)
+      << text_of(report.results.table);
   EXPECT_NEAR(report.results.tuning->best.front(), kBestRisk, 0.2);
 }
 
@@ -130,8 +131,8 @@ TEST(Tuning, DoesNotCallAnEqualTeamBetter) {
   tuning.parameters.front().start = kBestRisk;  // nothing is left to improve
   const TemporaryFolder folder;
   const ExperimentReport report = tune(folder.path(), scenario);
-  EXPECT_NE(report.results.table.find("not shown to be better"), std::string::npos)
-      << report.results.table;
+  EXPECT_NE(text_of(report.results.table).find("not shown to be better"), std::string::npos)
+      << text_of(report.results.table);
 }
 
 // The test's games must not be those that the search has seen.

@@ -19,7 +19,7 @@ const Entry kBold = team_of({{"line_m", "m", -0.5, -4, 4, "How far it stays back
                              {"share", "1", 0.25, 0, 1, "Of its passes."}});
 
 TEST(TeamsReport, ListsEveryTeamWithItsDescription) {
-  const std::string text = teams_text();
+  const std::string text = text_of(teams_text(), 200);
   for (const Entry& team : all_strategies()) {
     EXPECT_NE(text.find("\n" + std::string(team.name) + " "), std::string::npos) << team.name;
     EXPECT_NE(text.find(team.about), std::string::npos) << team.name;
@@ -28,7 +28,7 @@ TEST(TeamsReport, ListsEveryTeamWithItsDescription) {
 }
 
 TEST(TeamsReport, ShowsEachParametersUnitDefaultAndRange) {
-  EXPECT_EQ(team_text(kBold),
+  EXPECT_EQ(text_of(team_text(kBold)),
             "bold: Runs at the goal.\n"
             "\n"
             "parameter   unit   default   range\n"
@@ -46,7 +46,8 @@ TEST(TeamsReport, PrintsTheSameAsJson) {
 }
 
 TEST(TeamsReport, SaysIfATeamHasNoParameters) {
-  EXPECT_EQ(team_text(team_of({})), "bold: Runs at the goal.\n\nThis team has no parameters.\n");
+  EXPECT_EQ(text_of(team_text(team_of({}))),
+            "bold: Runs at the goal.\n\nThis team has no parameters.\n");
 }
 
 TEST(AllStrategies, AreOrderedByName) {

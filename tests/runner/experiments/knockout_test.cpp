@@ -133,7 +133,7 @@ TEST(KnockoutRun, PlaysUntilTheFinalIsWon) {
   EXPECT_NE(content_of(folder / "summary.csv").find("4,final,team2,team4,1,2,,,1,0,goals,team4\n"),
             std::string::npos)
       << content_of(folder / "summary.csv");
-  EXPECT_NE(report.results.table.find("the winner is team4"), std::string::npos);
+  EXPECT_NE(text_of(report.results.table).find("the winner is team4"), std::string::npos);
 }
 
 TEST(KnockoutRun, GivesTheSameResultsForEveryNumberOfWorkers) {
@@ -167,8 +167,8 @@ TEST(KnockoutRun, ReplaysADrawnTie) {
   const ExperimentReport report = run(knockout_of(2), folder.path(), drawn_at_first);
   EXPECT_EQ(report.played, 2);
   EXPECT_EQ(report.games, 2);
-  EXPECT_NE(report.results.table.find("goals in game 2"), std::string::npos)
-      << report.results.table;
+  EXPECT_NE(text_of(report.results.table).find("goals in game 2"), std::string::npos)
+      << text_of(report.results.table);
 }
 
 TEST(KnockoutRun, AdvancesTheBetterSeedAfterSixDraws) {
@@ -176,7 +176,7 @@ TEST(KnockoutRun, AdvancesTheBetterSeedAfterSixDraws) {
   const ExperimentReport report = run(knockout_of(2), folder.path(), drawn);
   EXPECT_EQ(report.played, 6);
   EXPECT_NE(content_of(folder / "summary.csv").find(",6,0,better seed,team0\n"), std::string::npos);
-  EXPECT_NE(report.results.table.find("better seed after 6 games"), std::string::npos);
+  EXPECT_NE(text_of(report.results.table).find("better seed after 6 games"), std::string::npos);
 }
 
 TEST(KnockoutRun, TreatsAVoidGameAsADraw) {
@@ -185,8 +185,9 @@ TEST(KnockoutRun, TreatsAVoidGameAsADraw) {
       run(knockout_of(2), folder.path(),
           [](const GameConfiguration&) -> GameRecord { throw std::runtime_error("no"); });
   EXPECT_EQ(report.void_games, 6);
-  EXPECT_NE(report.results.table.find("better seed after 6 games, 6 void"), std::string::npos)
-      << report.results.table;
+  EXPECT_NE(text_of(report.results.table).find("better seed after 6 games, 6 void"),
+            std::string::npos)
+      << text_of(report.results.table);
 }
 
 TEST(KnockoutRun, ReportsHowATieWasDecided) {
@@ -200,7 +201,7 @@ TEST(KnockoutRun, ReportsHowATieWasDecided) {
   const ExperimentReport report = run(knockout_of(2), folder.path(), shot_out);
   EXPECT_NE(content_of(folder / "summary.csv").find(",1,1,2,4,1,0,shoot-out,team1\n"),
             std::string::npos);
-  EXPECT_NE(report.results.table.find("1:1 (2:4)"), std::string::npos);
+  EXPECT_NE(text_of(report.results.table).find("1:1 (2:4)"), std::string::npos);
 }
 
 TEST(KnockoutRun, LetsTheLosersOfTheSemiFinalsPlayForThirdPlace) {

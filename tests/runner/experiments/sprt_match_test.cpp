@@ -50,10 +50,11 @@ TEST(SprtMatchRun, EndsWithThePairThatDecidesIt) {
   const ExperimentReport report = run_experiment(small_sprt_match(), fake_options(folder.path()));
   EXPECT_TRUE(report.is_complete);
   EXPECT_EQ(report.played, 20);  // min_pairs pairs suffice, since the evidence is clear
-  EXPECT_NE(report.results.table.find("decided for d1: the mean lead of team0 over team1 in goals "
-                                      "per game is nearer to -4 than to 0"),
+  EXPECT_NE(text_of(report.results.table)
+                .find("decided for d1: the mean lead of team0 over team1 in goals "
+                      "per game is nearer to -4 than to 0"),
             std::string::npos)
-      << report.results.table;
+      << text_of(report.results.table);
   EXPECT_NE(content_of(folder / "summary.csv").find(",d1,10,0,"), std::string::npos);
 }
 
@@ -113,7 +114,7 @@ TEST(SprtMatchRun, LeavesPairsWithAVoidLegOutOfTheTest) {
   EXPECT_EQ(report.games, 22);
   EXPECT_EQ(report.void_games, 1);
   EXPECT_NE(content_of(folder / "summary.csv").find(",d1,10,1,"), std::string::npos);
-  EXPECT_NE(report.results.table.find("1 pairs with a void leg"), std::string::npos);
+  EXPECT_NE(text_of(report.results.table).find("1 pairs with a void leg"), std::string::npos);
 }
 
 ExperimentReport run_sprt_shard(const fs::path& folder, int number) {

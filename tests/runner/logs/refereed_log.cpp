@@ -60,8 +60,9 @@ RefereedLog refereed(const std::filesystem::path& log) {
   league::read_log(log, keeper);
   result.report = damage_text(name, facts) +
                   gaps_text(facts, mutated_game_in(name, book, facts, facts.games.front())) +
-                  referee_log_text(evaluation, facts) + referee_log_json(evaluation, facts) +
-                  info_text(facts, true) + info_json(facts) + evaluation.events;
+                  text_of(referee_log_text(evaluation, facts)) +
+                  referee_log_json(evaluation, facts) + info_text(facts, true) + info_json(facts) +
+                  evaluation.events;
   return result;
 }
 

@@ -137,18 +137,6 @@ TEST(RowFormat, SortsTransitions) {
   EXPECT_EQ(cells_by_name(row)["transitions"], "begin+goal+start");
 }
 
-TEST(TransitionsNeverUsed, AreMissingFromEveryRow) {
-  GameRow row;
-  row.record.transitions = {"begin", "start_late", "goal_kick"};
-  const std::vector<std::string> never = transitions_never_used({{"x", row}});
-  const auto has = [&](const char* label) {
-    return std::find(never.begin(), never.end(), label) != never.end();
-  };
-  for (const char* taken : {"begin", "start_late", "goal_kick"}) EXPECT_FALSE(has(taken)) << taken;
-  // The first two labels are substrings of labels above; the third is not in the paper's figure.
-  for (const char* other : {"start", "goal", "half_over"}) EXPECT_TRUE(has(other)) << other;
-}
-
 TEST(RowFormat, DetectsEveryChangedCharacter) {
   const std::string line = kFormat.line(full_row());
   for (std::size_t i = 0; i < line.size(); ++i) {
