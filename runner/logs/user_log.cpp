@@ -200,9 +200,10 @@ league::LogSummary read_user_log(const std::string& path, league::LogVisitor& vi
 Field field_shown(const std::string& path, const league::LogSummary& log, const std::string& book) {
   const std::optional<GameSetup> setup = find_game_setup(book);
   if (!setup) {
-    throw InputError(
-        {"--rules"}, "",
-        fmt::format("unknown rule book '{}'; expected one of {}", book, listed(rule_book_names())));
+    const std::vector<std::string> known = rule_book_names();
+    throw InputError({"--rules"}, "",
+                     fmt::format("expected one of {}, found '{}'{}", listed(known), book,
+                                 suggestion(book, known)));
   }
   if (log.field) return *log.field;
   write_message(stderr, fmt::format("autoref: {}: the log has no geometry; using the field of "

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/io/words.hpp"
 #include "runner/settings/fields.hpp"
 #include "runner/settings/robot_types.hpp"
 
@@ -11,10 +12,11 @@ namespace {
 Assignment assignment_in(const std::string& set) {
   const std::string flag = "--set " + set;
   const std::size_t equals = set.find('=');
-  if (equals == std::string::npos || equals == 0) {
+  const std::string key(trimmed(std::string_view(set).substr(0, equals)));
+  if (equals == std::string::npos || key.empty()) {
     throw InputError({flag}, "", "expected KEY=VALUE, such as match.half_s=60");
   }
-  return {flag, set.substr(0, equals), set.substr(equals + 1)};
+  return {flag, key, std::string(trimmed(std::string_view(set).substr(equals + 1)))};
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "runner/io/words.hpp"
 #include "runner/settings/fields.hpp"
 #include "runner/settings/renamed.hpp"
+#include "strategies/registry.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -19,24 +20,35 @@ std::string renamed_path(std::string_view path) {
   return dot == std::string_view::npos ? today : today + "." + renamed_path(path.substr(dot + 1));
 }
 
+// The paths whose last names `path` nearly is.
+std::vector<std::string> paths_nearly_ending_in(std::string_view path,
+                                                const std::vector<std::string>& known) {
+  if (path.find('.') != std::string_view::npos) return {};
+  std::vector<std::string> names;
+  for (const std::string& one : known) names.push_back(one.substr(one.rfind('.') + 1));
+  const std::vector<std::string> nearest = suggested_words(path, names);
+  return nearest.empty() ? nearest : paths_ending_in(nearest.front(), known);
+}
+
+// The paths that may have been meant.
+std::vector<std::string> suggested_paths(std::string_view path,
+                                         const std::vector<std::string>& known) {
+  std::vector<std::string> paths = paths_ending_in(path, known);
+  if (paths.empty()) paths = paths_nearly_ending_in(path, known);
+  return paths.empty() ? suggested_words(path, known) : paths;
+}
+
 std::string unknown_path_message(const std::vector<Setting>& settings, std::string_view path) {
   const std::string today = renamed_path(path);
   if (today != path && find_setting(settings, full_path(today)) != nullptr) {
     return renamed_message(path, today);
   }
-  std::vector<std::string> known;
-  known.reserve(settings.size());
-  const auto add = [&](const std::string& full) {
-    known.push_back(path.starts_with("teams.") ? full : short_path(full));
-  };
-  for (const Setting& setting : settings) {
-    if (!holds_others(setting)) add(setting.path);
-    for (const std::string& name : names_in(setting)) add(setting.path + "." + name);
-  }
-  const std::string nearest = suggestion(path, known);
-  return fmt::format(
-      "unknown key '{}'{}", path,
-      nearest.empty() ? "; expected a setting, such as b.handicap or match.half_s" : nearest);
+  const std::vector<std::string> known =
+      path.starts_with("teams.") ? full_paths(settings) : short_paths(settings);
+  const std::vector<std::string> meant = suggested_paths(path, known);
+  return fmt::format("unknown key '{}'{}", path,
+                     meant.empty() ? "; expected a setting, such as b.handicap or match.half_s"
+                                   : suggestion_text(meant));
 }
 
 // Returns the setting at a full path, including those inside another setting.
@@ -48,6 +60,14 @@ std::optional<Setting> single_setting(const std::vector<Setting>& settings,
   const Setting* holder = find_setting(settings, full.substr(0, dot));
   if (holder == nullptr || dot == std::string::npos) return std::nullopt;
   return setting_in(*holder, full.substr(dot + 1));
+}
+
+// The parameters of all strategies.
+std::set<std::string> parameter_names() {
+  std::set<std::string> names;
+  for (const strategies::Entry& entry : strategies::all_strategies())
+    for (const strategies::Parameter& parameter : entry.params) names.emplace(parameter.name);
+  return names;
 }
 
 // A setting with the value that the user has given it.
@@ -78,6 +98,33 @@ void make_player_in(GameSettings& game, std::string_view path) {
 }
 
 }  // namespace
+
+std::vector<std::string> full_paths(const std::vector<Setting>& settings) {
+  std::vector<std::string> paths;
+  for (const Setting& setting : settings) {
+    if (!holds_others(setting)) paths.push_back(setting.path);
+    for (const std::string& name : names_in(setting)) paths.push_back(setting.path + "." + name);
+    if (!std::holds_alternative<Params*>(setting.target)) continue;
+    for (const std::string& name : parameter_names()) paths.push_back(setting.path + "." + name);
+  }
+  return paths;
+}
+
+std::vector<std::string> short_paths(const std::vector<Setting>& settings) {
+  std::vector<std::string> paths;
+  for (const std::string& path : full_paths(settings)) paths.push_back(short_path(path));
+  return paths;
+}
+
+std::vector<std::string> paths_ending_in(std::string_view end,
+                                         const std::vector<std::string>& paths) {
+  constexpr std::size_t kMost = 3;
+  const std::string wanted = fmt::format(".{}", end);
+  std::vector<std::string> found;
+  for (const std::string& path : paths)
+    if (found.size() < kMost && path.ends_with(wanted)) found.push_back(path);
+  return found;
+}
 
 std::string_view branch_of(std::string_view path) { return path.substr(0, path.rfind('.')); }
 

@@ -116,6 +116,15 @@ std::vector<Setting> settings_of(RobotChanges& changes);
 std::string full_path(std::string_view path);
 std::string short_path(std::string_view path);
 
+// The paths of all settings that have a value, including those inside other ones.
+std::vector<std::string> full_paths(const std::vector<Setting>& settings);
+std::vector<std::string> short_paths(const std::vector<Setting>& settings);
+
+// At most three of `paths`: those that end with `end` from one of their dots on, such as
+// "match.half_s" for "half_s".
+std::vector<std::string> paths_ending_in(std::string_view end,
+                                         const std::vector<std::string>& paths);
+
 // Returns whether two full or two short paths set the same number: they are equal, or one is a
 // handicap and the other one of its two factors. (Presets do not override single settings.)
 bool sets_same_number(std::string_view path, std::string_view other);
@@ -127,7 +136,8 @@ std::string_view branch_of(std::string_view path);
 const Setting* find_setting(const std::vector<Setting>& settings, std::string_view path);
 
 // Returns the setting at a full or short path, including settings inside another one. Throws
-// std::invalid_argument naming the nearest known path.
+// std::invalid_argument naming up to three paths that may have been meant: "match.half_s" for
+// "half_s".
 Setting setting_at(const std::vector<Setting>& settings, std::string_view path);
 
 // Describes a valid value, such as "a whole number from 1 to 16".

@@ -7,6 +7,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "runner/io/words.hpp"
 #include "runner/settings/command_text.hpp"
 #include "runner/settings/robot_types.hpp"
 
@@ -113,6 +114,13 @@ void SettingsReader::read(const YamlEntry& entry, const std::string& path) {
   }
 }
 
+std::string SettingsReader::about_unknown(std::string_view key,
+                                          const std::vector<std::string>& known) const {
+  const std::vector<std::string> elsewhere = paths_ending_in(key, full_paths(settings_));
+  return unknown_key_message(key, known) +
+         (elsewhere.empty() ? "" : "; elsewhere: " + listed(elsewhere));
+}
+
 void SettingsReader::read_branch(const YamlEntry& branch, const std::string& path) {
   const std::vector<std::string> known = names_below(settings_, path);
   const std::vector<YamlEntry> entries = file_.entries(branch, path, known);
@@ -124,7 +132,7 @@ void SettingsReader::read_branch(const YamlEntry& branch, const std::string& pat
   }
   for (const YamlEntry& entry : entries) {
     if (std::find(known.begin(), known.end(), entry.key) == known.end()) {
-      file_.refuse(entry.location, path, unknown_key_message(entry.key, known));
+      file_.refuse(entry.location, path, about_unknown(entry.key, known));
     }
     if (&entry != preset) read(entry, path + "." + entry.key);
   }

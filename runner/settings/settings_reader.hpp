@@ -66,6 +66,9 @@ class SettingsReader {
   // The top-level names of the settings.
   std::vector<std::string> names() const { return names_below(settings_, ""); }
 
+  // unknown_key_message(), and where else the settings have a key of that name.
+  std::string about_unknown(std::string_view key, const std::vector<std::string>& known) const;
+
   // Reads the setting, or branch of settings, at `path`. Throws InputError.
   void read(const YamlEntry& entry, const std::string& path);
 

@@ -30,7 +30,7 @@ void BaseReader::read(const YamlEntry& base, GameSettings& game) const {
     refuse_misplaced(entry);
     refuse_what_legs_decide(entry);
     if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
-    file_.refuse(entry.location, "base", unknown_key_message(entry.key, known));
+    file_.refuse(entry.location, "base", settings.about_unknown(entry.key, known));
   }
   read_settings(entries, settings);
 }

@@ -58,7 +58,30 @@ TEST(NearestWord, HasTheSmallestEditDistance) {
 
 TEST(Suggestion, NamesAWordThatIsClose) {
   EXPECT_EQ(suggestion("zoen", {"basic", "zone"}), "; did you mean 'zone'?");
+  EXPECT_EQ(suggestion("nwe", {"new", "play"}), "; did you mean 'new'?") << "two exchanged letters";
   EXPECT_EQ(suggestion("shot", {"pass_mps", "shot_mps"}), "; did you mean 'shot_mps'?");
+}
+
+TEST(Suggestion, NamesUpToThreeWordsThatBeginSo) {
+  EXPECT_EQ(suggestion("2026", {"2014", "2026-b", "2026-a"}),
+            "; did you mean '2026-b' or '2026-a'?");
+  EXPECT_EQ(suggestion("r", {"rules", "teams", "run", "report", "replay"}),
+            "; did you mean 'rules', 'run' or 'report'?");
+  EXPECT_EQ(suggestion("game", {"autoref", "game-controller"}),
+            "; did you mean 'game-controller'?");
+  EXPECT_EQ(suggestion("mass", {"mass_kg", "mass_kg"}), "; did you mean 'mass_kg'?");
+}
+
+TEST(Suggestion, PrefersWordsThatLackOneLetter) {
+  EXPECT_EQ(suggestion("b.robot", {"b.robots", "b.robot.mass_kg"}), "; did you mean 'b.robots'?");
+  EXPECT_EQ(suggestion("rc2026-", {"rc2026-b", "rc2026-a", "rc2026-abc"}),
+            "; did you mean 'rc2026-b' or 'rc2026-a'?");
+}
+
+TEST(Trimmed, HasNoSpacesAtItsEnds) {
+  EXPECT_EQ(trimmed(" match.half_s\t "), "match.half_s");
+  EXPECT_EQ(trimmed("python3 my_team.py"), "python3 my_team.py");
+  EXPECT_EQ(trimmed("  "), "");
 }
 
 TEST(Suggestion, IsEmptyIfNoWordIsClose) {

@@ -64,6 +64,35 @@ TEST(SetByPath, SetsTheBallsValuesWithAPreset) {
             "'tigers'?");
 }
 
+TEST(SetByPath, SuggestsThePathsThatEndWithAnUnknownOne) {
+  EXPECT_EQ(refusal_of_value("half_s", "60"), "unknown key 'half_s'; did you mean 'match.half_s'?");
+  EXPECT_EQ(refusal_of_value("robots", "5"),
+            "unknown key 'robots'; did you mean 'a.robots' or 'b.robots'?");
+  EXPECT_EQ(refusal_of_value("defence_area.shape", "box"),
+            "unknown key 'defence_area.shape'; did you mean 'field.defence_area.shape'?");
+  EXPECT_EQ(refusal_of_value("speed_mps", "2"),
+            "unknown key 'speed_mps'; did you mean 'a.robot.speed_mps', 'b.robot.speed_mps' or "
+            "'sim.robot.speed_mps'?");
+  EXPECT_EQ(refusal_of_value("shot_mps", "6"),
+            "unknown key 'shot_mps'; did you mean 'a.params.shot_mps' or 'b.params.shot_mps'?");
+}
+
+TEST(SetByPath, SuggestsThePathsWhoseLastNameIsNear) {
+  EXPECT_EQ(refusal_of_value("halfs", "60"), "unknown key 'halfs'; did you mean 'match.half_s'?");
+  EXPECT_EQ(refusal_of_value("mtach.half_s", "60"),
+            "unknown key 'mtach.half_s'; did you mean 'match.half_s'?");
+}
+
+TEST(SetByPath, SuggestsTheWordsThatBeginLikeAnUnknownOne) {
+  const auto ends = [](std::string_view path, std::string_view text, const char* end) {
+    EXPECT_TRUE(refusal_of_value(path, text).ends_with(end)) << refusal_of_value(path, text);
+  };
+  ends("match.rules", "2026", "; did you mean '2026-b' or '2026-a'?");
+  ends("sim.camera", "rc2026", "; did you mean 'rc2026-b' or 'rc2026-a'?");
+  ends("b.strategy", "co", "; did you mean 'cobalt', 'cobalt1' or 'counter'?");
+  ends("match.control", "game", "; did you mean 'game-controller'?");
+}
+
 TEST(SetByPath, LetsSingleSettingsOverrideAPreset) {
   GameSettings game;
   set_by_path(game, "sim.ball.preset", "grsim");

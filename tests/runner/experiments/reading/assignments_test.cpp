@@ -55,6 +55,25 @@ TEST(Set, ReachesTheBaseAndTeamsByName) {
   }
 }
 
+TEST(UnknownKey, IsLookedUpInOtherBranches) {
+  EXPECT_EQ(refusal_of_assignments("factors: { half_s: [60, 120] }\n"),
+            "x.yaml:5:21: half_s: unknown key 'half_s'; did you mean 'match.half_s'?");
+  for (const char* base : {"base: { half_s: 60 }\n", "base: { teams: { a: { half_s: 60 } } }\n"}) {
+    const std::string refusal =
+        refusal_of_assignments(std::string(base) + "factors: { b.robots: [6, 5] }\n");
+    EXPECT_TRUE(refusal.ends_with("; elsewhere: match.half_s")) << refusal;
+  }
+}
+
+TEST(Set, DoesNotMindSpacesAroundItsEqualsSign) {
+  const Assignments sets = assignments_in({"match.half_s = 60", " b.command= python3 my_team.py "});
+  EXPECT_EQ(sets[0].path, "match.half_s");
+  EXPECT_EQ(sets[0].value, "60");
+  EXPECT_EQ(sets[1].path, "b.command");
+  EXPECT_EQ(sets[1].value, "python3 my_team.py");
+  EXPECT_THROW(assignments_in({" = 60"}), InputError);
+}
+
 TEST(Set, RefusesAHandicapTogetherWithOneOfItsFactorsInAnyOrder) {
   for (const auto& sets : {std::vector<std::string>{"b.handicap=0.5", "b.speed_factor=0.8"},
                            std::vector<std::string>{"b.speed_factor=0.8", "b.handicap=0.5"}}) {

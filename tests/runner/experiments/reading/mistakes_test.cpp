@@ -146,7 +146,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{"UnknownParameterAsFactor",
                             changed(kCorrectSweep, "b.robots: [6, 5]", "a.params.shot: [5]"),
                             "x.yaml:6:12: teams.a.params.shot: ",
-                            {"did you mean 'shot_mps'?"}},
+                            {"did you mean 'shot_mps' or 'shot_lane_m'?"}},
                     Mistake{"UnknownCamera",
                             changed(kCorrectSweep, "match: { half_s: 60 }",
                                     "sim: { camera: realistc }"),
