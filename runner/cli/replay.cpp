@@ -1,20 +1,17 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 
 #include "runner/batch/program_files.hpp"
 #include "runner/batch/result_folder.hpp"
 #include "runner/cli/command_line.hpp"
-#include "runner/cli/judged_results.hpp"
+#include "runner/cli/named_game.hpp"
 #include "runner/cli/play_one.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/checksum.hpp"
 #include "runner/io/errors.hpp"
-#include "runner/io/words.hpp"
-#include "runner/judge/judged_rows.hpp"
 #include "runner/settings/resolved.hpp"
 
 namespace autoref::runner {
@@ -22,36 +19,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns the id of a game. In judged experiments, `id` may also be the id of a fault, which is
-// then printed.
-std::string id_of_game(const ResultFolder& folder, const std::string& id) {
-  if (!is_judged(folder.scenario)) return id;
-  const std::optional<LookedUp> found = look_up(folder, id);
-  if (!found) return id;
-  if (!found->fault.empty())
-    write_message(stderr, fmt::format("autoref: {}: {}\n", id, found->fault));
-  return found->game_id;
-}
-
-const ScheduledGame& game_named(const ResultFolder& folder, const std::string& id) {
-  const auto game = std::find_if(folder.games.begin(), folder.games.end(),
-                                 [&id](const ScheduledGame& one) { return one.id == id; });
-  if (game != folder.games.end()) return *game;
-  std::vector<std::string> ids;
-  for (const ScheduledGame& one : folder.games) ids.push_back(one.id);
-  const std::string where = is_judged(folder.scenario)
-                                ? "The last column of faults.csv lists the ids of faults"
-                                : "The first column of results.csv lists all games played";
-  throw InputError({folder.path.string()}, "",
-                   fmt::format("contains no game '{}'; did you mean '{}'? {}", id,
-                               nearest_word(id, ids), where));
-}
-
 }  // namespace
 
 int replay_verb(const ReplayArguments& arguments) {
   const ResultFolder folder = open_results(arguments.folder, arguments.build);
-  const ScheduledGame& game = game_named(folder, id_of_game(folder, arguments.game));
+  const ScheduledGame& game = game_named(folder, arguments.game);
   const fs::path commands = commands_file(folder.path, game.id);
   const GameRecord record =
       play_one(resolved(game), arguments.output, files_of_results(folder.path),

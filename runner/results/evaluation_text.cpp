@@ -19,7 +19,7 @@ constexpr std::string_view kContestedTouch = "c";
 constexpr std::string_view kInStop = "s";
 
 // Escapes line ends: a row must be a single line, but each entry is a line.
-std::string escaped(const std::string& lines) {
+std::string on_one_line(const std::string& lines) {
   std::string text;
   for (const char c : lines) {
     if (c == '\\') text += '\\';
@@ -137,7 +137,7 @@ std::string text_of(const CallEvaluation& evaluation) {
   lines += touch_lines(kContestedTouch, evaluation.contested_touch);
   for (const std::string& call : evaluation.calls_in_stop)
     lines += csv_line({std::string(kInStop), call}) + "\n";
-  return escaped(lines);
+  return on_one_line(lines);
 }
 
 std::optional<CallEvaluation> evaluation_in(std::string_view text) {

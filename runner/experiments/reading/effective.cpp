@@ -114,7 +114,7 @@ std::string base_of(const GameSettings& base, std::string_view elsewhere = "",
   return "base:\n" + tree.text();
 }
 
-std::string text_of(const SetByValues& set_by_values) {
+std::string block_of(const SetByValues& set_by_values) {
   if (set_by_values.empty()) return "";
   std::string text = "set_by_values:  # settings implied by each value; written by AutoRef\n";
   for (const auto& [name, values] : set_by_values) {
@@ -130,7 +130,7 @@ std::string body_of(const Sweep& sweep) {
   for (const Factor& factor : sweep.factors) {
     text += fmt::format("  {}: [{}]\n", factor.path, listed(spelt(factor.values)));
   }
-  return text + text_of(by_values) + fmt::format("pairs: {}\nseed: {}\n", sweep.pairs, sweep.seed);
+  return text + block_of(by_values) + fmt::format("pairs: {}\nseed: {}\n", sweep.pairs, sweep.seed);
 }
 
 std::string seeds_of(const JudgeSchedule& schedule) {
@@ -149,7 +149,7 @@ std::string body_of(const JudgeSchedule& schedule) {
   std::string text = base_of(schedule.base, "", by_values) +
                      fmt::format("rules: [{}]\ncameras: [{}]\n", listed(schedule.rules),
                                  listed(schedule.cameras)) +
-                     text_of(by_values);
+                     block_of(by_values);
   std::vector<std::string> matchups;
   for (const auto& matchup : schedule.matchups) matchups.push_back(name_of(matchup));
   if (!matchups.empty()) text += fmt::format("matchups: [{}]\n", listed(matchups));
@@ -157,7 +157,7 @@ std::string body_of(const JudgeSchedule& schedule) {
   return text + fmt::format("games: {}\n{}", schedule.games, seeds_of(schedule));
 }
 
-std::string text_of(const Teams& teams, std::string_view branch, const RobotTypes& types) {
+std::string block_of(const Teams& teams, std::string_view branch, const RobotTypes& types) {
   Tree tree(0);
   for (auto [name, team] : teams) {
     for (const Setting& setting : settings_of(team, types, fmt::format("{}.{}.", branch, name))) {
@@ -168,7 +168,7 @@ std::string text_of(const Teams& teams, std::string_view branch, const RobotType
 }
 
 std::string teams_of(const NamedTeams& named) {
-  return base_of(named.base, "teams.") + text_of(named.teams, "teams", named.base.types);
+  return base_of(named.base, "teams.") + block_of(named.teams, "teams", named.base.types);
 }
 
 std::string body_of(const RoundRobin& robin) {
@@ -183,7 +183,7 @@ std::string body_of(const SprtMatch& match) {
 }
 
 std::string body_of(const Gauntlet& gauntlet) {
-  return teams_of(gauntlet) + text_of(gauntlet.challengers, "challengers", gauntlet.base.types) +
+  return teams_of(gauntlet) + block_of(gauntlet.challengers, "challengers", gauntlet.base.types) +
          fmt::format("pairs: {}\nseed: {}\n", gauntlet.pairs, gauntlet.seed);
 }
 
@@ -196,8 +196,8 @@ std::string body_of(const Knockout& knockout) {
 
 std::string body_of(const Situations& situations) {
   const RobotTypes& types = situations.base.types;
-  return base_of(situations.base, "teams.") + text_of(situations.attackers, "attackers", types) +
-         text_of(situations.defenders, "defenders", types) + situations_text(situations) +
+  return base_of(situations.base, "teams.") + block_of(situations.attackers, "attackers", types) +
+         block_of(situations.defenders, "defenders", types) + situations_text(situations) +
          fmt::format("pairs: {}\nseed: {}\n", situations.pairs, situations.seed);
 }
 
@@ -220,7 +220,7 @@ std::string body_of(const Tuning& tuning) {
   add(weight_settings_of(copy), tree);
   return base_of(tuning.base, "teams.") + tree.text() +
          (tuning.is_against_itself() ? "opponents: self\n"
-                                     : text_of(tuning.opponents, "opponents", tuning.base.types)) +
+                                     : block_of(tuning.opponents, "opponents", tuning.base.types)) +
          fmt::format("seed: {}\n", tuning.seed);
 }
 
