@@ -1,4 +1,5 @@
 #include "runner/batch/result_folder.hpp"
+#include "runner/batch/missing_results.hpp"
 #include "runner/experiments/reading/scenario_reader.hpp"
 
 #include <fmt/format.h>
@@ -55,10 +56,7 @@ Scenario scenario_in(const fs::path& folder) {
   const fs::path file = folder / kEffectiveFile;
   const std::optional<std::string> text = read_file(file);
   if (!text || !fs::is_directory(folder / kGamesFolder)) {
-    throw InputError({folder.string()}, "",
-                     fmt::format("holds no results: expected {} and a folder {}, as written by "
-                                 "autoref run and autoref judge",
-                                 kEffectiveFile, kGamesFolder));
+    throw InputError({folder.string()}, "", missing_results_text(folder));
   }
   Scenario scenario = read_scenario_text(*text, file.string());
   if (keeps_rows(scenario)) return scenario;

@@ -49,6 +49,36 @@ TEST_F(FolderVerbs, StatusShowsProgress) {
   EXPECT_EQ(whole.find("interim"), std::string::npos);
 }
 
+TEST_F(FolderVerbs, SayWhatIsThereIfTheScenarioIsMissing) {
+  run("0/2");
+  run("1/2");
+  std::filesystem::remove(folder_ / "results/effective.yaml");
+  for (const char* verb : {"status", "report"}) {
+    const Answer answer = answer_to({verb, results_.c_str()});
+    EXPECT_EQ(answer.code, kBadInput);
+    EXPECT_NE(answer.err.find("games/ has 4 rows in 2 files, but effective.yaml, which says what "
+                              "experiment they belong to, is missing. Copy it from"),
+              std::string::npos)
+        << answer.err;
+  }
+  EXPECT_EQ(run("0/2").code, kDone);
+  EXPECT_NE(answer_to({"status", results_.c_str()}).out.find("4 of 4 games done"),
+            std::string::npos)
+      << "the message advises this";
+}
+
+TEST_F(FolderVerbs, SayWhichFolderIsMeant) {
+  run("0/1");
+  const std::string games = folder_ / "results/games";
+  EXPECT_NE(answer_to({"status", games.c_str()}).err.find("; give that one"), std::string::npos);
+  const std::string above = folder_.path().string();
+  EXPECT_NE(answer_to({"status", above.c_str()}).err.find("give one of them: " + results_),
+            std::string::npos);
+  const std::string nowhere = folder_ / "nowhere";
+  EXPECT_NE(answer_to({"status", nowhere.c_str()}).err.find("holds no results: it does not exist"),
+            std::string::npos);
+}
+
 TEST_F(FolderVerbs, ReportMergesTheRowsOfShards) {
   run("0/2");
   run("1/2");
