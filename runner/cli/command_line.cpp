@@ -23,6 +23,17 @@ int fail(ExitCode code, std::string_view message) {
   return code;
 }
 
+// Parses the arguments, which chooses the work to do, and does it.
+int run_parsed(CLI::App& app, int argc, const char* const* argv, const Chosen& chosen) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == kDone) return app.exit(error);
+    throw InputError({}, "", message_of(app, error));
+  }
+  return chosen();
+}
+
 }  // namespace
 
 int exit_code_of(const Chosen& work) {
@@ -88,17 +99,11 @@ int run_command_line(int argc, const char* const* argv) {
   app.get_formatter()->label("SUBCOMMAND", "VERB");
   for (CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) verb->group("Verbs");
   const std::string word = argc > 1 ? argv[1] : "";
-  if (argc == 1) return exit_code_of([&app] { return help_verb(app, ""); });
+  if (argc == 1) return exit_code_of([&app] { return help_verb(app, {}); });
   if (!word.starts_with('-') && !is_verb(app, word)) {
     return fail(kBadInput, unknown_verb_message(app, word));
   }
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != kDone) return fail(kBadInput, message_of(app, error));
-    return exit_code_of([&]() -> int { return app.exit(error); });
-  }
-  return exit_code_of(chosen);
+  return exit_code_of([&] { return run_parsed(app, argc, argv, chosen); });
 }
 
 }  // namespace autoref::runner

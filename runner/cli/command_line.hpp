@@ -240,7 +240,8 @@ int team_new_verb(const TeamNewArguments& arguments);
 int team_play_verb(const TeamPlayArguments& arguments);
 int team_check_verb(const TeamCheckArguments& arguments);
 int teams_verb(const TeamsArguments& arguments);
-int help_verb(const CLI::App& app, const std::string& word);  // empty: lists the verbs
+// Explains the verb that the words lead to, such as "team", "new"; without words, lists the verbs.
+int help_verb(const CLI::App& app, const std::vector<std::string>& words);
 
 // Adds a verb to the command line; parsing sets `chosen` to the work to do.
 using Chosen = std::function<int()>;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "runner/cli/output_file.hpp"
+#include "runner/cli/scenario_argument.hpp"
 #include "runner/experiments/reading/scenario_reader.hpp"
 #include "runner/experiments/situations.hpp"
 #include "runner/io/errors.hpp"
@@ -43,16 +44,17 @@ RefereeSignal signal_of(const referee::Beginning& beginning) {
 }  // namespace
 
 int draw_situation(const DrawArguments& arguments) {
-  const Scenario scenario = read_scenario(arguments.log);
+  const std::string scenario_file = scenario_to_read(arguments.log);
+  const Scenario scenario = read_scenario(scenario_file);
   const auto* situations = std::get_if<Situations>(&scenario.content);
   if (situations == nullptr) {
     throw InputError(
-        {arguments.log}, "kind",
+        {scenario_file}, "kind",
         fmt::format("this is of kind {}; --situation needs a scenario of kind situations",
                     kind_of(scenario)));
   }
   const SituationSetup& situation = situation_named(*situations, arguments);
-  check_outputs({{"-o", arguments.output}}, {arguments.log});
+  check_outputs({{"-o", arguments.output}}, {scenario_file});
   std::optional<PendingFile> file;
   open_output(file, "-o", arguments.output);
   const Field& field = situations->base.field;

@@ -10,23 +10,27 @@
 namespace autoref::runner {
 
 // Not named help(): that would describe the verb just parsed, which is `help` itself.
-int help_verb(const CLI::App& app, const std::string& word) {
-  if (!word.empty() && !is_verb(app, word)) {
-    throw InputError({"help"}, "", unknown_verb_message(app, word));
+int help_verb(const CLI::App& app, const std::vector<std::string>& words) {
+  const CLI::App* described = &app;
+  std::string name = app.get_name();
+  for (const std::string& word : words) {
+    if (!is_verb(*described, word))
+      throw InputError({"help"}, "", unknown_verb_message(*described, word));
+    described = described->get_subcommand(word);
+    name += " " + word;
   }
-  const CLI::App& described = word.empty() ? app : *app.get_subcommand(word);
-  const std::string name = word.empty() ? app.get_name() : app.get_name() + " " + word;
-  fmt::print("{}", app.get_formatter()->make_help(&described, name, CLI::AppFormatMode::Normal));
+  fmt::print("{}", app.get_formatter()->make_help(described, name, CLI::AppFormatMode::Normal));
   return kDone;
 }
 
 void add_help_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb = app.add_subcommand("help", "List the verbs, or explain one.");
-  auto word = std::make_shared<std::string>();
-  verb->add_option("VERB", *word, "Name of a verb. Default: list all verbs.");
-  verb->footer("Example:\n  autoref help run");
+  auto words = std::make_shared<std::vector<std::string>>();
+  verb->add_option("VERB", *words,
+                   "Name of a verb, such as run or team new. Default: list all verbs.");
+  verb->footer("Examples:\n  autoref help run\n  autoref help team new");
   verb->callback(
-      [&app, word, &chosen] { chosen = [&app, word] { return help_verb(app, *word); }; });
+      [&app, words, &chosen] { chosen = [&app, words] { return help_verb(app, *words); }; });
 }
 
 }  // namespace autoref::runner

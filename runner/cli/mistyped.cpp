@@ -29,9 +29,10 @@ std::vector<std::string> long_options(const CLI::App& verb) {
 // "; did you mean '--seed'?", or empty if none of the verb's options is close.
 std::string option_suggestion(const CLI::App& verb, const std::string& word) {
   const std::string name = option_name(word);
-  const std::vector<std::string> known = long_options(verb);
-  if (name.size() < 2 || suggestion(name, known).empty()) return {};
-  return fmt::format("; did you mean '--{}'?", nearest_word(name, known));
+  if (name.size() < 2) return {};
+  std::vector<std::string> meant = suggested_words(name, long_options(verb));
+  for (std::string& option : meant) option.insert(0, "--");
+  return suggestion_text(meant);
 }
 
 std::string quoted(const std::vector<std::string>& words) {
@@ -54,6 +55,75 @@ std::string extras_message(const CLI::App& verb, const std::vector<std::string>&
 // The punctuation that separates `message` from the next clause.
 std::string_view end_of(std::string_view message) { return message.ends_with('?') ? "" : ";"; }
 
+std::vector<const CLI::App*> nested_verbs(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+std::vector<std::string> names_of_verbs(const std::vector<const CLI::App*>& verbs) {
+  std::vector<std::string> names;
+  for (const CLI::App* verb : verbs) names.push_back(verb->get_name());
+  return names;
+}
+
+// "team new"; empty for the program.
+std::string words_to(const CLI::App& verb) {
+  const CLI::App* parent = verb.get_parent();
+  if (parent == nullptr) return {};
+  const std::string before = words_to(*parent);
+  return before.empty() ? verb.get_name() : before + " " + verb.get_name();
+}
+
+// The verb that an error is about: the first one on the line with unexpected words, otherwise the
+// last one. CLI11 reports unexpected words before a verb as extras of the program itself.
+const CLI::App& blamed_verb(const CLI::App& app) {
+  const CLI::App* verb = &app;
+  while (verb->remaining().empty() && !verb->get_subcommands().empty())
+    verb = verb->get_subcommands().front();
+  return *verb;
+}
+
+// CLI11 puts the placeholder of an argument without dashes in front of what is wrong with it.
+std::string without_placeholder(const CLI::App& verb, const std::string& message) {
+  for (const CLI::Option* option : verb.get_options()) {
+    const std::string front = option->get_name(true) + ": ";
+    if (option->get_positional() && message.starts_with(front)) return message.substr(front.size());
+  }
+  return message;
+}
+
+// Replaces CLI11's message if something is missing; empty if nothing is.
+std::string missing_message(const CLI::App& verb, const CLI::ParseError& error) {
+  if (error.get_name() != "RequiredError") return {};
+  const std::vector<std::string> verbs = names_of_verbs(nested_verbs(verb));
+  if (!verbs.empty()) return "expected one of its verbs: " + listed(verbs);
+  for (const CLI::Option* option : verb.get_options()) {
+    if (error.what() != option->get_name() + " is required" || !option->get_positional()) continue;
+    std::string about = option->get_description();
+    if (about.ends_with('.')) about.pop_back();
+    return fmt::format("an argument is missing: {} ({})", option->get_name(), about);
+  }
+  return {};
+}
+
+// Replaces CLI11's message about a value that is not a number, "Could not convert: --from = x".
+std::string unreadable_message(const CLI::ParseError& error) {
+  constexpr std::string_view kFront = "Could not convert: ";
+  const std::string message = error.what();
+  const std::size_t equals = message.find(" = ");
+  if (!message.starts_with(kFront) || equals == std::string::npos) return {};
+  return fmt::format("{}: expected a number, found '{}'",
+                     message.substr(kFront.size(), equals - kFront.size()),
+                     message.substr(equals + 3));
+}
+
+std::string message_about(const CLI::App& verb, const CLI::ParseError& error) {
+  const std::vector<std::string> extras = verb.remaining();
+  if (!extras.empty()) return extras_message(verb, extras);
+  for (const std::string& message : {missing_message(verb, error), unreadable_message(error)})
+    if (!message.empty()) return message;
+  return without_placeholder(verb, error.what());
+}
+
 }  // namespace
 
 bool is_verb(const CLI::App& app, const std::string& word) {
@@ -62,28 +132,34 @@ bool is_verb(const CLI::App& app, const std::string& word) {
 }
 
 std::string unknown_verb_message(const CLI::App& app, const std::string& word) {
-  if (const std::optional<std::string_view> now = new_verb_of(word)) {
-    return fmt::format("unknown verb '{}'; its name is '{}' now", word, *now);
-  }
-  std::vector<std::string> known;
-  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
-    known.push_back(verb->get_name());
+  const std::string before = words_to(app);
+  const std::vector<std::string> known = names_of_verbs(nested_verbs(app));
+  if (known.empty()) {
+    return fmt::format(
+        "'{0}' has no verbs of its own, such as '{1}'; `autoref help {0}` explains it", before,
+        word);
   }
   const std::string nearest = suggestion(word, known);
-  return fmt::format("there is no verb '{}'{} `autoref help` lists them", word,
-                     nearest.empty() ? ";" : nearest);
+  const std::string end = nearest.empty() ? ";" : nearest;
+  if (!before.empty()) {
+    return fmt::format("'{0}' has no verb '{1}'{2} `autoref help {0}` lists them", before, word,
+                       end);
+  }
+  if (const std::optional<std::string_view> now = new_verb_of(word))
+    return fmt::format("unknown verb '{}'; its name is '{}' now", word, *now);
+  return fmt::format("there is no verb '{}'{} `autoref help` lists them", word, end);
 }
 
 std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
-  const std::vector<CLI::App*> parsed = app.get_subcommands();
-  const CLI::App& verb = parsed.empty() ? app : *parsed.front();
-  // CLI11 reports unexpected words before the verb as extras of the program itself.
-  const CLI::App& place = app.remaining().empty() ? verb : app;
-  const std::vector<std::string> extras = place.remaining();
-  const std::string message = extras.empty() ? error.what() : extras_message(place, extras);
-  if (&place == &app)
+  const CLI::App& verb = blamed_verb(app);
+  const std::vector<std::string> extras = verb.remaining();
+  const bool is_word = !extras.empty() && option_name(extras.front()).empty();
+  if (&verb != &app && is_word && !nested_verbs(verb).empty())
+    return unknown_verb_message(verb, extras.front());
+  const std::string message = message_about(verb, error);
+  if (&verb == &app)
     return fmt::format("{}{} `autoref help` lists the verbs", message, end_of(message));
-  return fmt::format("{0}: {1}{2} `autoref help {0}` lists its options", place.get_name(), message,
+  return fmt::format("{0}: {1}{2} `autoref help {0}` lists its options", words_to(verb), message,
                      end_of(message));
 }
 

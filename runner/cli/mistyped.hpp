@@ -6,15 +6,15 @@
 
 namespace autoref::runner {
 
-// Returns whether the program has a verb of this name.
+// Returns whether the program, or a verb with verbs of its own, has a verb of this name.
 bool is_verb(const CLI::App& app, const std::string& word);
 
 // "there is no verb 'plya'; did you mean 'play'? `autoref help` lists them". For a renamed verb,
-// the message gives its new name.
+// the message gives its new name. `app` may be a verb, with or without verbs of its own.
 std::string unknown_verb_message(const CLI::App& app, const std::string& word);
 
-// Explains an error thrown by parse(): the verb, what is wrong with its arguments (in the order
-// given), and the most likely intended option.
+// Explains an error thrown by parse(): the verb, such as "team new", what is wrong with its
+// arguments (in the order given), and the most likely intended option or word.
 std::string message_of(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace autoref::runner

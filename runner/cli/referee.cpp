@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "runner/cli/command_line.hpp"
+#include "runner/cli/one_of.hpp"
 #include "runner/cli/output_file.hpp"
 #include "runner/cli/referee_game.hpp"
 #include "runner/io/errors.hpp"
@@ -161,7 +162,7 @@ void add_referee_verb(CLI::App& app, Chosen& chosen) {
                    "Where robots and ball come from: the packets of vision (default if the log "
                    "begins with them) or those of a tracker.")
       ->type_name("vision|tracker")
-      ->check(CLI::IsMember({"vision", "tracker"}));
+      ->check(one_of({"vision", "tracker"}));
   verb->add_option("--camera", arguments->camera, "Camera preset that describes the vision noise.")
       ->type_name("PRESET");
   add_set_option(*verb, arguments->sets);

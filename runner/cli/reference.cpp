@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "runner/cli/command_line.hpp"
+#include "runner/cli/one_of.hpp"
 #include "runner/cli/reference_pages.hpp"
 #include "runner/io/errors.hpp"
 
@@ -15,7 +16,7 @@ void add_reference_verb(CLI::App& app, Chosen& chosen) {
   auto page = std::make_shared<std::string>();
   verb->add_option("PAGE", *page, "settings, verbs, rules or teams.")
       ->required()
-      ->check(CLI::IsMember(reference_page_names()));
+      ->check(one_of(reference_page_names()));
   verb->footer("Example:\n  autoref reference settings > docs/reference/settings.md");
   verb->callback([&app, page, &chosen] {
     chosen = [&app, page] {

@@ -25,9 +25,11 @@ int rules_verb(const RulesArguments& arguments) {
   }
   const std::optional<RuleBook> rules = find_rule_book(arguments.book);
   if (!rules) {
-    throw InputError({"BOOK"}, "",
-                     fmt::format("there is no rule book '{}'; expected one of {}", arguments.book,
-                                 listed(rule_book_names())));
+    const std::vector<std::string> known = rule_book_names();
+    const std::string nearest = suggestion(arguments.book, known);
+    throw InputError({}, "",
+                     fmt::format("there is no rule book '{}'{} Known here: {}", arguments.book,
+                                 nearest.empty() ? "." : nearest, listed(known)));
   }
   fmt::print("{}",
              arguments.json ? rules_json(*rules) : text_of(rules_text(*rules), text_width(stdout)));

@@ -10,6 +10,7 @@
 #include "runner/batch/experiment.hpp"
 #include "runner/batch/program_files.hpp"
 #include "runner/cli/command_line.hpp"
+#include "runner/cli/one_of.hpp"
 #include "runner/cli/started_games.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
@@ -171,7 +172,7 @@ void add_run_options(CLI::App& verb, RunArguments& arguments, const std::string&
           "Progress on stderr: plain text lines, JSON lines, or none. Default: a table on a "
           "terminal, otherwise plain.")
       ->type_name("STYLE")
-      ->check(CLI::IsMember({"plain", "json", "none"}));
+      ->check(one_of({"plain", "json", "none"}));
   add_web_flags(verb, arguments.web,
                 "Show the standings in browsers, at this address of this computer, such as "
                 "127.0.0.1:8090; without address, for browsers on this computer only.");

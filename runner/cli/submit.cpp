@@ -76,7 +76,7 @@ SlurmArray array_of(const SubmitArguments& arguments, const Scenario& scenario, 
   SlurmArray array;
   // Tasks must run this very build, whatever PATH finds on their machine.
   array.program = plain_path("autoref", fs::read_symlink("/proc/self/exe"));
-  array.file = plain_path("FILE", arguments.file);
+  array.file = plain_path("the scenario", arguments.file);
   array.folder = plain_path("-o", arguments.results_folder());
   for (const std::string& set : arguments.sets) array.overrides.push_back("--set=" + set);
   if (!arguments.pairs.empty()) array.overrides.push_back("--pairs=" + arguments.pairs);

@@ -19,7 +19,7 @@ GameSettings team_game(const std::string& command, const std::string& opponent, 
   GameSettings game;
   choose_rules("2026-b", game);
   game.match.half_s = half_s;
-  blame("COMMAND", [&] { set_by_path(game, "a.command", command); });
+  blame("the command of the team", [&] { set_by_path(game, "a.command", command); });
   blame("--opponent", [&] { set_by_path(game, "b.strategy", opponent); });
   for (const Assignment& assignment : assignments_in(sets))
     blame("--set", [&] { set_by_path(game, assignment.path, assignment.value); });

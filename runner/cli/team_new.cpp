@@ -6,6 +6,7 @@
 #include <memory>
 #include <system_error>
 
+#include "runner/batch/slurm.hpp"
 #include "runner/cli/command_line.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
@@ -17,21 +18,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> languages() {
-  std::vector<std::string> languages;
-  for (const TemplateFile& file : template_files()) {
-    if (languages.empty() || languages.back() != file.language)
-      languages.emplace_back(file.language);
-  }
-  return languages;
-}
+constexpr const char* kExample = "autoref team new --language python my_team";
 
 void check_language(const std::string& language) {
-  const std::vector<std::string> known = languages();
+  const std::vector<std::string> known = template_languages();
   if (std::find(known.begin(), known.end(), language) != known.end()) return;
-  throw InputError(
-      {"--language"}, "",
-      fmt::format("there is no team in '{}' yet; expected one of {}", language, listed(known)));
+  if (language.empty()) {
+    throw InputError(
+        {"team new"}, "",
+        fmt::format("choose a language: {}; for example: {}", listed(known), kExample));
+  }
+  throw InputError({"--language"}, "",
+                   fmt::format("expected one of {}, found '{}'{}", listed(known), language,
+                               suggestion(language, known)));
 }
 
 void refuse_full_folder(const fs::path& folder) {
@@ -41,18 +40,28 @@ void refuse_full_folder(const fs::path& folder) {
   throw InputError({folder.string()}, "", "exists and is not an empty folder; choose a new one");
 }
 
+void print_next_commands(const std::string& language, const fs::path& folder) {
+  constexpr const char* kSpecial = " \t\n\"'\\$`&;|<>()*?[]#!~{}";  // to a shell
+  const std::string name = folder.string();
+  const bool is_plain = name.find_first_of(kSpecial) == std::string::npos;
+  fmt::print("A team in {} is in {}; {} explains it. To check it and to play a game:\n  cd {}\n",
+             language, name, (folder / "README.md").string(), is_plain ? name : shell_word(name));
+  for (const std::string& command : first_commands(language)) fmt::print("  {}\n", command);
+}
+
 }  // namespace
 
 int team_new_verb(const TeamNewArguments& arguments) {
   const fs::path folder = arguments.folder;
   check_language(arguments.language);
+  if (folder.empty())
+    throw InputError({"team new"}, "", fmt::format("name a new folder; for example: {}", kExample));
   refuse_full_folder(folder);
   create_folder(folder);
   for (const TemplateFile& file : template_files()) {
     if (file.language == arguments.language) replace_file(folder / file.name, file.content);
   }
-  fmt::print("A team in {} is in {}; how to play it:\n  cd {}\n  cat README.md\n",
-             arguments.language, folder.string(), folder.string());
+  print_next_commands(arguments.language, folder);
   return kDone;
 }
 
@@ -60,10 +69,10 @@ void add_team_new_verb(CLI::App& team, Chosen& chosen) {
   CLI::App* verb = team.add_subcommand("new", "Write a beginner's team of one page.");
   auto arguments = std::make_shared<TeamNewArguments>();
   verb->add_option("--language", arguments->language,
-                   fmt::format("One of {}.", listed(languages())))
-      ->required();
-  verb->add_option("DIR", arguments->folder, "A new or empty folder.")->required();
-  verb->footer("Example:\n  autoref team new --language python my_team");
+                   fmt::format("One of {}.", listed(template_languages())))
+      ->type_name("LANGUAGE");
+  verb->add_option("DIR", arguments->folder, "A new or empty folder.");
+  verb->footer(fmt::format("Without a language, lists them.\n\nExample:\n  {}", kExample));
   verb->callback(
       [arguments, &chosen] { chosen = [arguments] { return team_new_verb(*arguments); }; });
 }

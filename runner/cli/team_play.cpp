@@ -20,6 +20,7 @@ void add_team_play_verb(CLI::App& team, Chosen& chosen) {
   auto arguments = std::make_shared<TeamPlayArguments>();
   add_program_argument(*verb, arguments->command);
   verb->add_option("--opponent", arguments->opponent, "A team that `autoref teams` lists.")
+      ->type_name("TEAM")
       ->capture_default_str();
   add_set_option(*verb, arguments->sets);
   add_output_options(*verb, arguments->output);

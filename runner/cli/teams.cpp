@@ -17,7 +17,7 @@ const strategies::Entry& team_named(const std::string& name) {
   std::vector<std::string> known;
   for (const strategies::Entry& team : strategies::all_strategies()) known.emplace_back(team.name);
   const std::string nearest = suggestion(name, known);
-  throw InputError({"NAME"}, "",
+  throw InputError({}, "",
                    fmt::format("there is no team '{}'{} Known here: {}", name,
                                nearest.empty() ? "." : nearest, listed(known)));
 }
@@ -39,7 +39,7 @@ int teams_verb(const TeamsArguments& arguments) {
 void add_teams_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb = app.add_subcommand("teams", "List the teams, or the parameters of one.");
   auto arguments = std::make_shared<TeamsArguments>();
-  verb->add_option("NAME", arguments->name, "Name of a team. Default: list all teams.");
+  verb->add_option("TEAM", arguments->name, "Name of a team. Default: list all teams.");
   verb->add_flag("--json", arguments->json, "Print one JSON object.");
   verb->footer("Example:\n  autoref teams basic");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return teams_verb(*arguments); }; });

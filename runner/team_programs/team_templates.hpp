@@ -1,6 +1,7 @@
 // The beginners' teams of runner/team_programs/templates/, embedded by cmake/embedded_files.cmake.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,5 +15,12 @@ struct TemplateFile {
 
 // All files of all languages; those of one language are adjacent.
 std::vector<TemplateFile> template_files();
+
+// Their languages, in this order.
+std::vector<std::string> template_languages();
+
+// The commands that the README of a language's team begins with, one a line: how to compile it if
+// it must be compiled, how to check it, how to play with it. Empty for an unknown language.
+std::vector<std::string> first_commands(std::string_view language);
 
 }  // namespace autoref::runner

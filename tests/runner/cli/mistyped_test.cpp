@@ -3,9 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <utility>
+
 #include "runner/io/errors.hpp"
+#include "runner/io/words.hpp"
+#include "runner/team_programs/team_templates.hpp"
 #include "tests/checkout.hpp"
 #include "tests/runner/cli/answer.hpp"
+#include "tests/runner/support/temporary_folder.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -48,6 +54,91 @@ TEST(Help, SuggestsTheClosestVerb) {
   EXPECT_EQ(answer.code, kBadInput);
   EXPECT_TRUE(says(answer, "no verb 'repotr'; did you mean 'report'?")) << answer.err;
   EXPECT_EQ(answer_to({"help", "nonsense"}).code, kBadInput);
+}
+
+TEST(Help, ExplainsAVerbOfAVerb) {
+  for (const char* nested : {"new", "play", "check"}) {
+    const Answer answer = answer_to({"help", "team", nested});
+    EXPECT_EQ(answer.code, kDone) << answer.err;
+    EXPECT_EQ(answer.out, answer_to({"team", nested, "--help"}).out);
+  }
+}
+
+TEST(Help, SuggestsTheClosestVerbOfAVerb) {
+  const Answer answer = answer_to({"help", "team", "nwe"});
+  EXPECT_EQ(answer.code, kBadInput);
+  EXPECT_EQ(answer.err,
+            "autoref: help: 'team' has no verb 'nwe'; did you mean 'new'? `autoref help team` "
+            "lists them\n");
+  EXPECT_TRUE(says(answer_to({"team", "nwe"}), "'team' has no verb 'nwe'; did you mean 'new'?"));
+  EXPECT_TRUE(says(answer_to({"help", "run", "fast"}), "'run' has no verbs of its own"));
+}
+
+TEST(VerbOfAVerb, IsNamedInItsMessages) {
+  const Answer option = answer_to({"team", "new", "--langauge", "python", "x"});
+  EXPECT_EQ(option.err,
+            "autoref: team new: unknown option '--langauge'; did you mean '--language'? `autoref "
+            "help team new` lists its options\n");
+  EXPECT_TRUE(says(answer_to({"team"}), "team: expected one of its verbs: new, play, check;"));
+}
+
+// CLI11 would put the placeholders of help in front.
+TEST(Messages, DoNotBeginWithPlaceholders) {
+  const auto message = [](std::vector<const char*> arguments) {
+    const Answer answer = answer_to(std::move(arguments));
+    EXPECT_EQ(answer.code, kBadInput);
+    return answer.err;
+  };
+  EXPECT_EQ(message({"rules", "nosuch"}).find("autoref: there is no rule book 'nosuch'. Known"),
+            0U);
+  EXPECT_EQ(message({"teams", "nosuch"}).find("autoref: there is no team 'nosuch'. Known"), 0U);
+  EXPECT_EQ(message({"reference", "verb"}),
+            "autoref: reference: expected one of settings, verbs, rules, teams, found 'verb'; did "
+            "you mean 'verbs'? `autoref help reference` lists its options\n");
+  EXPECT_EQ(message({"team", "check", "'"}),
+            "autoref: the command of the team: a quote (') is not closed\n");
+  EXPECT_EQ(message({"view"}),
+            "autoref: view: an argument is missing: LOG (A .log or .log.gz file); `autoref help "
+            "view` lists its options\n");
+  EXPECT_TRUE(message({"view", "x.log", "-o", "x.html", "--from", "x"})
+                  .starts_with("autoref: view: --from: expected a number, found 'x';"));
+  EXPECT_TRUE(message({"run", "x.yaml", "--progress", "jason"})
+                  .starts_with("autoref: run: --progress: expected one of plain, json, none, found "
+                               "'jason'; did you mean 'json'?"));
+}
+
+TEST(UnknownRuleBook, IsAnsweredWithThoseThatBeginSo) {
+  EXPECT_TRUE(says(answer_to({"rules", "2026"}), "did you mean '2026-b' or '2026-a'? Known here:"));
+}
+
+TEST(UnknownOption, IsAnsweredWithThoseThatBeginSo) {
+  EXPECT_TRUE(says(answer_to({"live", kMistypedGame.c_str(), "--gr"}),
+                   "unknown option '--gr'; did you mean '--grsim-port'?"));
+}
+
+TEST(TeamNew, ListsTheLanguagesIfNoneIsGiven) {
+  const Answer bare = answer_to({"team", "new"});
+  EXPECT_EQ(bare.code, kBadInput);
+  EXPECT_EQ(bare.err, "autoref: team new: choose a language: " + listed(template_languages()) +
+                          "; for example: autoref team new --language python my_team\n");
+  EXPECT_EQ(answer_to({"team", "new", "somewhere"}).err, bare.err);
+  EXPECT_FALSE(std::filesystem::exists("somewhere"));
+  EXPECT_TRUE(says(answer_to({"team", "new", "--language", "python"}), "name a new folder"));
+  EXPECT_TRUE(says(answer_to({"team", "new", "--language", "pyton", "x"}),
+                   "found 'pyton'; did you mean 'python'?"));
+}
+
+TEST(TeamNew, PrintsTheCommandsToGoOnWith) {
+  const TemporaryFolder folder;
+  for (const std::string& language : template_languages()) {
+    const std::string place = folder / language;
+    const Answer answer = answer_to({"team", "new", "--language", language.c_str(), place.c_str()});
+    EXPECT_EQ(answer.code, kDone) << answer.err;
+    for (const std::string& command :
+         {"\n  cd " + place + "\n", std::string("\n  autoref team check '"),
+          std::string("\n  autoref team play '")})
+      EXPECT_NE(answer.out.find(command), std::string::npos) << answer.out;
+  }
 }
 
 TEST(UnexpectedArguments, AreNamedInTheOrderGiven) {
