@@ -8,6 +8,7 @@
 #include <exception>
 
 #include "league/log_file.hpp"
+#include "runner/cli/completion.hpp"
 #include "runner/cli/mistyped.hpp"
 #include "runner/cli/program.hpp"
 #include "runner/io/build_id.hpp"
@@ -99,6 +100,10 @@ int run_command_line(int argc, const char* const* argv) {
   app.get_formatter()->label("SUBCOMMAND", "VERB");
   for (CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) verb->group("Verbs");
   const std::string word = argc > 1 ? argv[1] : "";
+  // For the scripts of `autoref completion`, which pass any words: not a verb like the others.
+  if (word == "complete") {
+    return exit_code_of([&] { return complete_verb(described(app), {argv + 2, argv + argc}); });
+  }
   if (argc == 1) return exit_code_of([&app] { return help_verb(app, {}); });
   if (!word.starts_with('-') && !is_verb(app, word)) {
     return fail(kBadInput, unknown_verb_message(app, word));

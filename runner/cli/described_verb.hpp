@@ -12,6 +12,7 @@ struct DescribedOption {
   std::string value;               // what follows, such as "FILE"; empty for a flag
   std::string description;
   bool is_positional = false;
+  std::vector<std::string> words = {};  // allowed values, if they are listed
 };
 
 // The program itself, one of its verbs, or a verb of a verb (autoref team new).
@@ -29,9 +30,9 @@ DescribedVerb described(const CLI::App& app);
 // The man page autoref(1), as roff source. `version` is what --version prints.
 std::string man_page(const DescribedVerb& program, const std::string& version);
 
-// Scripts that complete verbs and options, and file names elsewhere.
-std::string bash_completion(const DescribedVerb& program);
-std::string zsh_completion(const DescribedVerb& program);
-std::string fish_completion(const DescribedVerb& program);
+// Scripts that complete command lines with what `autoref complete` prints (completion.hpp).
+std::string bash_completion();
+std::string zsh_completion();
+std::string fish_completion();
 
 }  // namespace autoref::runner

@@ -6,17 +6,17 @@
 
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/described_verb.hpp"
+#include "runner/cli/one_of.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
 
 namespace autoref::runner {
 namespace {
 
-int completion_verb(const CLI::App& app, const std::string& shell) {
-  const DescribedVerb program = described(app);
-  fmt::print("{}", shell == "bash"  ? bash_completion(program)
-                   : shell == "zsh" ? zsh_completion(program)
-                                    : fish_completion(program));
+int completion_verb(const std::string& shell) {
+  fmt::print("{}", shell == "bash"  ? bash_completion()
+                   : shell == "zsh" ? zsh_completion()
+                                    : fish_completion());
   return kDone;
 }
 
@@ -28,17 +28,19 @@ int man_verb(const CLI::App& app) {
 }  // namespace
 
 void add_completion_verb(CLI::App& app, Chosen& chosen) {
-  CLI::App* verb =
-      app.add_subcommand("completion", "Print a script that completes verbs and options.");
+  CLI::App* verb = app.add_subcommand(
+      "completion", "Print a script that completes verbs, options and their values in a shell.");
   auto shell = std::make_shared<std::string>();
   verb->add_option("SHELL", *shell, "bash, zsh or fish.")
       ->required()
-      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+      ->check(one_of({"bash", "zsh", "fish"}));
   verb->footer(
+      "Completes, as far as they are known: settings, teams, rule books, cameras, languages of "
+      "team\n"
+      "programs, scenarios here and in the folder scenarios, and games of a results folder.\n\n"
       "Example, for the current shell:\n  autoref completion bash > autoref.bash && . "
       "./autoref.bash");
-  verb->callback(
-      [&app, shell, &chosen] { chosen = [&app, shell] { return completion_verb(app, *shell); }; });
+  verb->callback([shell, &chosen] { chosen = [shell] { return completion_verb(*shell); }; });
 }
 
 void add_man_verb(CLI::App& app, Chosen& chosen) {

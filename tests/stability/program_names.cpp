@@ -41,20 +41,21 @@ Names event_names() {
   return names;
 }
 
-// From the completion script for bash, which has a line for each verb:
-//   'team new') words='-h --help --language' verbs='' ;;
+// From the reference page of verbs, which has a section for each verb, with a row for each option:
+//   ## autoref team new
+//   | `-h`, `--help` | Print this help message and exit |
 Names command_line_names() {
-  const std::regex line_of_verb(R"( *'([a-z -]*)'\) words='([^']*)' verbs='[^']*' ;;)");
+  const std::regex option_name(R"(`(-[a-z-]+)`)");
   Names names;
-  std::istringstream script(answer_to({"completion", "bash"}).out);
-  for (std::string line; std::getline(script, line);) {
-    std::smatch parts;
-    if (!std::regex_match(line, parts, line_of_verb)) continue;
-    const std::string verb = parts[1];
-    if (!verb.empty()) names.push_back(verb);
-    std::istringstream options(parts[2]);
-    for (std::string option; options >> option;)
-      names.push_back(verb.empty() ? option : verb + " " + option);
+  std::string verb;
+  std::istringstream page(answer_to({"reference", "verbs"}).out);
+  for (std::string line; std::getline(page, line);) {
+    constexpr std::string_view kSection = "## autoref ";
+    if (line.starts_with(kSection)) names.push_back(verb = line.substr(kSection.size()));
+    if (!line.starts_with("| `-")) continue;
+    const std::string cell = line.substr(0, line.find(" | "));
+    for (std::sregex_iterator name(cell.begin(), cell.end(), option_name), end; name != end; ++name)
+      names.push_back(verb.empty() ? name->str(1) : verb + " " + name->str(1));
   }
   return names;
 }
