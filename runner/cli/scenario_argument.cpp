@@ -103,8 +103,11 @@ std::string scenario_to_read(const std::string& given) {
 }
 
 CLI::Option* add_scenario_argument(CLI::App& verb, std::string& file, const std::string& about) {
-  const auto find = [&file](const std::string& given) { file = scenario_to_read(given); };
-  return verb.add_option_function<std::string>("SCENARIO", find, about)->required();
+  // Not when the argument is read: `--help` after it has priority over a missing file.
+  verb.parse_complete_callback([&file] {
+    if (!file.empty()) file = scenario_to_read(file);
+  });
+  return verb.add_option("SCENARIO", file, about)->required();
 }
 
 }  // namespace autoref::runner

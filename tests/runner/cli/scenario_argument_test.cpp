@@ -72,18 +72,25 @@ TEST_F(ScenarioHere, IsFoundInTheFolderScenarios) {
 }
 
 TEST_F(ScenarioHere, IsSuggestedByEveryVerbThatReadsOne) {
-  for (const char* verb : {"play", "live", "run", "tune", "submit", "check", "judge", "lab"}) {
+  for (const char* verb : {"play", "live", "run", "tune", "check", "judge", "lab"}) {
     const Answer answer = answer_to({verb, "shrot-game.yaml"});
     EXPECT_EQ(answer.code, kBadInput);
-    if (std::string(verb) == "submit") continue;  // asks for --slurm first
     EXPECT_EQ(answer.err,
               "autoref: shrot-game.yaml: the file cannot be read: No such file or directory; did "
               "you mean 'scenarios/short-game.yaml'?\n")
         << verb;
   }
+  const Answer submission = answer_to({"submit", "shrot-game.yaml", "--slurm"});
+  EXPECT_NE(submission.err.find("did you mean 'scenarios/short-game.yaml'?"), std::string::npos);
   const Answer drawing = answer_to({"draw", "bonce.yaml", "--situation", "x", "-o", "x.svg"});
   EXPECT_NE(drawing.err.find("did you mean 'scenarios/lab/bounce.yaml'?"), std::string::npos)
       << drawing.err;
+}
+
+TEST_F(ScenarioHere, IsNotNeededForHelp) {
+  const Answer answer = answer_to({"play", "shrot-game.yaml", "--help"});
+  EXPECT_EQ(answer.code, kDone) << answer.err;
+  EXPECT_EQ(answer.out, answer_to({"play", "--help"}).out);
 }
 
 TEST_F(ScenarioHere, IsSuggestedIfItsFolderIsMissingOrItsNameIsBegun) {
