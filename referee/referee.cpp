@@ -154,8 +154,10 @@ class Referee::Impl {
     return state_.signal;
   }
 
-  // Tracks, touches and the rules' records begin afresh.
+  // Tracks, touches and the rules' records begin afresh, except for what the ball shows later of
+  // the last touch.
   void forget() {
+    if (is_play(state_.machine_state)) before_gap_ = online_touch_.before_gap();
     tracker_ = Tracker(configuration_.noise);
     ball_.reset();
     ball_jump_.forget();
@@ -173,6 +175,7 @@ class Referee::Impl {
     state_.play = play_joined(input_with(online_touch_.last(), frame));
     frames_.restart(frame, std::nullopt);
     online_touch_.restart();
+    if (before_gap_) online_touch_.resume(*std::exchange(before_gap_, std::nullopt));
   }
 
   // Joins play where the ball has appeared: it counts as at rest there, so that a robot that kicks
@@ -390,6 +393,7 @@ class Referee::Impl {
   const Tracks* tracks_ = nullptr;        // of the last frame; null before the first
   std::optional<RefereeSignal> pending_;  // given before the first frame
   bool joins_ = false;                    // play is joined afresh in the next frame
+  std::optional<BeforeGap> before_gap_;   // then, after a gap in vision
   bool was_lifted_ = false;  // whether lift_ball() moved the ball in the previous frame
   FrameHistory frames_;      // of the current play
   OnlineTouchDetector online_touch_;

@@ -38,7 +38,8 @@ class Referee {
   // Judges one frame and returns the signal now in force. Frames must be in order. Robots and ball
   // may be missing; the position of a robot unseen for less than half a second is extrapolated.
   // Objects with non-finite numbers count as unseen. After a gap of more than a second, tracks and
-  // touches begin afresh.
+  // touches begin afresh; the last touch stays known, with less confidence, if the ball's path
+  // shows that it is the same, or by the robot that had the ball (touch/kept_touch.hpp).
   const RefereeSignal& update(const Frame& frame, const PerSide<TeamRequests>& requests);
 
   // The same with the tracks of another tracker, made from this frame, instead of its own.

@@ -18,6 +18,7 @@ constexpr double kCertainDeviations = 5;
 
 void OnlineTouchDetector::restart() {
   last_ = settled_ = LastTouch{};
+  gap_.reset();
   forget_detections();
   changed_s_ = frames_[frames_.newest()].time_s;
   judged_ = frames_.detections();
@@ -36,6 +37,7 @@ void OnlineTouchDetector::update() {
   if (ball(0).jumps) forget_detections();
   known_ = std::min(known_ + 1, kUsed);
   if (known_ < 2) return;
+  if (gap_) look_back_over_gap();
   if (ball(0).duration_s > parameters_.longest_gap_s) {
     resume_after_gap();
     return;
@@ -46,8 +48,21 @@ void OnlineTouchDetector::update() {
   if (!is_open_) settled_ = last_;
 }
 
-// Handles a ball that was unseen for a while: unless it moved on as before, an unknown robot
-// touched it.
+std::optional<BeforeGap> OnlineTouchDetector::before_gap() const {
+  if (frames_.detections() == 0) return std::nullopt;
+  return referee::before_gap(frames_, 0, last_, noise_m());
+}
+
+// Takes up what the ball shows after the gap, unless a robot has touched it since.
+void OnlineTouchDetector::look_back_over_gap() {
+  if (last_.side) return gap_.reset();
+  if (known_ < kDetectionsAtGap) return;
+  if (const std::optional<LastTouch> kept = kept_touch(*gap_, frames_)) last_ = settled_ = *kept;
+  gap_.reset();
+}
+
+// Handles a ball that was unseen for a while: unless it moved on as before, a robot touched it that
+// is unknown until more has been seen.
 void OnlineTouchDetector::resume_after_gap() {
   const BallDetection& now = ball(0);
   const BallDetection& before = frames_[frames_.newest() - 1].ball;
@@ -57,6 +72,7 @@ void OnlineTouchDetector::resume_after_gap() {
   const double explained_m = std::min(slowed_m, stopped_m) + parameters_.reach_m;
   const double off_m = (now.position_m - straight_m).norm();
   if (off_m > explained_m) {
+    gap_ = referee::before_gap(frames_, 1, last_, noise_m());
     last_ = LastTouch{};
     last_.time_s = now.time_s;
     last_.speed_change_mps = off_m / now.duration_s;
@@ -191,6 +207,10 @@ bool OnlineTouchDetector::pushed_softly(const RobotObservation& robot) const {
   const double noise_mps = kCertainDeviations * 8 * parameters_.position_noise_m / duration_s;
   return std::min(push_mps, push_mps - carpet_mps.dot(push)) >=
          parameters_.soft_push_mps + noise_mps;
+}
+
+double OnlineTouchDetector::noise_m() const {
+  return std::hypot(parameters_.position_noise_m, robot_noise_m_);
 }
 
 double OnlineTouchDetector::touching_m() const {

@@ -19,6 +19,7 @@
 
 #include "referee/decision.hpp"
 #include "referee/touch/frame_history.hpp"
+#include "referee/touch/kept_touch.hpp"
 #include "referee/touch/touch_candidates.hpp"
 #include "referee/touch/velocity_change_detector.hpp"
 #include "referee/touch/verdict.hpp"
@@ -36,12 +37,20 @@ class OnlineTouchDetector {
       : frames_(frames),
         field_(field),
         parameters_(with_noise(parameters, noise)),
+        robot_noise_m_(noise.robot_m),
         velocity_changes_(frames, parameters_) {}
   OnlineTouchDetector(const OnlineTouchDetector&) = delete;
   OnlineTouchDetector& operator=(const OnlineTouchDetector&) = delete;
 
   // Forgets all touches. Call after FrameHistory::restart().
   void restart();
+
+  // What is known now, before a gap in vision. Call before FrameHistory::restart(); nullopt if the
+  // ball has not been seen in this play.
+  std::optional<BeforeGap> before_gap() const;
+
+  // Goes on after that gap. Call after restart().
+  void resume(const BeforeGap& before) { gap_ = before; }
 
   // Judges the newest frame of the history, if it has a ball.
   void update();
@@ -52,12 +61,14 @@ class OnlineTouchDetector {
   static TouchParameters with_noise(TouchParameters parameters, const VisionNoise& noise);
   void forget_detections();
   void resume_after_gap();
+  void look_back_over_gap();
   void detect_sudden_change();
   void detect_contacts();
   void detect_velocity_change();
   bool carries_ball(RobotId id) const;
   bool pushed_softly(const RobotObservation& robot) const;
   double touching_m() const;
+  double noise_m() const;
   bool is_sudden_change() const;
   bool is_landing() const;
   std::optional<double> share_of_single_touch() const;
@@ -77,12 +88,14 @@ class OnlineTouchDetector {
   const FrameHistory& frames_;
   Field field_;
   TouchParameters parameters_;
+  double robot_noise_m_ = 0;
   std::int64_t judged_ = 0;  // detections of the history
   int known_ = 0;            // detections since play started or the ball was lost, up to kUsed
   bool is_open_ = false;     // the next frame may revise the newest velocity change
   LastTouch settled_;        // the last touch before that velocity change
   VelocityChangeDetector velocity_changes_;
-  double changed_s_ = 0;  // time of the last velocity change seen from frame to frame
+  double changed_s_ = 0;          // time of the last velocity change seen from frame to frame
+  std::optional<BeforeGap> gap_;  // until enough of the ball has been seen since the newest gap
   LastTouch last_;
 };
 

@@ -30,7 +30,8 @@ Json json_of(const referee::LastTouch& touch) {
           {"time_s", touch.time_s},
           {"gap_m", touch.gap_m},
           {"speed_change_mps", touch.speed_change_mps},
-          {"runner_up", json_of(touch.runner_up)}};
+          {"runner_up", json_of(touch.runner_up)},
+          {"kept", touch.kept}};
 }
 
 Json goals_json(const PerSide<int>& goals) {

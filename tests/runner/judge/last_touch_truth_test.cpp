@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <vector>
 
+#include "referee/touch/kept_touch.hpp"
 #include "runner/game/game.hpp"
 #include "sim/camera_presets.hpp"
 
@@ -60,6 +62,97 @@ TEST(LastTouch, IsMostlyRightUnderRealisticVision) {
   ASSERT_GT(all, 100);
   EXPECT_LE(judge.wrong, 0.04 * all) << judge.wrong << " wrong of " << all;
   EXPECT_GE(judge.right, 0.94 * all) << judge.right << " right of " << all;
+}
+
+// All frames of a game, with the robot that has truly touched the ball last.
+class FrameRecorder final : public Observer {
+ public:
+  struct TrueFrame {
+    Frame frame;
+    std::optional<RobotId> toucher;
+    CommandKind command = CommandKind::kHalt;
+    std::uint32_t command_counter = 0;
+  };
+
+  void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World& world) override {
+    for (const sim::Touch& touch : world.touches()) toucher_ = touch.robot;
+    true_frames.push_back({frame, toucher_, signal.command.kind, signal.command_counter});
+  }
+
+  std::vector<TrueFrame> true_frames;
+
+ private:
+  std::optional<RobotId> toucher_;
+};
+
+using TrueFrames = std::vector<FrameRecorder::TrueFrame>;
+
+bool is_play(CommandKind kind) {
+  return kind == CommandKind::kNormalStart || kind == CommandKind::kForceStart ||
+         kind == CommandKind::kDirectFree || kind == CommandKind::kIndirectFree;
+}
+
+referee::FrameHistory history_until(const TrueFrames& true_frames, std::size_t newest) {
+  constexpr std::size_t kFrames = referee::kDetectionsAtGap;
+  referee::FrameHistory history;
+  history.restart(true_frames[newest - kFrames].frame, std::nullopt);
+  for (std::size_t i = newest - kFrames + 1; i <= newest; ++i) history.push(true_frames[i].frame);
+  return history;
+}
+
+struct KeptTouches {
+  int count = 0;
+  int right = 0;
+  double promised = 0;  // sum of the probabilities
+
+  void add(const TrueFrames& true_frames, std::size_t before, std::size_t after, bool by_holder) {
+    if (true_frames[before].command_counter != true_frames[after].command_counter ||
+        !is_play(true_frames[before].command) || !true_frames[before].toucher)
+      return;
+    const referee::FrameHistory seen_before = history_until(true_frames, before);
+    const referee::FrameHistory seen_after = history_until(true_frames, after);
+    if (seen_before.detections() == 0 || seen_after.detections() < referee::kDetectionsAtGap)
+      return;
+    referee::LastTouch last;
+    last.side = true_frames[before].toucher->side;
+    last.robot = true_frames[before].toucher;
+    const referee::BeforeGap gap = referee::before_gap(seen_before, 0, last, 0);
+    if (gap.holder.has_value() != by_holder) return;
+    const auto kept = referee::kept_touch(gap, seen_after);
+    if (!kept) return;
+    ++count;
+    right += kept->side == true_frames[after].toucher->side ? 1 : 0;
+    promised += kept->kept;
+  }
+};
+
+// Gaps of a second at all times, in games of teams from which the probabilities were not taken.
+KeptTouches kept_over_a_second(bool by_holder) {
+  KeptTouches kept;
+  for (const char* team : {"zone", "cobalt1"}) {
+    FrameRecorder recorder;
+    GameConfiguration game;
+    game.match.half_s = 300;
+    game.seed = 77;
+    game.a.strategy = game.b.strategy = team;
+    play(game, &recorder);
+    const TrueFrames& true_frames = recorder.true_frames;
+    for (std::size_t i = 10; i + 70 < true_frames.size(); i += 3)
+      kept.add(true_frames, i, i + 62, by_holder);
+  }
+  return kept;
+}
+
+TEST(KeptTouch, OfABallThatRollsOnIsAsOftenRightAsItSays) {
+  const KeptTouches kept = kept_over_a_second(false);
+  ASSERT_GT(kept.count, 300);
+  EXPECT_NEAR(kept.right, kept.promised, 0.06 * kept.count) << kept.right << " of " << kept.count;
+}
+
+TEST(KeptTouch, OfTheRobotThatHadTheBallIsAsOftenRightAsItSays) {
+  const KeptTouches kept = kept_over_a_second(true);
+  ASSERT_GT(kept.count, 100);
+  EXPECT_NEAR(kept.right, kept.promised, 0.15 * kept.count) << kept.right << " of " << kept.count;
 }
 
 }  // namespace
