@@ -7,6 +7,8 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdint>
+#include <fstream>
 
 #include "runner/io/errors.hpp"
 
@@ -17,6 +19,21 @@ namespace {
 constexpr int kFirstUser = 61184;
 constexpr int kUsers = 4336;
 constexpr const char* kLocks = "/run/autoref-users";
+
+// Whether root of this user namespace is an ordinary user outside, who cannot become another one.
+bool is_a_user_outside() {
+  std::ifstream map("/proc/self/uid_map");
+  std::int64_t inside = 0;
+  std::int64_t outside = 0;
+  std::int64_t count = 0;
+  bool is_root_outside = false;
+  bool has_others = false;
+  while (map >> inside >> outside >> count) {
+    is_root_outside = is_root_outside || (inside == 0 && outside == 0);
+    has_others = has_others || inside + count > kFirstUser;
+  }
+  return map.eof() && !is_root_outside && !has_others;
+}
 
 bool has_account(int id) {
   passwd entry{};
@@ -43,7 +60,9 @@ bool runs_as_root() {
   uid_t real = 0;
   uid_t effective = 0;
   uid_t saved = 0;
-  return getresuid(&real, &effective, &saved) == 0 && (real == 0 || effective == 0 || saved == 0);
+  const bool is_called_root =
+      getresuid(&real, &effective, &saved) == 0 && (real == 0 || effective == 0 || saved == 0);
+  return is_called_root && !is_a_user_outside();
 }
 
 ProgramUser::LockFile::LockFile()

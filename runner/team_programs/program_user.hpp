@@ -8,7 +8,8 @@
 
 namespace autoref::runner {
 
-// Whether this process has the rights of root. If so, a program must not run under its user.
+// Whether this process has the rights of root, here or outside its user namespace. If so, a program
+// must not run under its user.
 bool runs_as_root();
 
 // A user id without an account, different from those of all programs that run at once, and a folder

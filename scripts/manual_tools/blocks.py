@@ -34,10 +34,11 @@ class Block:
 KINDS = {
     "not run": "sh",  # the reason
     "run shortened": "sh",  # options added to the verbs that play games
+    "only shortened": "sh",  # the reason why it is not run at full length
     "run for": "sh",  # "5 s": interrupted then, as with Ctrl-C
     "first": "sh",  # a command that is run before, and not shown
     "file": "",  # the block is a file of this name, for the commands that follow
-    "output": "",  # the block is what the commands before it print; numbers may differ
+    "output": "",  # the block is what the commands before it print
 }
 
 
@@ -64,6 +65,8 @@ def check(block):
     for kind, value in block.marks.items():
         if (KINDS[kind] == "sh") != block.is_commands:
             raise PageError(f"{block.where}: the mark '{kind}' does not fit this block")
+        if kind == "output" and value not in ("", "at full length"):
+            raise PageError(f"{block.where}: expected 'output' or 'output: at full length'")
         if not value and kind != "output":
             raise PageError(f"{block.where}: the mark '{kind}' needs a value after the colon")
     if "run for" in block.marks and not re.fullmatch(r"[1-9]\d? s", block.marks["run for"]):
@@ -91,6 +94,18 @@ def blocks_of(root, page):
         check(blocks[-1])
         index = end + 1
     return blocks
+
+
+QUOTES = "<!-- quotes the output -->"
+
+
+def quoting_paragraphs(root, page):
+    """The line and the text of each paragraph whose numbers are those of the output before it."""
+    lines = pathlib.Path(root, page).read_text(encoding="utf-8").splitlines()
+    for index, line in enumerate(lines):
+        if line == QUOTES:
+            end = next((i for i in range(index + 1, len(lines)) if not lines[i].strip()), len(lines))
+            yield index + 1, " ".join(lines[index + 1 : end])
 
 
 PICTURE = re.compile(r"!\[[^\]]*\]\(([^)]+)\)")

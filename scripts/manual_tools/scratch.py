@@ -73,8 +73,13 @@ export -f sudo
 """
 
 
+def in_own_network(*command):
+    """Root keeps its rights, among them to start programs under other users; others need a user namespace."""
+    return ["unshare", "-n" if os.geteuid() == 0 else "-rn", *command]
+
+
 def has_own_network():
     return (
-        subprocess.run(["unshare", "-rn", "ip", "link", "set", "lo", "up"], capture_output=True, check=False).returncode
+        subprocess.run(in_own_network("ip", "link", "set", "lo", "up"), capture_output=True, check=False).returncode
         == 0
     )

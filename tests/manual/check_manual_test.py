@@ -31,24 +31,24 @@ class Case(unittest.TestCase):
         self.program.write_text('#!/usr/bin/env bash\necho "$@"\n')
         self.program.chmod(0o755)
 
-    def check(self, *lines):
+    def check(self, *lines, options=()):
         """Exit code and output of check-manual for a page of these lines."""
         (self.root / "page.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
         done = subprocess.run(
-            [self.root / "scripts" / "check-manual", "--program", self.program, "page.md"],
+            [self.root / "scripts" / "check-manual", "--program", self.program, *options, "page.md"],
             capture_output=True,
             text=True,
             check=False,
         )
         return done.returncode, done.stdout + done.stderr
 
-    def assert_fails(self, expected, *lines):
-        code, output = self.check(*lines)
+    def assert_fails(self, expected, *lines, options=()):
+        code, output = self.check(*lines, options=options)
         self.assertEqual(code, 1, output)
         self.assertIn(expected, output)
 
-    def assert_passes(self, *lines):
-        code, output = self.check(*lines)
+    def assert_passes(self, *lines, options=()):
+        code, output = self.check(*lines, options=options)
         self.assertEqual(code, 0, output)
         return output
 
@@ -120,6 +120,38 @@ class Outputs(Case):
         self.assert_passes(*page, "took  22 s, state fedcba9876543210", "```")
         self.assert_passes(*page, "took ...", "```")
         self.assert_fails("page.md:5: not printed like this: lasted 1.5 s", *page, "lasted 1.5 s", "```")
+
+
+class AtFullLength(Case):
+    FULL = ("--full",)
+
+    def test_nothing_is_shortened(self):
+        lines = ["<!-- run shortened: --pairs 1 -->", "```sh", "autoref run x", "```", "<!-- output -->", "```"]
+        self.assert_passes(*lines, "run x", "```", options=self.FULL)
+        self.assert_fails("not printed like this: run x --pairs 1", *lines, "run x --pairs 1", "```", options=self.FULL)
+
+    def test_long_commands_are_left_out_if_they_say_why(self):
+        lines = ["<!-- only shortened: takes an hour -->", "```sh", "false", "```"]
+        self.assert_passes(*lines, options=self.FULL)
+        self.assert_fails("exit code 1", *lines)
+
+    def test_numbers_count_but_not_spaces(self):
+        lines = ["```sh", "echo 'score   3 : 1 in 0.7 s'", "```", "<!-- output -->", "```"]
+        self.assert_passes(*lines, "score 3 : 1 in ...", "```", options=self.FULL)
+        self.assert_fails(
+            "not printed like this: score 3 : 2 in ...", *lines, "score 3 : 2 in ...", "```", options=self.FULL
+        )
+
+    def test_outputs_of_that_length_are_compared(self):
+        lines = ["```sh", "echo no", "```", "<!-- output: at full length -->", "```", "yes", "```"]
+        self.assert_passes(*lines)
+        self.assert_fails("not printed like this: yes", *lines, options=self.FULL)
+
+    def test_quoted_numbers_are_printed(self):
+        lines = ["```sh", "echo 'zone 83 points, +2.65'", "```", "", "<!-- quotes the output -->"]
+        self.assert_passes(*lines, "Zone leads by 2.65 goals.", "", "In 2014.", options=self.FULL)
+        self.assert_fails("page.md:5: 74 is not printed", *lines, "Zone has 83 points,", "basic 74.", options=self.FULL)
+        self.assert_passes(*lines, "Zone has 74 points.")
 
 
 class Pages(Case):
