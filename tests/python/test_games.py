@@ -49,6 +49,7 @@ class Games(unittest.TestCase):
 
     def test_of_a_team_that_fails_are_void_and_say_why(self):
         with tempfile.TemporaryDirectory() as folder:
+            os.chmod(folder, 0o755)  # programs that root starts run as another user
             file = Path(folder, "failing.py")
             file.write_text(
                 "import autoref\n\n\nclass Failing(autoref.Team):\n    pass\n\n\n" "Failing.run()\n", encoding="utf-8"

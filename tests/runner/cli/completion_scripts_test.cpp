@@ -81,8 +81,13 @@ TEST_F(CompletionScript, InBashIsSilentWithoutTheProgram) {
   EXPECT_EQ(in_bash("./autoref pl"), "\n");
 }
 
+// As CMake says it for tests that need packages.
+std::string missing(const std::string& package) {
+  return "skipped: missing Debian packages: " + package + " (scripts/setup --checks installs them)";
+}
+
 TEST_F(CompletionScript, InZshProposesVerbsOptionsAndValues) {
-  if (!has_shell("zsh")) GTEST_SKIP() << "zsh is not installed";
+  if (!has_shell("zsh")) GTEST_SKIP() << missing("zsh");
   const auto in_zsh = [this](const std::string& words) {
     // Prints what would be shown; zsh itself completes only on a terminal.
     return printed("zsh",
@@ -99,7 +104,7 @@ TEST_F(CompletionScript, InZshProposesVerbsOptionsAndValues) {
 }
 
 TEST_F(CompletionScript, InFishProposesVerbsOptionsAndValues) {
-  if (!has_shell("fish")) GTEST_SKIP() << "fish is not installed";
+  if (!has_shell("fish")) GTEST_SKIP() << missing("fish");
   const auto in_fish = [this](const std::string& line) {
     return printed(
         "fish", "source ./completion\ncomplete -C '" + line + "' | string split -f1 \\t\nexit 0\n");

@@ -70,7 +70,7 @@ pid_t only_child_of(pid_t parent) {
 class ProgramsOfRoot : public testing::Test {
  protected:
   void SetUp() override {
-    if (!runs_as_root()) GTEST_SKIP() << "only root can start programs under other users";
+    if (!runs_as_root()) GTEST_SKIP() << "skipped: only root can start programs under other users";
   }
 };
 
@@ -207,7 +207,7 @@ TEST_F(ProgramsOfRoot, HaveDifferentUsersInAllProcesses) {
 TEST(TeamPrograms, ReachNeitherEachOtherNorAutoRef) {
   ProgramProcess victim(script("cat"));
   if (!runs_as_root() && !victim.has_namespace())
-    GTEST_SKIP() << "without user namespaces, programs run under the same user";
+    GTEST_SKIP() << "skipped: without user namespaces, programs run under the same user";
   const std::string other = "/proc/" + std::to_string(only_child_of(victim.supervisor()));
   const std::string autoref = "/proc/" + std::to_string(getpid());
   EXPECT_EQ(
