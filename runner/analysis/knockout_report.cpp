@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "runner/io/csv.hpp"
 #include "runner/io/table.hpp"
 #include "runner/results/scores.hpp"
@@ -39,10 +41,7 @@ std::string winner_of(const Tie& tie) {
 std::string score_text(const Tie& tie, const RowsById& rows) {
   if (tie.games.empty()) return "-";
   const GameRecord* const game = deciding_game(tie, rows);
-  if (game == nullptr) return "void";
-  std::string goals = fmt::format("{}:{}", game->goals_a, game->goals_b);
-  if (!game->shootout) return goals;
-  return fmt::format("{} ({}:{})", goals, (*game->shootout)[0], (*game->shootout)[1]);
+  return game == nullptr ? "void" : score_text(*game);
 }
 
 // "extra time", "goals in game 3", "better seed after 6 games, 1 void".
@@ -55,6 +54,38 @@ std::string decision_text(const Tie& tie) {
   else if (games > 1)
     text += fmt::format(" in game {}", games);
   return tie.void_games == 0 ? text : text + fmt::format(", {} void", tie.void_games);
+}
+
+// The name of the tie at this place; "" if its only team has a bye.
+std::string tie_at(const BracketPlace& place, const std::vector<Tie>& ties) {
+  const auto tie = std::find_if(ties.begin(), ties.end(),
+                                [&place](const Tie& one) { return one.place == place; });
+  return tie == ties.end() ? "" : tie->name;
+}
+
+// Where an unknown team will come from; `side` is 0 for the tie's first team, 1 for its second.
+std::string origin_of(const Tie& tie, std::size_t side, const std::vector<Tie>& ties) {
+  if (!tie.place) return fmt::format("loser of semi-final {}", side + 1);
+  const auto& [ties_in_round, position] = *tie.place;
+  return "winner of " + tie_at({2 * ties_in_round, 2 * position + side}, ties);
+}
+
+std::array<std::string, 2> goals_texts(const Cells& scores) {
+  std::array<std::string, 2> texts = {scores[0], scores[1]};
+  if (scores[2].empty()) return texts;
+  for (std::size_t side = 0; side < 2; ++side) texts[side] += " (" + scores[2 + side] + ")";
+  return texts;
+}
+
+TieResult tie_result(const Tie& tie, const std::vector<Tie>& ties, const RowsById& rows) {
+  TieResult result{tie.name, tie.place, {}, decision_text(tie)};
+  const std::array<std::string, 2> goals = goals_texts(score_cells(deciding_game(tie, rows)));
+  for (std::size_t side = 0; side < 2; ++side) {
+    const std::optional<std::string>& name = side == 0 ? tie.a : tie.b;
+    result.teams[side] = {name ? *name : origin_of(tie, side, ties), name.has_value(), goals[side],
+                          tie.is_decided() && tie.a_won == (side == 0)};
+  }
+  return result;
 }
 
 }  // namespace
@@ -81,6 +112,13 @@ std::vector<Cells> bracket_rows(const std::vector<Tie>& ties, const RowsById& ro
                      winner_of(tie), decision_text(tie)});
   }
   return lines;
+}
+
+std::vector<TieResult> tie_results(const std::vector<Tie>& ties, const RowsById& rows) {
+  std::vector<TieResult> results;
+  results.reserve(ties.size());
+  for (const Tie& tie : ties) results.push_back(tie_result(tie, ties, rows));
+  return results;
 }
 
 TextBlocks bracket_table(const std::vector<Tie>& ties, const RowsById& rows) {

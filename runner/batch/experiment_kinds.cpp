@@ -187,6 +187,7 @@ ExperimentResults results_of(const Knockout& knockout, const RowsById& rows) {
   const std::vector<Tie> ties = bracket_of(knockout, rows);
   ExperimentResults results;
   results.files = {{"summary.csv", "a row per tie", ties_csv(ties, rows)}};
+  results.ties = tie_results(ties, rows);
   results.table = bracket_table(ties, rows);
   results.shown = {
       {rows_from_first_open_tie(ties, bracket_rows(ties, rows)), kBracketColumns, "ties"}};

@@ -8,6 +8,7 @@
 
 #include "runner/analysis/effects.hpp"
 #include "runner/analysis/groups.hpp"
+#include "runner/analysis/knockout_report.hpp"
 #include "runner/analysis/standings.hpp"
 #include "runner/analysis/tuning_state.hpp"
 #include "runner/experiments/scenario.hpp"
@@ -81,6 +82,7 @@ struct ExperimentResults {
   std::vector<Group> groups;        // per value of a sweep or per matchup; empty for a knockout
   std::vector<Effect> effects;      // of a sweep's factors; empty unless it has several
   std::vector<Standing> standings;  // of a round robin or of challengers, best team first
+  std::vector<TieResult> ties;      // of a knockout, round by round
   std::shared_ptr<const TuningState> tuning = {};  // null for other kinds
   std::vector<ResultFile> files;
   TextBlocks table;                  // for the terminal and the report

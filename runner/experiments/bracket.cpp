@@ -63,7 +63,7 @@ class Bracket {
   std::vector<Tie> ties() {
     std::vector<Slot> slots = first_slots(knockout_.order.size());
     while (slots.size() > 1) slots = next_round(slots);
-    if (knockout_.third_place) play({losers_.at(0), losers_.at(1)}, "third place");
+    if (knockout_.third_place) play({losers_.at(0), losers_.at(1)}, "third place", {});
     return std::move(ties_);
   }
 
@@ -77,7 +77,8 @@ class Bracket {
         continue;
       }
       const auto [winner, loser] =
-          play({slots[i], slots[i + 1]}, name_of_tie(slots.size(), losers.size() + 1));
+          play({slots[i], slots[i + 1]}, name_of_tie(slots.size(), losers.size() + 1),
+               BracketPlace{slots.size() / 2, i / 2});
       winners.push_back(winner);
       losers.push_back(loser);
     }
@@ -86,10 +87,11 @@ class Bracket {
   }
 
   // Returns the winner's and the loser's slot.
-  std::pair<Slot, Slot> play(Pairing pairing, std::string name) {
+  std::pair<Slot, Slot> play(Pairing pairing, std::string name, std::optional<BracketPlace> place) {
     Tie& tie = ties_.emplace_back();
     tie.number = static_cast<int>(ties_.size());
     tie.name = std::move(name);
+    tie.place = place;
     auto [a, b] = pairing;
     if (a.seed && b.seed && *b.seed < *a.seed) std::swap(a, b);
     if (a.seed) tie.a = knockout_.order[*a.seed];
@@ -123,6 +125,13 @@ std::string name_of(DecidedBy decided_by) {
       break;
   }
   return "";
+}
+
+std::string name_of_round(std::size_t ties_in_round) {
+  if (ties_in_round == 1) return "final";
+  if (ties_in_round == 2) return "semi-finals";
+  if (ties_in_round == 4) return "quarter-finals";
+  return fmt::format("round of {}", 2 * ties_in_round);
 }
 
 std::vector<Tie> bracket_of(const Knockout& knockout, const std::function<void(Tie&)>& decide) {

@@ -15,9 +15,21 @@ enum class DecidedBy { kNothing, kGoals, kExtraTime, kShootout, kForfeit, kSeed 
 // "goals", "extra time", "shoot-out", "forfeit", "better seed"; "" if undecided.
 std::string name_of(DecidedBy decided_by);
 
+// Where a tie stands in the bracket. The winners of ties 2p and 2p + 1 of a round meet in tie p of
+// the next one.
+struct BracketPlace {
+  std::size_t ties_in_round = 1;  // including byes: 1 for the final, 2 for the semi-finals, ...
+  std::size_t position = 0;       // in its round, counted from 0
+  bool operator==(const BracketPlace&) const = default;
+};
+
+// "final", "semi-finals", "quarter-finals", "round of 16", ...
+std::string name_of_round(std::size_t ties_in_round);
+
 struct Tie {
-  int number = 1;    // counted from 1 over all rounds
-  std::string name;  // "quarter-final 2", "final", "third place"
+  int number = 1;                     // counted from 1 over all rounds
+  std::string name;                   // "quarter-final 2", "final", "third place"
+  std::optional<BracketPlace> place;  // nullopt for third place
   // Team a is the better seed. Nullopt until the preceding ties are decided.
   std::optional<std::string> a;
   std::optional<std::string> b;

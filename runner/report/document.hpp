@@ -5,6 +5,8 @@
 #include <variant>
 #include <vector>
 
+#include "runner/analysis/knockout_report.hpp"
+
 namespace autoref::runner {
 
 struct Heading {
@@ -46,7 +48,13 @@ struct Figure {
   std::string svg;  // SVG source
 };
 
-using Block = std::variant<Heading, Paragraph, List, Table, Verbatim, Link, Figure>;
+// A bracket with the results so far, as a drawing in HTML and a table in Markdown. At least one tie
+// has a place.
+struct CupBracket {
+  std::vector<TieResult> ties;
+};
+
+using Block = std::variant<Heading, Paragraph, List, Table, Verbatim, Link, Figure, CupBracket>;
 
 struct Document {
   std::string title;
@@ -60,5 +68,8 @@ std::string markdown_of(const Document& document);
 // A self-contained page: it needs no other file and no network, and names neighbouring files
 // without linking to them.
 std::string html_of(const Document& document);
+
+// The same blocks as part of another page, which has its own style and page_bracket_style().
+std::string html_fragment(const std::vector<Block>& blocks);
 
 }  // namespace autoref::runner

@@ -5,7 +5,10 @@
 #include <sstream>
 
 #include "runner/io/table.hpp"
+#include "runner/report/bracket_drawing.hpp"
 #include "runner/report/document.hpp"
+#include "runner/view/page.hpp"
+#include "runner/view/page_parts.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -47,37 +50,11 @@ constexpr const char* kStyle =
     "figure{margin:1em 0}svg{max-height:220mm;width:auto}\n"
     "}\n";
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\'':
-        result += "&#39;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
-
 std::string row_of(const std::vector<std::string>& cells, const char* tag, std::size_t names) {
   std::string row = "<tr>";
   for (std::size_t i = 0; i < cells.size(); ++i) {
     row += fmt::format("<{0}{1}>{2}</{0}>", tag, i < names ? " class=\"name\"" : "",
-                       escaped(cells[i]));
+                       html_text(cells[i]));
   }
   return row + "</tr>\n";
 }
@@ -89,16 +66,16 @@ std::string_view element_of(const std::string& svg) {
 }
 
 std::string html_of(const Heading& heading) {
-  return fmt::format("<h2>{}</h2>\n", escaped(heading.text));
+  return fmt::format("<h2>{}</h2>\n", html_text(heading.text));
 }
 
 std::string html_of(const Paragraph& paragraph) {
-  return fmt::format("<p>{}</p>\n", escaped(paragraph.text));
+  return fmt::format("<p>{}</p>\n", html_text(paragraph.text));
 }
 
 std::string html_of(const List& list) {
   std::string text = "<ul>\n";
-  for (const std::string& item : list.items) text += fmt::format("<li>{}</li>\n", escaped(item));
+  for (const std::string& item : list.items) text += fmt::format("<li>{}</li>\n", html_text(item));
   return text + "</ul>\n";
 }
 
@@ -129,35 +106,49 @@ std::string html_of(const Verbatim& verbatim) {
   std::size_t widest = 1;
   std::istringstream lines(verbatim.text);
   for (std::string line; std::getline(lines, line);) widest = std::max(widest, width_of(line));
-  return fmt::format("<pre style=\"--letters:{}\">{}</pre>\n", widest, escaped(verbatim.text));
+  return fmt::format("<pre style=\"--letters:{}\">{}</pre>\n", widest, html_text(verbatim.text));
 }
 
 // Writes only the file's name: a link would be dead if the page is sent without its folder.
 std::string html_of(const Link& link) {
-  return fmt::format("<p>{}: <code>{}</code></p>\n", escaped(link.text), escaped(link.file));
+  return fmt::format("<p>{}: <code>{}</code></p>\n", html_text(link.text), html_text(link.file));
 }
 
 std::string html_of(const Figure& figure) {
   return fmt::format(
       "<figure>\n{0}<figcaption>{1} Data: <code>{2}/{3}.csv</code>, "
       "script: <code>{2}/{3}.gp</code>.</figcaption>\n</figure>\n",
-      element_of(figure.svg), escaped(figure.caption), figure.folder, figure.name);
+      element_of(figure.svg), html_text(figure.caption), figure.folder, figure.name);
+}
+
+std::string html_of(const CupBracket& bracket) { return bracket_html(bracket); }
+
+std::string style_of(const Document& document) {
+  const bool has_bracket =
+      std::any_of(document.blocks.begin(), document.blocks.end(),
+                  [](const Block& block) { return std::holds_alternative<CupBracket>(block); });
+  return has_bracket ? std::string(kStyle).append(page_bracket_style()) : kStyle;
 }
 
 }  // namespace
 
+std::string html_fragment(const std::vector<Block>& blocks) {
+  std::string text;
+  for (const Block& block : blocks) {
+    text += std::visit([](const auto& content) { return html_of(content); }, block);
+  }
+  return text;
+}
+
 std::string html_of(const Document& document) {
-  const std::string title = escaped(document.title);
+  const std::string title = html_text(document.title);
   std::string text = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, "
       "initial-scale=1\">\n<title>{0}</title>\n"
       "<style>\n{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n",
-      title, kStyle);
-  for (const Block& block : document.blocks) {
-    text += std::visit([](const auto& content) { return html_of(content); }, block);
-  }
-  return text + "</body>\n</html>\n";
+      title, style_of(document));
+  return text + html_fragment(document.blocks) + "</body>\n</html>\n";
 }
 
 }  // namespace autoref::runner

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "runner/report/bracket_drawing.hpp"
 #include "runner/report/document.hpp"
 
 namespace autoref::runner {
@@ -86,6 +87,54 @@ std::string markdown_of(const Link& link) {
 std::string markdown_of(const Figure& figure) {
   return fmt::format("![{0}]({1}/{0}.svg)\n\n{2} ([data]({1}/{0}.csv), [script]({1}/{0}.gp))\n",
                      figure.name, figure.folder, escaped_line(figure.caption));
+}
+
+std::string team_markdown(const TieTeam& team) {
+  const std::string name = inline_text(team.name);
+  return team.has_won ? "**" + name + "**" : name;
+}
+
+// "**zone** 3 : 1 basic"; without a result "zone : basic".
+std::string tie_markdown(const TieResult& tie) {
+  const auto& [a, b] = tie.teams;
+  std::string text =
+      fmt::format("{} {} : {} {}", team_markdown(a), a.goals, b.goals, team_markdown(b));
+  if (a.goals.empty()) text = fmt::format("{} : {}", team_markdown(a), team_markdown(b));
+  if (tie.decision.empty() || tie.decision == name_of(DecidedBy::kGoals)) return text;
+  return text + ", " + inline_text(tie.decision);
+}
+
+// One line per position of the first round. Each tie is in the first line of those that lead to it.
+std::vector<std::vector<std::string>> bracket_lines(const CupBracket& bracket,
+                                                    const std::vector<std::size_t>& rounds) {
+  std::vector<std::vector<std::string>> lines(rounds.front(),
+                                              std::vector<std::string>(rounds.size()));
+  std::size_t used = 0;
+  for (const TieResult& tie : bracket.ties) {
+    if (!tie.place) continue;
+    const auto column = std::find(rounds.begin(), rounds.end(), tie.place->ties_in_round);
+    const std::size_t line = tie.place->position * (rounds.front() / tie.place->ties_in_round);
+    lines[line][static_cast<std::size_t>(column - rounds.begin())] = tie_markdown(tie);
+    used = std::max(used, line + 1);
+  }
+  lines.resize(used);
+  return lines;
+}
+
+// A column per round, then the tie for third place.
+std::string markdown_of(const CupBracket& bracket) {
+  const std::vector<std::size_t> rounds = rounds_of(bracket);
+  std::vector<std::string> names(rounds.size());
+  std::transform(rounds.begin(), rounds.end(), names.begin(), name_of_round);
+  std::string text = fmt::format("| {} |\n|", fmt::join(names, " | "));
+  for (std::size_t i = 0; i < rounds.size(); ++i) text += "---|";
+  for (const auto& line : bracket_lines(bracket, rounds))
+    text += fmt::format("\n| {} |", fmt::join(line, " | "));
+  text += "\n";
+  for (const TieResult& tie : bracket.ties) {
+    if (!tie.place) text += fmt::format("\n{}: {}\n", inline_text(tie.name), tie_markdown(tie));
+  }
+  return text + "\nTeams in bold go on.\n";
 }
 
 }  // namespace

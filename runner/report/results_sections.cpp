@@ -7,12 +7,12 @@
 namespace autoref::runner {
 namespace {
 
-List meaning_of_intervals(const ResultFolder& folder, const ExperimentResults& results) {
+List meaning_of_results(const Scenario& scenario, const ExperimentResults& results) {
   List list{{"All intervals are 95 % confidence intervals.",
              "Goals are mean ± standard deviation per game.",
              "a minus b is the mean goal difference per game. Its interval is Student's over pairs "
              "of legs with changed sides; a pair with a void game is left out."}};
-  if (std::holds_alternative<Sweep>(folder.scenario.content) && results.groups.size() > 1) {
+  if (std::holds_alternative<Sweep>(scenario.content) && results.groups.size() > 1) {
     list.items.emplace_back(
         "From the first: the difference from the first value, over pairs with the same number; "
         "p is that of the paired t test, with Holm's correction over the table.");
@@ -87,9 +87,20 @@ std::string cross_text(const std::optional<CrossCell>& cell) {
 
 Section results_section(const ResultFolder& folder, const ExperimentResults& results) {
   Section section = {Heading{"Results"}, Verbatim{text_of(results.table)}};
-  if (!results.groups.empty()) section.emplace_back(meaning_of_intervals(folder, results));
-  if (results.tuning) section.emplace_back(meaning_of_tuning());
+  for (Block& list : meaning_of(folder.scenario, results)) section.push_back(std::move(list));
   return section;
+}
+
+Section meaning_of(const Scenario& scenario, const ExperimentResults& results) {
+  Section lists;
+  if (!results.groups.empty()) lists.emplace_back(meaning_of_results(scenario, results));
+  if (results.tuning) lists.emplace_back(meaning_of_tuning());
+  return lists;
+}
+
+Section bracket_section(const ExperimentResults& results) {
+  if (results.ties.empty()) return {};
+  return {Heading{"Bracket"}, CupBracket{results.ties}};
 }
 
 Section shares_section(const ResultFolder& folder, const ExperimentResults& results) {

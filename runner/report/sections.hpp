@@ -25,11 +25,17 @@ Section played_section(const ResultFolder& folder, const ExperimentResults& resu
 // The terminal's table, and the meaning of its intervals.
 Section results_section(const ResultFolder& folder, const ExperimentResults& results);
 
+// How the numbers and intervals of the results are to be read.
+Section meaning_of(const Scenario& scenario, const ExperimentResults& results);
+
 // Proportions of games won, drawn and lost, by group and by team in the standings.
 Section shares_section(const ResultFolder& folder, const ExperimentResults& results);
 
 // Points and goal difference of each team against each other team.
 Section crosstable_section(const ExperimentResults& results);
+
+// Who met whom in a knockout, the results so far and who goes on.
+Section bracket_section(const ExperimentResults& results);
 
 // Void games, with reasons.
 Section void_section(const ResultFolder& folder);

@@ -1,5 +1,7 @@
 #include "runner/results/scores.hpp"
 
+#include <fmt/format.h>
+
 namespace autoref::runner {
 
 bool is_void(const GameRecord& record) { return record.status == Status::kVoid; }
@@ -10,6 +12,13 @@ double lead_of_a(const GameRecord& record) {
   const int goals = record.goals_a - record.goals_b;
   if (goals != 0 || !record.shootout) return goals;
   return (*record.shootout)[0] - (*record.shootout)[1];
+}
+
+std::string score_text(const GameRecord& record) {
+  if (is_void(record)) return "void";
+  std::string goals = fmt::format("{}:{}", record.goals_a, record.goals_b);
+  if (!record.shootout) return goals;
+  return fmt::format("{} ({}:{})", goals, (*record.shootout)[0], (*record.shootout)[1]);
 }
 
 }  // namespace autoref::runner

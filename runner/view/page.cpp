@@ -67,6 +67,32 @@ std::string page_of(const PageContent& content) {
                     std::string(page_style()), joined(page_script(), page_start())});
 }
 
+std::string html_text(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      case '\'':
+        result += "&#39;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
 std::string table_page() {
   std::string_view rest = page_table();
   std::string page(text_before("@SCRIPT@", rest));

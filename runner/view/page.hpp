@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "runner/view/game_recording.hpp"
@@ -43,5 +44,8 @@ std::string live_page();
 
 // A page that shows the text that its server sends, such as a table of standings.
 std::string table_page();
+
+// The text with the characters replaced that HTML would interpret.
+std::string html_text(std::string_view text);
 
 }  // namespace autoref::runner

@@ -16,6 +16,8 @@ std::string_view page_start();  // the end of a recorded game's script
 std::string_view page_live_style();
 std::string_view page_live_script();
 
+std::string_view page_bracket_style();  // of report/bracket_drawing.hpp
+
 std::string_view page_table();       // HTML, in which page_connection() is to replace @SCRIPT@
 std::string_view page_connection();  // the part of the live script that talks to the server
 

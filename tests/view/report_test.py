@@ -26,6 +26,21 @@ pairs: 1
 seed: 7
 """
 
+CUP = """
+schema: 1
+kind: knockout
+about: A small cup.
+base: { match: { rules: 2026-b, half_s: 5 } }
+teams:
+  basic: { strategy: basic }
+  chaser: { strategy: chaser }
+  a_rather_long_name_that_somebody_gave_to_a_team: { strategy: zone }
+  cobalt: { strategy: cobalt }
+  fifth: { strategy: basic }
+third_place: true
+seed: 7
+"""
+
 WIDTHS = "return [...document.querySelectorAll(arguments[0])].map((one) => [one.scrollWidth, one.clientWidth]);"
 STYLES = "return [...document.querySelectorAll(arguments[0])].map((one) => getComputedStyle(one)[arguments[1]]);"
 
@@ -114,6 +129,45 @@ class ReportTest(BrowserTest):
         self.assertEqual(set(self.browser.execute_script(STYLES, "tr, figure", "breakInside")), {"avoid"})
         self.assertEqual(set(self.browser.execute_script(STYLES, "h2", "breakAfter")), {"avoid"})
         self.assertEqual(set(self.browser.execute_script(STYLES, "thead", "display")), {"table-header-group"})
+
+
+class CupReportTest(BrowserTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        folder = pathlib.Path(cls.folder.name)
+        (folder / "cup.yaml").write_text(CUP)
+        for words in (["run", str(folder / "cup.yaml"), "-o", str(folder)], ["report", str(folder)]):
+            subprocess.run([AUTOREF, *words], check=True, capture_output=True, timeout=300)
+        cls.page = folder / "report.html"
+
+    def setUp(self):
+        self.show(DESKTOP)
+        self.browser.get(self.page.as_uri())
+
+    def test_draws_each_tie_beside_those_that_lead_to_it(self):
+        first, *rest = [one.rect for one in self.browser.find_elements(By.CSS_SELECTOR, ".tie > div")]
+        semi_finals, final = rest[:2], rest[2]
+        self.assertLess(first["x"], semi_finals[0]["x"])
+        self.assertLess(semi_finals[0]["x"], final["x"])
+        middles = [one["y"] + one["height"] / 2 for one in (*semi_finals, final)]
+        self.assertAlmostEqual(middles[2], sum(middles[:2]) / 2, delta=3)
+        self.leave_picture("report_cup")
+
+    def test_lists_the_rounds_on_a_phone(self):
+        self.show(PHONE)
+        self.assertLessEqual(self.scroll_width(), PHONE[0])
+        self.assertEqual(self.cut_off(), [])
+        ties = [one.rect for one in self.browser.find_elements(By.CSS_SELECTOR, ".tie > div")]
+        self.assertEqual(len({one["x"] for one in ties}), 1)
+        self.assertEqual(sorted(one["y"] for one in ties), [one["y"] for one in ties])
+        self.leave_picture("report_cup_phone")
+
+    def test_fits_on_paper(self):
+        self.show_on_paper()
+        self.assertEqual(self.cut_off(), [])
 
 
 if __name__ == "__main__":

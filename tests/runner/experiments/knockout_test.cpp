@@ -87,6 +87,35 @@ TEST(Bracket, OfFiveTeamsGivesTheThreeBestAByeInTheFirstRound) {
   EXPECT_EQ(knockout_ids_of(scheduled_games(knockout_of(5))), expected);
 }
 
+// Quarter-final 1 leads to the lower half of semi-final 1, beside the bye of the best seed.
+TEST(Bracket, PlacesTiesBesideThoseThatLeadToThem) {
+  const std::vector<Tie> ties = bracket_of(knockout_of(5), [](Tie&) {});
+  ASSERT_EQ(ties.size(), 4U);
+  EXPECT_EQ(ties[0].place, (BracketPlace{4, 1}));
+  EXPECT_EQ(ties[1].place, (BracketPlace{2, 0}));
+  EXPECT_EQ(ties[2].place, (BracketPlace{2, 1}));
+  EXPECT_EQ(ties[3].place, (BracketPlace{1, 0}));
+}
+
+TEST(Bracket, SaysWhereUnknownTeamsWillComeFrom) {
+  Knockout knockout = knockout_of(5);
+  knockout.third_place = true;
+  const std::vector<TieResult> ties = tie_results(bracket_of(knockout, RowsById{}), {});
+  ASSERT_EQ(ties.size(), 5U);
+  EXPECT_EQ(ties[1].teams[0].name, "team0");
+  EXPECT_EQ(ties[1].teams[1].name, "winner of quarter-final 1");
+  EXPECT_EQ(ties[3].teams[0].name, "winner of semi-final 1");
+  EXPECT_EQ(ties[4].teams[1].name, "loser of semi-final 2");
+  EXPECT_FALSE(ties[4].teams[1].is_known);
+}
+
+TEST(Bracket, NamesItsRounds) {
+  EXPECT_EQ(name_of_round(1), "final");
+  EXPECT_EQ(name_of_round(2), "semi-finals");
+  EXPECT_EQ(name_of_round(4), "quarter-finals");
+  EXPECT_EQ(name_of_round(32), "round of 64");
+}
+
 TEST(Bracket, OfTwoTeamsIsAFinal) {
   const std::vector<Tie> ties = bracket_of(knockout_of(2), [](Tie&) {});
   ASSERT_EQ(ties.size(), 1U);
@@ -202,6 +231,23 @@ TEST(KnockoutRun, ReportsHowATieWasDecided) {
   EXPECT_NE(content_of(folder / "summary.csv").find(",1,1,2,4,1,0,shoot-out,team1\n"),
             std::string::npos);
   EXPECT_NE(text_of(report.results.table).find("1:1 (2:4)"), std::string::npos);
+}
+
+TEST(KnockoutRun, ShowsGoalsAndShootOutBesideTheTeamsOfATie) {
+  const TemporaryFolder folder;
+  const ExperimentReport report = run(knockout_of(2), folder.path(), [](const auto& game) {
+    GameRecord record = drawn(game);
+    record.end_reason = EndReason::kShootout;
+    record.shootout = {{2, 4}};
+    return record;
+  });
+  ASSERT_EQ(report.results.ties.size(), 1U);
+  const auto& [a, b] = report.results.ties[0].teams;
+  EXPECT_EQ(a.goals, "1 (2)");
+  EXPECT_EQ(b.goals, "1 (4)");
+  EXPECT_FALSE(a.has_won);
+  EXPECT_TRUE(b.has_won);
+  EXPECT_EQ(report.results.ties[0].decision, "shoot-out");
 }
 
 TEST(KnockoutRun, LetsTheLosersOfTheSemiFinalsPlayForThirdPlace) {

@@ -63,6 +63,39 @@ TEST(Html, GivesTheWidthOfTablesAndLinesInCharacters) {
                   "<table style=\"--letters:12\">"));
 }
 
+// Three teams: the best seed has a bye in the semi-finals.
+const Document kCup{
+    "A cup",
+    {CupBracket{{{"semi-final 1",
+                  BracketPlace{2, 1},
+                  {{{"b_<i>", true, "1 (4)", true}, {"c_*", true, "1 (2)", false}}},
+                  "shoot-out"},
+                 {"final",
+                  BracketPlace{1, 0},
+                  {{{"a", true, "", false}, {"winner of semi-final 1", false, "", false}}},
+                  ""}}}}};
+
+TEST(Html, DrawsABracketWithTheTeamThatGoesOnInBold) {
+  const std::string text = html_of(kCup);
+  EXPECT_TRUE(has(text, "--rounds:2;--lines:2")) << text;
+  EXPECT_TRUE(has(text, "<div class=\"tie leads-up\" style=\"grid-area:3/1/span 1\">")) << text;
+  EXPECT_TRUE(has(text, "<div class=\"tie is-fed\" style=\"grid-area:2/2/span 2\">")) << text;
+  EXPECT_TRUE(has(text, "<strong>b_&lt;i&gt;</strong><strong>1 (4)</strong>")) << text;
+  EXPECT_TRUE(has(text, "<span>c_*</span><span>1 (2)</span>")) << text;
+  EXPECT_TRUE(has(text, "<p class=\"tie-name\">shoot-out</p>")) << text;
+  EXPECT_TRUE(has(text, ".bracket {")) << text;
+  EXPECT_FALSE(has(html_of(kNasty), ".bracket {"));
+}
+
+TEST(Markdown, ShowsABracketWithAColumnPerRound) {
+  const std::string text = markdown_of(kCup);
+  EXPECT_TRUE(has(text,
+                  "\n| semi-finals | final |\n|---|---|\n"
+                  "|  | a : winner of semi-final 1 |\n"
+                  "| **b\\_\\<i\\>** 1 (4) : 1 (2) c\\_\\*, shoot-out |  |\n"))
+      << text;
+}
+
 TEST(Html, EmbedsTheDrawingsOfFigures) {
   const std::string text =
       html_of({"t", {Figure{"plots", "scores", "Goals.", "<?xml?>\n<svg><g/></svg>\n"}}});

@@ -203,6 +203,28 @@ TEST_F(Report, HasACrosstableForARoundRobin) {
   EXPECT_TRUE(has(markdown(), "| team0 | 0 (-")) << markdown();
 }
 
+TEST_F(Report, HasTheBracketOfACup) {
+  Knockout knockout;
+  knockout.order = {"team0", "team1", "team2"};
+  for (std::size_t i = 0; i < 3; ++i)
+    knockout.teams[knockout.order[i]].robots = 4 + static_cast<int>(i);
+  ExperimentOptions options = fake_options(folder_.path());
+  options.play = [](const GameConfiguration& game) {
+    GameRecord record = fake_game(game);
+    record.goals_a = 2;
+    record.goals_b = 1;
+    return record;
+  };
+  run_experiment({"A cup.", knockout}, options);
+  reported(folder_.path());
+  EXPECT_TRUE(has(markdown(),
+                  "## Bracket\n\n| semi-finals | final |\n|---|---|\n"
+                  "|  | **team0** 2 : 1 team1 |\n"
+                  "| **team1** 2 : 1 team2 |  |\n"))
+      << markdown();
+  EXPECT_TRUE(has(html(), "<strong>team0</strong><strong>2</strong>")) << html();
+}
+
 // Each game is drawn, and the team with more robots wins the shoot-out.
 GameRecord shoot_out(const GameConfiguration& game) {
   GameRecord record = fake_game(game);
