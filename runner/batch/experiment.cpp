@@ -35,8 +35,9 @@ using Clock = std::chrono::steady_clock;
 Outcomes outcomes_of_records(const Scenario& scenario, const ExperimentOptions& options) {
   return {
       [&options](const GameConfiguration& game, GameRow& row) { row.record = options.play(game); },
-      [&scenario](const RowsById& rows) {
+      [&scenario, &options](const RowsById& rows) {
         ExperimentResults results = results_of(scenario, rows);
+        if (options.show) options.show(results);
         return ProgressView{"so far; do not stop early because of these intervals:",
                             std::move(results.shown), std::move(results.json)};
       }};
@@ -375,9 +376,11 @@ class Experiment {
     const std::string& reason = row.record.void_reason;
     if (!reason.empty()) progress_.say(fmt::format("{} is void: {}", row.game_id, reason));
     again_.erase(row.game_id);
-    progress_.game_done(is_void(row.record));
+    if (options_.ended) options_.ended(row);
+    const bool is_void_game = is_void(row.record);
     const std::string id = row.game_id;
     rows_[id] = std::move(row);
+    progress_.game_done(is_void_game);  // may display the rows
   }
 
   void conclude(ExperimentReport& report) const {

@@ -34,11 +34,14 @@ struct ExperimentOptions {
   std::optional<Outcomes> outcomes = {};       // replaces `play`; then no results are written
   std::FILE* progress = nullptr;               // no progress output if null
   ProgressStyle style = ProgressStyle::kAuto;  // of the progress output
-  std::function<void(const std::string& text)> publish = {};     // gets the progress as text
+  Progress::Publish publish = {};              // gets the progress
+  // Gets the results so far whenever they are computed for display.
+  std::function<void(const ExperimentResults& results)> show = {};
   std::function<void(const ScheduledGame& game)> starting = {};  // called before each game
-  double longest_game_s = 600;  // wall-clock limit; longer games are void
-  int attempts = 3;             // a game is void if its worker dies this often
-  double patience_s = 2;        // how long to wait while another run locks the shard
+  std::function<void(const GameRow& row)> ended = {};  // called once the game's row is on the disk
+  double longest_game_s = 600;                         // wall-clock limit; longer games are void
+  int attempts = 3;       // a game is void if its worker dies this often
+  double patience_s = 2;  // how long to wait while another run locks the shard
   // How long to wait for rows of other shards that the next games depend on, since the last such
   // row.
   double wait_s = 0;

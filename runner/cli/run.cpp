@@ -1,29 +1,23 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <filesystem>
 #include <memory>
-#include <optional>
-#include <thread>
 
 #include "runner/batch/experiment.hpp"
 #include "runner/batch/program_files.hpp"
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/one_of.hpp"
-#include "runner/cli/started_games.hpp"
+#include "runner/cli/shown_run.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/terminal.hpp"
-#include "runner/live/web_table.hpp"
 #include "runner/report/folder_report.hpp"
 
 namespace autoref::runner {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::chrono::milliseconds kLastMessage{500};
 
 ExperimentOptions options_of(const RunArguments& arguments) {
   ExperimentOptions options;
@@ -43,24 +37,6 @@ ExperimentOptions options_of(const RunArguments& arguments) {
   options.progress = arguments.quiet ? nullptr : stderr;
   if (!arguments.progress.empty()) options.style = progress_style_of(arguments.progress).value();
   return options;
-}
-
-void show_table(std::optional<WebTable>& table, StartedGames& games, const WebFlags& web,
-                ExperimentOptions& options) {
-  if (web.address.empty()) return;
-  table.emplace(web_options_of(web), [&games](const std::string& id) { return games.page(id); });
-  options.publish = [&table](const std::string& text) { table->show(text); };
-  options.starting = [&table, &games](const ScheduledGame& game) {
-    if (games.add(game, WebTable::kMostGames)) table->add_game(game.id);
-  };
-  write_message(stderr, fmt::format("watch at {}\n", table->url()));
-}
-
-// Leaves time for the last message.
-void end_table(std::optional<WebTable>& table) {
-  if (!table) return;
-  table->end("The run is over.");
-  std::this_thread::sleep_for(kLastMessage);
 }
 
 void print_results(const Scenario& scenario, const ExperimentReport& report,
@@ -131,11 +107,10 @@ std::string mended_report(const ExperimentReport& report, const ExperimentOption
 int run_verb(const RunArguments& arguments) {
   const Scenario scenario = read_experiment(arguments);
   ExperimentOptions options = options_of(arguments);
-  StartedGames games;
-  std::optional<WebTable> table;
-  show_table(table, games, arguments.web, options);
+  ShownRun shown(scenario, std::filesystem::path(arguments.file).stem().string(), arguments.web,
+                 options);
   const ExperimentReport report = run_experiment(scenario, options);
-  end_table(table);
+  shown.end();
   const std::string about_report = mended_report(report, options);
   if (report.is_interrupted) {
     write_message(
@@ -174,7 +149,7 @@ void add_run_options(CLI::App& verb, RunArguments& arguments, const std::string&
       ->type_name("STYLE")
       ->check(one_of({"plain", "json", "none"}));
   add_web_flags(verb, arguments.web,
-                "Show the standings in browsers, at this address of this computer, such as "
+                "Show results and games in browsers, at this address of this computer, such as "
                 "127.0.0.1:8090; without address, for browsers on this computer only.");
   verb.add_flag("--quiet", arguments.quiet,
                 "Print only errors; check the exit code for the outcome.")

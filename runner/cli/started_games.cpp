@@ -1,6 +1,5 @@
 #include "runner/cli/started_games.hpp"
 
-#include <algorithm>
 #include <exception>
 
 #include "runner/cli/page_recorder.hpp"
@@ -9,19 +8,22 @@
 
 namespace autoref::runner {
 
-bool StartedGames::add(const ScheduledGame& game, std::size_t most) {
+bool StartedGames::add(const ScheduledGame& game) {
   if (has_programs(resolved(game))) return false;
   const std::lock_guard lock(mutex_);
-  games_.push_back(game);
-  if (games_.size() > most) games_.pop_front();
+  games_.insert_or_assign(game.id, game);
   return true;
+}
+
+void StartedGames::forget(const std::string& id) {
+  const std::lock_guard lock(mutex_);
+  games_.erase(id);
 }
 
 std::optional<ScheduledGame> StartedGames::game_named(const std::string& id) const {
   const std::lock_guard lock(mutex_);
-  const auto game = std::find_if(games_.begin(), games_.end(),
-                                 [&id](const ScheduledGame& one) { return one.id == id; });
-  return game == games_.end() ? std::nullopt : std::optional(*game);
+  const auto game = games_.find(id);
+  return game == games_.end() ? std::nullopt : std::optional(game->second);
 }
 
 std::optional<std::string> StartedGames::page(const std::string& id) const {

@@ -1,7 +1,7 @@
-// The newest games of a run, to be looked into while they are played elsewhere.
+// Games of a run, to be looked into while they are played elsewhere or afterwards.
 #pragma once
 
-#include <deque>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -14,19 +14,20 @@ namespace autoref::runner {
 // from playing it once more here. May be used by several threads.
 class StartedGames {
  public:
-  // Takes the game, and drops the oldest one if there are `most`. Games of programs and the network
-  // are not taken, since those need not repeat; returns whether it was taken.
-  bool add(const ScheduledGame& game, std::size_t most);
+  // Takes the game. Games of programs and the network are not taken, since those need not repeat;
+  // returns whether it was taken.
+  bool add(const ScheduledGame& game);
+  void forget(const std::string& id);
 
   // Plays the game to its end, which takes about a second per 20 minutes, and returns its page;
-  // nullopt if it was not taken or has been dropped, or if it cannot be played.
+  // nullopt if it was not taken or has been forgotten, or if it cannot be played.
   std::optional<std::string> page(const std::string& id) const;
 
  private:
   std::optional<ScheduledGame> game_named(const std::string& id) const;
 
   mutable std::mutex mutex_;
-  std::deque<ScheduledGame> games_;
+  std::map<std::string, ScheduledGame> games_;  // by id
 };
 
 }  // namespace autoref::runner

@@ -19,7 +19,6 @@ constexpr std::chrono::seconds kBetweenDrawings{1};  // of the terminal view
 constexpr int kRowsAfterwards = 3;  // screen rows left for a two-line message and the prompt
 
 constexpr std::chrono::seconds kBetweenPublished{1};
-constexpr Screen kPublished{200, 110};
 
 // Whether the stream is a terminal on which lines can be redrawn.
 bool is_terminal(std::FILE* stream) {
@@ -106,7 +105,7 @@ void Progress::game_done(bool is_void) {
 }
 
 void Progress::tick() {
-  publish_text();
+  publish_counts();
   if (stream_ == nullptr || !is_started_) return;
   if (style_ == ProgressStyle::kAuto) {
     draw();
@@ -146,11 +145,11 @@ void Progress::write_line(std::string_view event) {
   }
 }
 
-void Progress::publish_text() {
+void Progress::publish_counts() {
   if (!publish_ || !is_started_ || Clock::now() < next_publishing_) return;
   next_publishing_ = Clock::now() + kBetweenPublished;
   renew_view();
-  publish_(bar(kPublished) + "\n\n" + tables(kPublished));
+  publish_(counts_, progress_text(counts_, elapsed_s()));
 }
 
 void Progress::renew_view() {
@@ -181,7 +180,7 @@ double Progress::elapsed_s() const {
 void Progress::end() {
   next_publishing_ = Clock::now();
   next_view_ = next_publishing_;
-  publish_text();
+  publish_counts();
   if (stream_ == nullptr || !is_started_ || style_ == ProgressStyle::kNone) return;
   next_view_ = Clock::now();
   if (style_ == ProgressStyle::kAuto) {

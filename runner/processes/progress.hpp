@@ -70,11 +70,10 @@ class Progress {
   // to take at most 1 % of the time.
   void show(std::function<ProgressView()> view) { view_of_ = std::move(view); }
 
-  // Hands the bar and the tables to `publish` as text, whatever the style, at most once a second
-  // and at the end.
-  void publish(std::function<void(const std::string& text)> publish) {
-    publish_ = std::move(publish);
-  }
+  // Hands the counts and progress_text() to `publish`, whatever the style, at most once a second
+  // and at the end. The view of show() is renewed before if it is due.
+  using Publish = std::function<void(const GameCounts& counts, const std::string& text)>;
+  void publish(Publish publish) { publish_ = std::move(publish); }
 
   void game_done(bool is_void = false);
 
@@ -96,7 +95,7 @@ class Progress {
   void draw();
   void write_line(std::string_view event);
   void renew_view();
-  void publish_text();
+  void publish_counts();
   void end();
 
   std::FILE* stream_;
@@ -105,7 +104,7 @@ class Progress {
   bool is_started_ = false;
   bool keeps_tables_ = false;
   std::function<ProgressView()> view_of_;
-  std::function<void(const std::string& text)> publish_;
+  Publish publish_;
   ProgressView view_;
   int played_in_view_ = -1;
   int done_in_line_ = -1;

@@ -15,6 +15,13 @@ Json json_of(const LiveLimits& limits) {
       {"signals", limits.signals}, {"clock", limits.clock_marks}, {"decisions", limits.decisions}};
 }
 
+Json json_of(const std::vector<ListedGame>& games) {
+  Json list = Json::array();
+  for (const ListedGame& game : games)
+    list.push_back({{"id", game.id}, {"text", game.text}, {"has_page", game.has_page}});
+  return list;
+}
+
 // Only one of the lists of `part`, and no frames.
 CountedMessage list_message(Json& part, const char* list) {
   Json json = {{"type", "part"}, {"bytes", ""}};
@@ -51,14 +58,25 @@ std::string over_message(std::string_view text) {
   return json_text({{"type", "over"}, {"text", text}});
 }
 
-std::string table_start_message() { return json_text({{"type", "start"}}); }
-
-std::string games_message(const std::vector<std::string>& ids) {
-  return json_text({{"type", "games"}, {"ids", ids}});
+std::string run_start_message(std::string_view title) {
+  return json_text({{"type", "start"}, {"title", title}});
 }
 
-std::string table_message(std::string_view text) {
-  return json_text({{"type", "table"}, {"text", text}});
+std::string progress_message(const RunProgress& progress) {
+  return json_text({{"type", "progress"},
+                    {"done", progress.done},
+                    {"total", progress.total},
+                    {"text", progress.text},
+                    {"remark", progress.remark}});
+}
+
+std::string results_message(std::string_view html) {
+  return json_text({{"type", "results"}, {"html", html}});
+}
+
+std::string games_message(const std::vector<ListedGame>& running,
+                          const std::vector<ListedGame>& ended) {
+  return json_text({{"type", "games"}, {"running", json_of(running)}, {"ended", json_of(ended)}});
 }
 
 }  // namespace autoref::runner

@@ -43,10 +43,30 @@ std::string present_message();
 // What is shown is over; `text` is a sentence that says so.
 std::string over_message(std::string_view text);
 
-// The first message to a table page, the ids of games whose pages the server has (newest first),
-// and the text to show.
-std::string table_start_message();
-std::string games_message(const std::vector<std::string>& ids);
-std::string table_message(std::string_view text);
+// The first message to the page of a run. A page with another title is loaded again.
+std::string run_start_message(std::string_view title);
+
+// How many games of a run are done, as a sentence too, and a remark below it; may be empty.
+struct RunProgress {
+  int done = 0;
+  int total = 0;
+  std::string text;
+  std::string remark = {};
+};
+std::string progress_message(const RunProgress& progress);
+
+// The results so far, as HTML.
+std::string results_message(std::string_view html);
+
+// A game of a run.
+struct ListedGame {
+  std::string id;
+  std::string text;       // "cobalt 3:1 zone"
+  bool has_page = false;  // whether the server has a page with this id
+};
+
+// The games that are being played, and those that ended last, the newest first.
+std::string games_message(const std::vector<ListedGame>& running,
+                          const std::vector<ListedGame>& ended);
 
 }  // namespace autoref::runner

@@ -93,10 +93,15 @@ std::string html_text(std::string_view text) {
   return result;
 }
 
-std::string table_page() {
-  std::string_view rest = page_table();
-  std::string page(text_before("@SCRIPT@", rest));
-  return page.append(page_connection()).append(rest);
+std::string run_page(std::string_view title) {
+  std::string_view rest = page_run();
+  const std::string safe_title = html_text(title);
+  std::string page(text_before("@TITLE@", rest));
+  page.append(safe_title).append(text_before("@STYLE@", rest));
+  page.append(page_style()).append(page_bracket_style()).append(page_run_style());
+  page.append(text_before("@TITLE@", rest)).append(safe_title);
+  page.append(text_before("@SCRIPT@", rest)).append(page_run_script());
+  return page.append(rest);
 }
 
 std::string live_page() {

@@ -42,8 +42,9 @@ std::string page_of(const PageContent& content);
 // A page without a game, which shows the game that its server sends (live_messages.hpp).
 std::string live_page();
 
-// A page that shows the text that its server sends, such as a table of standings.
-std::string table_page();
+// A page that shows the results of an experiment and its games, which its server sends while they
+// are played. `title` is text, not HTML.
+std::string run_page(std::string_view title);
 
 // The text with the characters replaced that HTML would interpret.
 std::string html_text(std::string_view text);

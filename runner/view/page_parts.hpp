@@ -18,7 +18,10 @@ std::string_view page_live_script();
 
 std::string_view page_bracket_style();  // of report/bracket_drawing.hpp
 
-std::string_view page_table();       // HTML, in which page_connection() is to replace @SCRIPT@
-std::string_view page_connection();  // the part of the live script that talks to the server
+// The HTML of the page of a run, in which @TITLE@ (twice), @STYLE@ and @SCRIPT@ are to be replaced,
+// the end of its style, and its script.
+std::string_view page_run();
+std::string_view page_run_style();
+std::string_view page_run_script();
 
 }  // namespace autoref::runner

@@ -3,27 +3,15 @@
 
 Needs the packages of page_test.py. Saves screenshots if AUTOREF_SCREENSHOTS=FOLDER is set.
 """
-import pathlib
 import re
 import subprocess
 import sys
-import tempfile
 import unittest
 
 from browser import DESKTOP, PHONE, BrowserTest
 from selenium.webdriver.common.by import By
 
 FOULS = {"match.rules": "2026-b", "a.strategy": "rowdy", "seed": 2}
-ROUND_ROBIN = """
-schema: 1
-kind: roundrobin
-base: { match: { half_s: 60 } }
-teams:
-  basic: { strategy: basic }
-  chaser: { strategy: chaser }
-pairs: 200
-seed: 7
-"""
 SHORT = {"match.half_s": 10, "seed": 3}
 
 
@@ -131,24 +119,6 @@ class LivePage(BrowserTest):
         self.leave_picture("live_phone")
         self.assertLessEqual(self.scroll_width(), PHONE[0])
         self.assertEqual(self.cut_off(), [])
-
-    def test_shows_the_standings_of_a_run(self):
-        with tempfile.TemporaryDirectory() as folder:
-            scenario = pathlib.Path(folder) / "scenario.yaml"
-            scenario.write_text(ROUND_ROBIN)
-            run = subprocess.Popen(
-                [AUTOREF, "run", scenario, "-o", f"{folder}/results", "-j", "1", "--web", "0"],
-                stdout=subprocess.DEVNULL,
-                stderr=subprocess.PIPE,
-                text=True,
-            )
-            self.addCleanup(run.stderr.close)
-            self.addCleanup(run.wait)
-            self.addCleanup(run.kill)
-            self.browser.get(re.search(r"http://\S+", run.stderr.readline()).group())
-            self.wait_until(lambda: "chaser" in self.text("table"))
-            self.assertRegex(self.text("table"), r"\d+/400 games")
-            self.leave_picture("live_table")
 
 
 if __name__ == "__main__":

@@ -72,6 +72,37 @@ TEST(Experiment, AnnouncesEachGameOnceBeforeItIsPlayed) {
   EXPECT_TRUE(announced.contains("b.robots=5-p0003-2"));
 }
 
+TEST(Experiment, AnnouncesTheEndOfEachGameWithItsRow) {
+  const TemporaryFolder folder;
+  ExperimentOptions options = fake_options(folder.path());
+  std::map<std::string, int> ended;
+  options.ended = [&](const GameRow& row) {
+    ++ended[row.game_id];
+    EXPECT_NE(content_of(shard_of(folder.path())).find(row.game_id), std::string::npos);
+    EXPECT_EQ(row.record.frames, 72000);
+  };
+  run_experiment(small_sweep(), options);
+  EXPECT_EQ(ended.size(), 12U);
+  for (const auto& [id, times] : ended) EXPECT_EQ(times, 1) << id;
+}
+
+// A page that shows them must end with the final ones.
+TEST(Experiment, ShowsItsResultsAndProgressAtTheEnd) {
+  const TemporaryFolder folder;
+  ExperimentOptions options = fake_options(folder.path());
+  std::size_t games = 0;
+  GameCounts last;
+  options.show = [&games](const ExperimentResults& results) {
+    games = 0;
+    for (const Group& group : results.groups) games += group.differences.size();
+  };
+  options.publish = [&last](const GameCounts& counts, const std::string&) { last = counts; };
+  run_experiment(small_sweep(), options);
+  EXPECT_EQ(games, 12U);
+  EXPECT_EQ(last.done, 12);
+  EXPECT_EQ(last.total, 12);
+}
+
 TEST(Experiment, PlaysNothingIfAlreadyComplete) {
   const TemporaryFolder folder;
   ExperimentOptions options = fake_options(folder.path());

@@ -20,19 +20,19 @@ ScheduledGame short_scheduled_game(const std::string& id, std::uint64_t seed) {
 TEST(StartedGames, HaveAPageOfTheSameGame) {
   StartedGames games;
   const ScheduledGame game = short_scheduled_game("p0001-1", 7);
-  ASSERT_TRUE(games.add(game, 2));
+  ASSERT_TRUE(games.add(game));
   const std::optional<std::string> page = games.page("p0001-1");
   ASSERT_TRUE(page);
   EXPECT_TRUE(has(*page, hash_text(play(resolved(game)).state_hash)));
 }
 
-TEST(StartedGames, AreForgottenOldestFirst) {
+TEST(StartedGames, AreForgottenOnRequest) {
   StartedGames games;
-  for (const char* id : {"p0001-1", "p0001-2", "p0002-1"})
-    games.add(short_scheduled_game(id, 1), 2);
+  for (const char* id : {"p0001-1", "p0001-2"}) games.add(short_scheduled_game(id, 1));
+  games.forget("p0001-1");
+  games.forget("p0009-1");
   EXPECT_FALSE(games.page("p0001-1"));
   EXPECT_TRUE(games.page("p0001-2"));
-  EXPECT_TRUE(games.page("p0002-1"));
   EXPECT_FALSE(games.page("p0009-1"));
 }
 
@@ -40,7 +40,7 @@ TEST(StartedGames, OfProgramsHaveNoPage) {
   StartedGames games;
   GameSettings game;
   game.b.command = {"my_team"};
-  EXPECT_FALSE(games.add({"p0001-1", {}, 1, 1, SharedSettings(game)}, 2));
+  EXPECT_FALSE(games.add({"p0001-1", {}, 1, 1, SharedSettings(game)}));
   EXPECT_FALSE(games.page("p0001-1"));
 }
 

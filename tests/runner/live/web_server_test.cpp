@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "runner/io/errors.hpp"
-#include "tests/runner/live/web_client.hpp"
+#include "tests/runner/support/web_client.hpp"
 
 namespace autoref::runner {
 namespace {

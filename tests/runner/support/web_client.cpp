@@ -1,4 +1,4 @@
-#include "tests/runner/live/web_client.hpp"
+#include "tests/runner/support/web_client.hpp"
 
 #include <arpa/inet.h>
 #include <fmt/format.h>
