@@ -150,7 +150,7 @@ class Experiment {
   void set_killed_games_aside() {
     for (const ScheduledGame& game : schedule_.games) {
       const auto row = rows_.find(game.id);
-      if (row == rows_.end() || !options_.shard.has(game.unit)) continue;
+      if (row == rows_.end() || !has(game)) continue;
       if (is_killed(row->second)) again_.insert(game.id);
     }
     for (const std::string& id : again_) rows_.erase(id);
@@ -238,11 +238,13 @@ class Experiment {
     return Waited::kInVain;
   }
 
+  bool has(const ScheduledGame& game) const { return options_.shard.has(game.unit, game.variants); }
+
   std::vector<std::size_t> missing_games() const {
     std::vector<std::size_t> missing;
     for (std::size_t i = 0; i < std::min(schedule_.needed, schedule_.games.size()); ++i) {
       const ScheduledGame& game = schedule_.games[i];
-      if (options_.shard.has(game.unit) && !rows_.contains(game.id)) missing.push_back(i);
+      if (has(game) && !rows_.contains(game.id)) missing.push_back(i);
     }
     return missing;
   }
@@ -253,7 +255,7 @@ class Experiment {
     GameCounts counts{.total = static_cast<int>(schedule_.needed - known), .voids = 0};
     for (std::size_t i = 0; i < known; ++i) {
       const ScheduledGame& game = schedule_.games[i];
-      if (!options_.shard.has(game.unit)) continue;
+      if (!has(game)) continue;
       const auto row = rows_.find(game.id);
       ++counts.total;
       counts.done += row == rows_.end() ? 0 : 1;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/experiments/playing_order.hpp"
 #include "runner/experiments/schedule.hpp"
 #include "runner/settings/fields.hpp"
 
@@ -9,16 +10,18 @@ namespace autoref::runner {
 namespace {
 
 std::vector<ScheduledGame> scheduled(const NamedTeams& named, const std::vector<Matchup>& matchups,
-                                     int pairs) {
+                                     const std::vector<std::size_t>& order, int pairs) {
   refuse_too_many(2.0 * pairs * static_cast<double>(matchups.size()));
   const MatchupScheduler scheduler(named);
   std::vector<ScheduledGame> games;
   games.reserve(2 * static_cast<std::size_t>(pairs) * matchups.size());
   for (int pair = 1; pair <= pairs; ++pair) {
-    for (const Matchup& matchup : matchups) {
+    for (const std::size_t i : order) {
       for (const int leg : {1, 2}) {
-        games.push_back(scheduler.game(matchup, pair, leg));
+        games.push_back(scheduler.game(matchups[i], pair, leg));
         games.back().unit = (games.size() - 1) / 2;
+        games.back().variant = i;
+        games.back().variants = matchups.size();
       }
     }
   }
@@ -59,12 +62,12 @@ std::vector<ScheduledGame> scheduled_games(const RoundRobin& robin) {
   const auto teams = static_cast<double>(robin.teams.size());
   refuse_too_many(robin.pairs * teams * (teams - 1));
   check(robin.base, robin.teams);
-  return scheduled(robin, matchups_of(robin), robin.pairs);
+  return scheduled(robin, matchups_of(robin), round_robin_order(robin.teams.size()), robin.pairs);
 }
 
 std::vector<ScheduledGame> scheduled_games(const SprtMatch& match) {
   check(match.base, match.teams);
-  return scheduled(match, {matchup_of(match)}, match.sprt.max_pairs);
+  return scheduled(match, {matchup_of(match)}, {0}, match.sprt.max_pairs);
 }
 
 std::vector<ScheduledGame> scheduled_games(const Gauntlet& gauntlet) {
@@ -72,7 +75,9 @@ std::vector<ScheduledGame> scheduled_games(const Gauntlet& gauntlet) {
                   static_cast<double>(gauntlet.challengers.size()));
   check(gauntlet.base, gauntlet.teams);
   check(gauntlet.base, gauntlet.challengers, "challengers");
-  return scheduled(everyone_in(gauntlet), matchups_of(gauntlet), gauntlet.pairs);
+  return scheduled(everyone_in(gauntlet), matchups_of(gauntlet),
+                   combinations_order({gauntlet.challengers.size(), gauntlet.teams.size()}),
+                   gauntlet.pairs);
 }
 
 }  // namespace autoref::runner

@@ -16,8 +16,9 @@
 namespace autoref::runner {
 
 // The games in playing order. The two legs of a pair are adjacent, and each pair number is played
-// in all matchups before the next, so an interrupted run is balanced. Ids look like
-// "bold~zone-p0007-2".
+// in all matchups before the next. Within a pair number the teams take turns (playing_order.hpp):
+// at any time, they have played equally many games, except for one pair and the running games. Ids
+// look like "bold~zone-p0007-2".
 //
 // A game depends only on its two teams, its pair and its leg, so adding teams or pairs changes no
 // other game. Sides, first kick-off and seed are those of leg_of(); equal pair numbers have equal

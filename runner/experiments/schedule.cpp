@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "runner/experiments/cells.hpp"
+#include "runner/experiments/playing_order.hpp"
 #include "runner/settings/resolved.hpp"
 #include "runner/settings/setting_error.hpp"
 #include "soccer/random.hpp"
@@ -30,6 +31,13 @@ SharedSettings settings_of_cell(const Sweep& sweep, const std::vector<SettingVal
   refuse_network(game.b, "teams.b");
   refuse_game_controller(game);
   return SharedSettings(std::move(game));
+}
+
+std::vector<std::size_t> playing_order(const Sweep& sweep) {
+  std::vector<std::size_t> sizes;
+  sizes.reserve(sweep.factors.size());
+  for (const Factor& factor : sweep.factors) sizes.push_back(factor.values.size());
+  return combinations_order(sizes);
 }
 
 // Counts in floating point, since the product of many factors could overflow an integer.
@@ -106,12 +114,15 @@ std::vector<ScheduledGame> scheduled_games(const Sweep& sweep) {
   for (const std::vector<SettingValue>& values : all) {
     settings.push_back(settings_of_cell(sweep, values));
   }
+  const std::vector<std::size_t> order = playing_order(sweep);
   std::vector<ScheduledGame> games;
   for (int pair = 1; pair <= sweep.pairs; ++pair) {
-    for (std::size_t i = 0; i < all.size(); ++i) {
+    for (const std::size_t i : order) {
       for (const int leg : {1, 2}) {
         games.push_back(scheduled(sweep, all[i], settings[i], pair, leg));
         games.back().unit = (games.size() - 1) / 2;
+        games.back().variant = i;
+        games.back().variants = all.size();
       }
     }
   }

@@ -20,13 +20,18 @@ struct ScheduledGame {
   std::string team_a = {};  // the team's name in result rows; its strategy or program in a sweep
   std::string team_b = {};
   std::size_t unit = 0;  // games of one unit, such as a pair's legs, go to the same shard
+  // Number of its values or matchup, in the order of summary.csv, and how many there are: so many
+  // units after it, they play again. 0 in a knockout, a tuning and judged games.
+  std::size_t variant = 0;
+  std::size_t variants = 0;
 };
 
 // The game's configuration, with its id.
 GameConfiguration resolved(const ScheduledGame& game);
 
 // The games in playing order. The two legs of a pair are adjacent, and each pair number is played
-// with all values before the next, so an interrupted run is balanced.
+// with all values before the next, in combinations_order() (playing_order.hpp), so an interrupted
+// run is balanced.
 //
 // A game depends only on its own values, pair and leg, so adding values or pairs changes no other
 // game. Throws SettingError if values contradict each other.

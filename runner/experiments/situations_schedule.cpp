@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "runner/experiments/matchup_schedule.hpp"
+#include "runner/experiments/playing_order.hpp"
 #include "runner/settings/setting_error.hpp"
 
 namespace autoref::runner {
@@ -52,6 +53,12 @@ ScheduledGame scheduled(const SituationMatchup& matchup, const SharedSettings& s
           matchup.attackers,          matchup.defenders};
 }
 
+// Indices into matchups_of().
+std::vector<std::size_t> playing_order(const Situations& situations) {
+  return combinations_order(
+      {situations.situations.size(), situations.defenders.size(), situations.attackers.size()});
+}
+
 }  // namespace
 
 std::vector<ScheduledGame> scheduled_games(const Situations& situations) {
@@ -62,18 +69,21 @@ std::vector<ScheduledGame> scheduled_games(const Situations& situations) {
   settings.reserve(matchups.size());
   for (const SituationMatchup& matchup : matchups)
     settings.push_back(settings_of(situations, matchup));
+  const std::vector<std::size_t> order = playing_order(situations);
   std::vector<ScheduledGame> games;
   for (int pair = 1; pair <= situations.pairs; ++pair) {
     std::map<std::string, std::shared_ptr<const StartState>> starts;
     for (const auto& [name, situation] : situations.situations)
       starts[name] = std::make_shared<const StartState>(
           drawn_state(situation, name, situations.base.field, situations.seed, pair));
-    for (std::size_t i = 0; i < matchups.size(); ++i) {
+    for (const std::size_t i : order) {
       const SharedSettings scene = settings[i].starting_from(starts.at(matchups[i].situation));
       for (const int leg : {1, 2}) {
         games.push_back(
             scheduled(matchups[i], scene, leg_of(situations.seed, pair, leg), pair, leg));
         games.back().unit = (games.size() - 1) / 2;
+        games.back().variant = i;
+        games.back().variants = matchups.size();
       }
     }
   }

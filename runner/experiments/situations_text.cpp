@@ -15,15 +15,15 @@ using Values = std::vector<std::pair<std::string, std::string>>;  // by key, in 
 Values values_of_robot(const DrawnRobot& robot, const Field& field) {
   Values values;
   for (const auto& number : numbers_of(robot, field))
-    values.emplace_back(number.key, text_of(*number.place));
-  if (robot.heading_deg) values.emplace_back("heading_deg", text_of(*robot.heading_deg));
+    values.emplace_back(number.key, runner::text_of(*number.place));
+  if (robot.heading_deg) values.emplace_back("heading_deg", runner::text_of(*robot.heading_deg));
   return values;
 }
 
 Values values_of_ball(const DrawnBall& ball, const Field& field) {
   Values values;
   for (const auto& number : numbers_of(ball, field))
-    values.emplace_back(number.key, text_of(*number.place));
+    values.emplace_back(number.key, runner::text_of(*number.place));
   return values;
 }
 
@@ -38,14 +38,15 @@ std::string ends_of(const Scene& scene) {
 // What a situation says besides its bodies.
 Values values_of_scene(const SituationSetup& situation) {
   const SceneWeights& weights = situation.scene.weights;
-  return {{"lasts_s", text_of(situation.scene.lasts_s)},
-          {"score", fmt::format("{{ goal: {}, conceded: {}, ball_kept: {}, gained_m: {} }}",
-                                text_of(weights.goal), text_of(weights.conceded),
-                                text_of(weights.ball_kept), text_of(weights.gained_m))},
-          {"ends_on", ends_of(situation.scene)},
-          {"restart", std::string(name_of(situation.restart))},
-          {"taken_by", situation.is_attackers_restart ? "attackers" : "defenders"},
-          {"after_stop", situation.is_after_stop ? "true" : "false"}};
+  return {
+      {"lasts_s", runner::text_of(situation.scene.lasts_s)},
+      {"score", fmt::format("{{ goal: {}, conceded: {}, ball_kept: {}, gained_m: {} }}",
+                            runner::text_of(weights.goal), runner::text_of(weights.conceded),
+                            runner::text_of(weights.ball_kept), runner::text_of(weights.gained_m))},
+      {"ends_on", ends_of(situation.scene)},
+      {"restart", std::string(name_of(situation.restart))},
+      {"taken_by", situation.is_attackers_restart ? "attackers" : "defenders"},
+      {"after_stop", situation.is_after_stop ? "true" : "false"}};
 }
 
 std::string flow_text(const Values& values) {

@@ -10,6 +10,7 @@
 #include <charconv>
 #include <chrono>
 #include <map>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <thread>
@@ -104,8 +105,11 @@ std::string ShardIndex::name() const { return fmt::format("{}/{}", number, of); 
 
 std::string ShardIndex::file_name() const { return fmt::format("shard-{}-of-{}.csv", number, of); }
 
-bool ShardIndex::has(std::size_t unit) const {
-  return unit % static_cast<std::size_t>(of) == static_cast<std::size_t>(number);
+bool ShardIndex::has(std::size_t unit, std::size_t variants) const {
+  const auto shards = static_cast<std::size_t>(of);
+  // After their least common multiple, every shard would get the same variants as before.
+  const std::size_t shift = variants == 0 ? 0 : unit / std::lcm(variants, shards);
+  return (unit + shift) % shards == static_cast<std::size_t>(number);
 }
 
 ShardIndex shard_index_of(const std::string& text) {

@@ -22,8 +22,10 @@ struct ShardIndex {
 
   std::string name() const;       // "0/1"
   std::string file_name() const;  // "shard-0-of-1.csv"
-  // Whether this shard plays the games of that unit (schedule.hpp).
-  bool has(std::size_t unit) const;
+  // Whether this shard plays the games of that unit. Of `of` units in a row, each shard plays one;
+  // if `variants` is not 0, it changes from time to time which one (ScheduledGame), so that no
+  // shard gets always the same teams or values.
+  bool has(std::size_t unit, std::size_t variants = 0) const;
 };
 
 // Parses text such as "0/4". Throws std::invalid_argument, with the expected format, if it is

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <map>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -121,6 +122,38 @@ TEST(Experiment, PlaysOnlyTheNewGamesIfPairsAreAdded) {
   run_experiment(small_sweep(3), fake_options(folder.path()));
   EXPECT_EQ(run_experiment(small_sweep(5), fake_options(folder.path())).played, 8);
   EXPECT_EQ(results_in(folder), undisturbed_results(small_sweep(5)));
+}
+
+// The first `count` rows as if the games had been played in the order of their pairs and ids.
+std::string rows_by_pair_and_id(const std::string& file, std::size_t count) {
+  std::istringstream text(file);
+  std::string header;
+  std::getline(text, header);
+  std::map<std::string, std::string> rows;
+  for (std::string line; std::getline(text, line);) {
+    const std::string id = line.substr(0, line.find(','));
+    const std::size_t pair = id.rfind("-p");
+    rows[id.substr(pair) + id.substr(0, pair)] = line;
+  }
+  std::string first = header + "\n";
+  for (const auto& [key, line] : rows) {
+    if (count-- == 0) break;
+    first += line + "\n";
+  }
+  return first;
+}
+
+TEST(Experiment, ContinuesARoundRobinThatBeganInAnotherOrder) {
+  const Scenario scenario = small_roundrobin({6, 5, 4, 3});
+  const TemporaryFolder whole;
+  run_experiment(scenario, fake_options(whole.path()));
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "games");
+  write_content(shard_of(folder.path()),
+                rows_by_pair_and_id(content_of(shard_of(whole.path())), 7));
+  EXPECT_EQ(run_experiment(scenario, fake_options(folder.path())).played, 24 - 7);
+  EXPECT_EQ(results_in(folder), results_in(whole));
+  EXPECT_EQ(content_of(folder / "standings.csv"), content_of(whole / "standings.csv"));
 }
 
 TEST(Experiment, ReplaysTheGameOfATruncatedRow) {

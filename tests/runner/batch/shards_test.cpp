@@ -69,6 +69,14 @@ TEST(ShardIndex, AssignsEveryUnitToOneShard) {
   }
 }
 
+TEST(ShardIndex, GetsOneOfAsManyUnitsInARowAsThereAreShards) {
+  for (std::size_t block = 0; block < 50; ++block) {
+    int units = 0;
+    for (std::size_t i = 0; i < 3; ++i) units += ShardIndex{1, 3}.has(3 * block + i, 6) ? 1 : 0;
+    EXPECT_EQ(units, 1);
+  }
+}
+
 TEST(ShardIndex, IsParsedFromItsName) {
   EXPECT_EQ(shard_index_of("3/12").number, 3);
   EXPECT_EQ(shard_index_of("3/12").of, 12);

@@ -25,8 +25,8 @@ TEST(SituationsSchedule, PlaysEverySituationWithEveryTeamInTwoLegs) {
   ASSERT_EQ(games.size(), 16U);
   EXPECT_EQ(games[0].id, "goal+one~still-p0001-1");
   EXPECT_EQ(games[1].id, "goal+one~still-p0001-2");
-  EXPECT_EQ(games[2].id, "goal+two~still-p0001-1");
-  EXPECT_EQ(games[15].id, "rest+two~still-p0002-2");
+  EXPECT_EQ(games[2].id, "rest+two~still-p0001-1");
+  EXPECT_EQ(games[15].id, "rest+one~still-p0002-2");
   EXPECT_EQ(games[0].unit, games[1].unit);
   EXPECT_EQ(games[15].values, std::vector<std::string>{"rest"});
 }
