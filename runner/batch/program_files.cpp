@@ -17,7 +17,6 @@ namespace fs = std::filesystem;
 constexpr const char* kCommandsFolder = "commands";
 constexpr const char* kStderrFolder = "stderr";
 
-constexpr double kRepeated_s = 10;
 constexpr int kMostKills = 5;
 constexpr std::size_t kLongestName = 180;
 

@@ -10,6 +10,10 @@
 
 namespace autoref::runner {
 
+// A run starts the programs of a game again and plays these first seconds again, to see whether
+// they send the same commands.
+inline constexpr double kRepeated_s = 10;
+
 // commands/GAME_ID.gz
 std::filesystem::path commands_file(const std::filesystem::path& folder, const std::string& id);
 

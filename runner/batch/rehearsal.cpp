@@ -1,13 +1,19 @@
 #include "runner/batch/rehearsal.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <queue>
 
+#include "runner/batch/program_files.hpp"
 #include "runner/io/errors.hpp"
+#include "runner/io/json.hpp"
+#include "runner/processes/progress.hpp"
 #include "runner/processes/workers.hpp"
 #include "runner/settings/resolved.hpp"
 
@@ -17,10 +23,12 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kMostWholeGames = 6;  // per combination
-constexpr double kShareOfFirst = 0.5;   // fraction of the time spent on the first seconds of each
-constexpr double kShareOfSecond = 0.9;  // fraction of the remaining time spent on longer parts
-constexpr double kGrace_s = 2;          // for running games to end
-constexpr const char* kWell = "well";
+constexpr double kShareOfFirst = 0.5;     // fraction of the time spent on the first seconds of each
+constexpr double kShareOfSecond = 0.9;    // fraction of the remaining time spent on longer parts
+constexpr double kGrace_s = 2;            // for running games to end
+constexpr std::size_t kMostPrograms = 5;  // named with their costs
+constexpr int kMostRounds = 3;            // of longer and longer parts
+constexpr double kLeastLimit_s = 0.02;    // wall time that every part may take
 
 // The id without pair and leg: "b.handicap=0.8" for "b.handicap=0.8-p0007-2".
 std::string played_in(const ScheduledGame& game) {
@@ -37,10 +45,25 @@ GameSettings part_of(const GameSettings& game, double share) {
   return part;
 }
 
+double whole_length_s(const GameSettings& game) {
+  return game.scene ? game.scene->lasts_s : game.match.half_s * game.match.halves;
+}
+
+// A worker's answer, as text.
+std::string answer_with(const PlayedPart& part) {
+  return json_text(Json::array({part.share, part.start_s, part.team_s, part.void_reason}));
+}
+
+PlayedPart played_part_of(const std::string& text) {
+  const Json json = Json::parse(text);
+  return {json.at(0).get<double>(), json.at(1).get<double>(),
+          json.at(2).get<std::array<double, 2>>(), json.at(3).get<std::string>()};
+}
+
 struct Entry {
   Rehearsal rehearsal;
   std::vector<const ScheduledGame*> games;  // the first kMostWholeGames
-  std::vector<RehearsedPart> samples;       // of parts that were not void, the shortest first
+  std::vector<RehearsedPart> samples;       // of parts that were not void, the first part first
 
   // Scenes are short enough to be played whole.
   double first_share() const {
@@ -49,7 +72,43 @@ struct Entry {
     return std::min(1.0, kRehearsedHalf_s / game.match.half_s);
   }
   bool plays() const { return !samples.empty() && rehearsal.void_reason.empty(); }
-  double first_estimate_s() const { return samples.front().wall_s / samples.front().share; }
+
+  // Whether such a part says more than those that were played: it is longer, or one of the first
+  // whole games after the first part.
+  bool is_to_play(double share) const {
+    if (!plays()) return false;
+    return share > 2 * longest().share || (share >= 1 && samples.size() == 1);
+  }
+
+  const RehearsedPart& longest() const {
+    return *std::max_element(samples.begin(), samples.end(),
+                             [](const RehearsedPart& one, const RehearsedPart& other) {
+                               return one.share < other.share;
+                             });
+  }
+
+  // Programs are started again, and play the first seconds again.
+  double repetition_s(double game_s) const {
+    const GameSettings game = games.front()->settings.whole();
+    if (game.a.command.empty() && game.b.command.empty()) return 0;
+    const double start_s = longest().start_s;
+    return start_s + (game_s - start_s) * std::min(1.0, kRepeated_s / whole_length_s(game));
+  }
+
+  void estimate() {
+    const double game_s = whole_game_s(samples);
+    rehearsal.wall_s_a_game = game_s + repetition_s(game_s);
+    rehearsal.share = std::min(1.0, longest().share);
+    const ScheduledGame& game = *games.front();
+    rehearsal.teams = {RehearsedTeam{game.team_a, !game.settings.a().command.empty(), team_s(0)},
+                       RehearsedTeam{game.team_b, !game.settings.b().command.empty(), team_s(1)}};
+  }
+
+  // A team's part of the estimate.
+  double team_s(std::size_t team) const {
+    const RehearsedPart& part = longest();
+    return rehearsal.wall_s_a_game * std::min(1.0, part.team_s[team] / part.wall_s);
+  }
 };
 
 std::vector<Entry> entries_of(const std::vector<ScheduledGame>& games) {
@@ -60,6 +119,7 @@ std::vector<Entry> entries_of(const std::vector<ScheduledGame>& games) {
     if (is_new) {
       entries.emplace_back();
       entries.back().rehearsal.played = number->first;
+      entries.back().rehearsal.variant = game.variant;
     }
     Entry& entry = entries[number->second];
     ++entry.rehearsal.games;
@@ -81,12 +141,17 @@ class Rehearsals {
       : options_(options), entries_(entries_of(games)) {}
 
   std::vector<Rehearsal> run() {
-    play(first_parts(), kShareOfFirst * options_.longest_s);
-    play(longer_parts(), options_.longest_s);
+    play(first_parts(), kShareOfFirst * options_.longest_s, Limit::kEqualShare);
+    for (int round = 0; round < kMostRounds; ++round) {
+      play(longer_parts(), options_.longest_s, Limit::kTimeLeft);
+    }
     return estimates();
   }
 
  private:
+  // How long a part may take: what its equal share of the time is, or all the time that is left.
+  enum class Limit { kEqualShare, kTimeLeft };
+
   double elapsed_s() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
 
   std::vector<Part> first_parts() const {
@@ -101,7 +166,7 @@ class Rehearsals {
   // to the same fraction.
   std::vector<Part> longer_parts() const {
     double whole_s = 0;
-    for (const Entry& entry : entries_) whole_s += entry.plays() ? entry.first_estimate_s() : 0;
+    for (const Entry& entry : entries_) whole_s += entry.plays() ? whole_game_s(entry.samples) : 0;
     if (whole_s <= 0) return {};
     const double room_s =
         kShareOfSecond * std::max(0.0, options_.longest_s - elapsed_s()) * options_.workers;
@@ -112,56 +177,66 @@ class Rehearsals {
     for (std::size_t k = 0; k < times; ++k) {
       for (std::size_t i = 0; i < entries_.size(); ++i) {
         const Entry& entry = entries_[i];
-        const bool is_longer = share > 2 * entry.first_share() || share >= 1;
-        if (entry.plays() && is_longer && k < entry.games.size())
+        if (entry.is_to_play(share) && k < entry.games.size())
           parts.push_back({i, entry.games[k], share});
       }
     }
     return parts;
   }
 
-  std::string played(const Part& part) const {
+  std::string played(const Part& part, double most_wall_s) const {
     try {
-      const GameRecord record =
-          options_.play(resolved(part_of(part.game->settings.whole(), part.share)));
-      return record.void_reason.empty() ? kWell : "void: " + record.void_reason;
+      return answer_with(options_.play(resolved(part_of(part.game->settings.whole(), part.share)),
+                                       std::max(kLeastLimit_s, most_wall_s)));
     } catch (const std::exception& error) {
       if (environment_failure(error)) throw;
-      return std::string("void: ") + error.what();
+      return answer_with({.void_reason = error.what()});
     }
   }
 
-  void play(const std::vector<Part>& parts, double until_s) {
+  // `others`: parts that have not begun yet.
+  double limit_s(Limit limit, double until_s, std::size_t others) const {
+    const double left_s = until_s - elapsed_s();
+    if (limit == Limit::kTimeLeft) return left_s;
+    return std::min(left_s, left_s * options_.workers / static_cast<double>(others + 1));
+  }
+
+  void play(const std::vector<Part>& parts, double until_s, Limit limit) {
     std::vector<std::size_t> jobs(parts.size());
     std::iota(jobs.begin(), jobs.end(), std::size_t{0});
     const WorkerOptions workers{options_.workers, 1,
                                 std::max(kGrace_s, options_.longest_s + kGrace_s - elapsed_s())};
     const Ending ending =
         do_jobs(jobs, workers,
-                {[&](std::size_t i) { return played(parts[i]); },
+                {[&](std::size_t i) {
+                   return played(parts[i], limit_s(limit, until_s, parts.size() - i - 1));
+                 },
                  [&](const JobResult& result) { note(parts[result.job], result); },
                  {},
-                 [&] { return elapsed_s() > until_s; }});
+                 [&] { return elapsed_s() > options_.longest_s; }});
     if (ending == Ending::kInterrupted) throw Interrupted();
   }
 
   void note(const Part& part, const JobResult& result) {
     Entry& entry = entries_[part.entry];
-    if (result.payload == kWell) {
-      entry.samples.push_back({part.share, result.wall_s});
-    } else if (!result.payload.empty()) {
-      entry.rehearsal.void_reason = result.payload.substr(std::string("void: ").size());
+    if (!result.payload.empty()) {
+      const PlayedPart played = played_part_of(result.payload);
+      entry.rehearsal.void_reason = played.void_reason;
+      if (played.void_reason.empty())
+        entry.samples.push_back(
+            {part.share * played.share, result.wall_s, played.start_s, played.team_s});
     } else if (entry.samples.empty() || !result.is_late) {
       entry.rehearsal.void_reason = result.failure;
     }  // otherwise, a longer part ran out of time
   }
 
-  std::vector<Rehearsal> estimates() const {
+  std::vector<Rehearsal> estimates() {
     double sum_s = 0;
     int tried = 0;
-    for (const Entry& entry : entries_) {
+    for (Entry& entry : entries_) {
       if (!entry.plays()) continue;
-      sum_s += whole_game_s(entry.samples);
+      entry.estimate();
+      sum_s += entry.rehearsal.wall_s_a_game;
       ++tried;
     }
     std::vector<Rehearsal> rehearsals;
@@ -169,7 +244,6 @@ class Rehearsals {
       rehearsals.push_back(entry.rehearsal);
       Rehearsal& rehearsal = rehearsals.back();
       rehearsal.was_tried = !entry.samples.empty() || !rehearsal.void_reason.empty();
-      if (entry.plays()) rehearsal.wall_s_a_game = whole_game_s(entry.samples);
       if (!rehearsal.was_tried && tried > 0) rehearsal.wall_s_a_game = sum_s / tried;
     }
     return rehearsals;
@@ -180,18 +254,56 @@ class Rehearsals {
   const Clock::time_point began_ = Clock::now();
 };
 
+using Shares = std::vector<std::pair<double, std::string>>;  // by name, the largest first
+
+void merge_least(Shares& shares) {
+  double others = 0;
+  for (std::size_t i = kMostPrograms; i < shares.size(); ++i) others += shares[i].first;
+  const std::string name = fmt::format("{} others", shares.size() - kMostPrograms);
+  shares.resize(kMostPrograms);
+  shares.emplace_back(others, name);
+}
+
+// `all_s` is the sum over all workers, as the programs' times are; `duration_s` is what the user
+// waits.
+std::string text_of_costs(const std::map<std::string, double>& programs_s, double all_s,
+                          double duration_s) {
+  Shares shares;
+  double of_all = 0;
+  for (const auto& [name, wall_s] : programs_s) {
+    shares.emplace_back(wall_s / all_s, name);
+    of_all += wall_s / all_s;
+  }
+  std::sort(shares.begin(), shares.end(), std::greater<>());
+  if (shares.size() > kMostPrograms) merge_least(shares);
+  std::vector<std::string> costs;
+  costs.reserve(shares.size());
+  for (const auto& [share, name] : shares) {
+    costs.push_back(
+        fmt::format("{} {} ({:.0f} %)", name, duration_text(share * duration_s), 100 * share));
+  }
+  return fmt::format("of that, the teams' programs take: {}; all else takes about {}",
+                     fmt::join(costs, ", "), duration_text((1 - of_all) * duration_s));
+}
+
 }  // namespace
 
-// Extrapolates linearly, through the first part and the mean of the others.
+// Extrapolates linearly, through the first part and the mean of the longest ones.
 double whole_game_s(const std::vector<RehearsedPart>& parts) {
   const RehearsedPart& first = parts.front();
-  if (parts.size() == 1) return first.wall_s / first.share;
+  double longest = 0;
+  for (const RehearsedPart& part : parts) longest = std::max(longest, part.share);
   RehearsedPart longer;
-  const auto count = static_cast<double>(parts.size() - 1);
+  double count = 0;
   for (std::size_t i = 1; i < parts.size(); ++i) {
-    longer.share += parts[i].share / count;
-    longer.wall_s += parts[i].wall_s / count;
+    if (parts[i].share < longest / 2) continue;
+    longer.share += parts[i].share;
+    longer.wall_s += parts[i].wall_s;
+    ++count;
   }
+  if (count == 0) return first.start_s + (first.wall_s - first.start_s) / first.share;
+  longer.share /= count;
+  longer.wall_s /= count;
   if (longer.share >= 1 || longer.share <= first.share) return longer.wall_s / longer.share;
   const double slope = std::max(0.0, (longer.wall_s - first.wall_s) / (longer.share - first.share));
   return longer.wall_s + slope * (1 - longer.share);
@@ -216,6 +328,19 @@ double duration_s(const std::vector<Rehearsal>& rehearsals, int workers) {
     }
   }
   return end_s;
+}
+
+std::string cost_of_programs(const std::vector<Rehearsal>& rehearsals, int workers) {
+  double all_s = 0;
+  std::map<std::string, double> programs_s;
+  for (const Rehearsal& rehearsal : rehearsals) {
+    all_s += rehearsal.games * rehearsal.wall_s_a_game;
+    for (const RehearsedTeam& team : rehearsal.teams) {
+      if (team.is_program) programs_s[team.name] += rehearsal.games * team.wall_s_a_game;
+    }
+  }
+  if (programs_s.empty() || all_s <= 0) return "";
+  return text_of_costs(programs_s, all_s, duration_s(rehearsals, workers));
 }
 
 }  // namespace autoref::runner

@@ -20,7 +20,11 @@ namespace {
 
 std::string verdict_on(const Rehearsal& rehearsal) {
   if (!rehearsal.void_reason.empty()) return "void: " + rehearsal.void_reason;
-  return rehearsal.was_tried ? "plays" : "not tried: would take too long";
+  if (!rehearsal.was_tried) return "not tried: would take too long";
+  if (rehearsal.share >= 1) return "plays";
+  const double percent = 100 * rehearsal.share;
+  return fmt::format("plays; estimated from {} % of a game",
+                     percent < 1 ? "less than 1" : fmt::format("{:.0f}", percent));
 }
 
 std::string table_of(const std::vector<Rehearsal>& rehearsals) {
@@ -31,6 +35,14 @@ std::string table_of(const std::vector<Rehearsal>& rehearsals) {
   }
   return table_text({std::move(rows), {Align::kLeft, Align::kRight, Align::kRight, Align::kLeft}},
                     text_width(stdout));
+}
+
+// In the order of summary.csv.
+std::vector<Rehearsal> sorted(std::vector<Rehearsal> rehearsals) {
+  std::stable_sort(
+      rehearsals.begin(), rehearsals.end(),
+      [](const Rehearsal& one, const Rehearsal& other) { return one.variant < other.variant; });
+  return rehearsals;
 }
 
 // Replaces the number of a tuning's iteration, so that all iterations count as one variant:
@@ -54,12 +66,14 @@ int check_verb(const CheckArguments& arguments) {
   const int workers = arguments.worker_count();
   const std::vector<Rehearsal> rehearsals =
       rehearse(is_tuning(scenario) ? without_iterations(games) : games,
-               {[](const GameConfiguration& game) {
-                  return play(game, nullptr, make_program_or_registered_team);
+               {[](const GameConfiguration& game, double most_wall_s) {
+                  return play_part(game, most_wall_s, make_program_or_registered_team);
                 },
                 workers});
-  fmt::print("{}\n{} games, about {} with {} in parallel\n", table_of(rehearsals), games.size(),
-             duration_text(duration_s(rehearsals, workers)), workers);
+  fmt::print("{}\n{} games, about {} with {} in parallel\n", table_of(sorted(rehearsals)),
+             games.size(), duration_text(duration_s(rehearsals, workers)), workers);
+  const std::string programs = cost_of_programs(rehearsals, workers);
+  if (!programs.empty()) fmt::print("{}\n", wrapped(programs, text_width(stdout)));
   const std::string caveat = caveat_of_schedule(scenario);
   if (!caveat.empty()) fmt::print("{}\n", caveat);
   const bool all_play =
@@ -86,7 +100,11 @@ void add_check_verb(CLI::App& app, Chosen& chosen) {
   verb->footer(
       "Takes at most ten seconds. Plays a few seconds of every variant and continues as far as "
       "time\n"
-      "allows. The estimate assumes that the machine stays as busy as it is now.\n\n"
+      "allows; a variant whose games take too long is estimated from a part of a game. If teams "
+      "are\n"
+      "programs, the last line names how much of the time each of them takes. The estimate "
+      "assumes\n"
+      "that the machine stays as busy as it is now.\n\n"
       "Example:\n  autoref check scenarios/handicap-speed.yaml");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return check_verb(*arguments); }; });
 }

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <functional>
 #include <stdexcept>
 #include <thread>
 
@@ -17,16 +19,23 @@ using std::chrono::duration;
 
 constexpr double kAmple_s = 3600;  // for games of milliseconds, however busy the machine is
 
+// A rehearsal with fake games.
+struct FakeRehearsal {
+  std::function<GameRecord(const GameConfiguration&)> play;
+  int workers = 1;
+  double longest_s = RehearsalOptions{}.longest_s;
+};
+
 // Rehearses games in workers. Each game appends its number of robots and its half length to a file.
 class Rehearse : public testing::Test {
  protected:
-  std::vector<Rehearsal> rehearsed(const Scenario& scenario, RehearsalOptions options) const {
-    options.play = [this, play = options.play](const GameConfiguration& game) {
+  std::vector<Rehearsal> rehearsed(const Scenario& scenario, const FakeRehearsal& fake) const {
+    const auto play = [this, &fake](const GameConfiguration& game, double /*most_wall_s*/) {
       write_content(folder_ / "games",
                     fmt::format("{} {}\n", game.b.robots.size(), game.match.half_s), std::ios::app);
-      return play(game);
+      return PlayedPart{.void_reason = fake.play(game).void_reason};
     };
-    return rehearse(scheduled_games(scenario), options);
+    return rehearse(scheduled_games(scenario), {play, fake.workers, fake.longest_s});
   }
   std::string games() const { return content_of(folder_ / "games"); }
 
@@ -86,6 +95,90 @@ TEST_F(Rehearse, PlaysALongerPartIfThereIsNoTimeForAWholeGame) {
   const double longer_half_s = std::stod(all.substr(all.rfind(' ')));
   EXPECT_GT(longer_half_s, 10) << all;
   EXPECT_GT(rehearsals[0].wall_s_a_game, longer_half_s / 100);
+}
+
+// A second of the game takes 0.1 s, its 5 s per half 1 s: in 2 s, 10 variants can only be tried if
+// each stops early.
+PlayedPart play_slowly(const GameConfiguration& game, double most_wall_s) {
+  const double whole_s = 0.1 * game.match.half_s * game.match.halves;
+  const double wall_s = std::min(whole_s, most_wall_s);
+  std::this_thread::sleep_for(duration<double>(wall_s));
+  return {.share = wall_s / whole_s};
+}
+
+Scenario sweep_of_ten() {
+  Scenario scenario = small_sweep(1);
+  auto& sweep = std::get<Sweep>(scenario.content);
+  sweep.factors = {{"sim.vision.ball_noise_m", {}}};
+  for (int i = 0; i < 10; ++i) sweep.factors[0].values.emplace_back(i / 1000.0);
+  return scenario;
+}
+
+TEST(RehearseSlowGames, TriesEveryVariantForAShareOfTheTime) {
+  const std::vector<Rehearsal> rehearsals =
+      rehearse(scheduled_games(sweep_of_ten()), {play_slowly, 1, 4});
+  ASSERT_EQ(rehearsals.size(), 10U);
+  for (const Rehearsal& rehearsal : rehearsals) {
+    EXPECT_TRUE(rehearsal.was_tried) << rehearsal.played;
+    EXPECT_LT(rehearsal.share, 0.01);
+    EXPECT_GT(rehearsal.wall_s_a_game, 119);
+  }
+}
+
+TEST_F(Rehearse, ReportsWhatShareOfAGameItsEstimateIsFrom) {
+  const auto play = [](const GameConfiguration& game, double /*most_wall_s*/) {
+    return PlayedPart{.share = game.match.half_s > 100 ? 0.25 : 1};
+  };
+  const std::vector<Rehearsal> rehearsals =
+      rehearse(scheduled_games(small_sweep(1)), {play, 1, kAmple_s});
+  EXPECT_DOUBLE_EQ(rehearsals[0].share, 0.25);
+}
+
+TEST(WholeGame, StartsOnlyOnce) { EXPECT_NEAR(whole_game_s({{0.01, 0.53, 0.5}}), 3.5, 1e-9); }
+
+Scenario roundrobin_with_a_program() {
+  Scenario scenario = small_roundrobin({6, 6}, 1);
+  std::get<RoundRobin>(scenario.content).teams["team1"].command = {"true"};
+  return scenario;
+}
+
+// The rehearsed part takes 0.2 s, of which the program takes three quarters.
+TEST(RehearsePrograms, SplitsTheTimeBetweenTheTeams) {
+  const auto play = [](const GameConfiguration&, double /*most_wall_s*/) {
+    std::this_thread::sleep_for(duration<double>(0.2));
+    return PlayedPart{.team_s = {0.02, 0.15}};
+  };
+  const std::vector<Rehearsal> rehearsals =
+      rehearse(scheduled_games(roundrobin_with_a_program()), {play, 1, 2});
+  const auto& teams = rehearsals.at(0).teams;
+  EXPECT_EQ(teams[1].name, "team1");
+  EXPECT_TRUE(teams[1].is_program);
+  EXPECT_FALSE(teams[0].is_program);
+  EXPECT_NEAR(teams[1].wall_s_a_game / rehearsals[0].wall_s_a_game, 0.7, 0.15);
+}
+
+// A run starts programs again and plays the first 10 s of 1200 s again.
+TEST(RehearsePrograms, IncludesTheirRepetition) {
+  const auto play = [](const GameConfiguration&, double /*most_wall_s*/) {
+    std::this_thread::sleep_for(duration<double>(0.2));
+    return PlayedPart{.start_s = 0.1};
+  };
+  const auto with = rehearse(scheduled_games(roundrobin_with_a_program()), {play, 1, kAmple_s});
+  EXPECT_GT(with[0].wall_s_a_game, 0.3);
+}
+
+TEST(CostOfPrograms, NamesTheProgramsByTheirShareOfTheTime) {
+  Rehearsal one{"x", 10, "", 4.0};
+  one.teams = {RehearsedTeam{"mine", true, 3.0}, RehearsedTeam{"basic", false, 0.5}};
+  Rehearsal other{"y", 10, "", 1.0};
+  other.teams = {RehearsedTeam{"slow", true, 0.5}, RehearsedTeam{"basic", false, 0.5}};
+  EXPECT_EQ(cost_of_programs({one, other}, 1),
+            "of that, the teams' programs take: mine 30 s (60 %), slow 5 s (10 %); all else takes "
+            "about 15 s");
+}
+
+TEST(CostOfPrograms, IsNotMentionedWithoutPrograms) {
+  EXPECT_EQ(cost_of_programs({{"x", 10, "", 4.0}}, 1), "");
 }
 
 TEST(WholeGame, IsExtrapolatedFromItsFirstSeconds) {

@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include "runner/io/errors.hpp"
+#include "tests/checkout.hpp"
 #include "tests/runner/cli/answer.hpp"
 #include "tests/runner/support/temporary_folder.hpp"
 #include "tests/runner/support/time_limit.hpp"
@@ -36,6 +37,28 @@ TEST_F(FolderVerbs, CheckListsAndRehearsesTheGames) {
   EXPECT_EQ(checked.code, kDone);
   EXPECT_NE(checked.out.find("b.robots=5       2"), std::string::npos) << checked.out;
   EXPECT_NE(checked.out.find("\n4 games, about "), std::string::npos) << checked.out;
+}
+
+TEST_F(FolderVerbs, CheckNamesTheCostOfPrograms) {
+  const std::string file = (folder_ / "python.yaml").string();
+  write_content(file,
+                "schema: 1\nkind: roundrobin\nseed: 1\npairs: 1\n"
+                "base: { match: { rules: paper, half_s: 5 } }\n"
+                "teams:\n  still: { strategy: dummy }\n  mine: { command: [python3, " +
+                    in_checkout("runner/team_programs/templates/python/my_team.py") + "] }\n");
+  const Answer checked = answer_to({"check", file.c_str()});
+  EXPECT_EQ(checked.code, kDone) << checked.err;
+  EXPECT_NE(checked.out.find("of that, the teams' programs take: mine "), std::string::npos)
+      << checked.out;
+}
+
+// Whole games of all 28 matchups take longer than a check.
+TEST_F(FolderVerbs, CheckTriesEveryMatchupOfALongExperiment) {
+  const std::string robin = in_checkout("scenarios/roundrobin.yaml");
+  const Answer checked =
+      answer_to({"check", robin.c_str(), "-j", "1", "--set", "match.half_s=3000"});
+  EXPECT_EQ(checked.out.find("not tried"), std::string::npos) << checked.out;
+  EXPECT_NE(checked.out.find("% of a game\n"), std::string::npos) << checked.out;
 }
 
 TEST_F(FolderVerbs, StatusShowsProgress) {
