@@ -21,8 +21,8 @@ struct LastTouch {
   double gap_m = 0;              // gap between the ball's surface and the robot's hull at that time
   double speed_change_mps = 0;   // velocity change of the ball that friction does not explain
   std::optional<RobotId> runner_up;  // the next best candidate
-  // Probability, from 0.5 to 1, that nobody else touched the ball in a gap in vision since then, or
-  // during which this touch was (touch/kept_touch.hpp); 1 without a gap.
+  // Probability, from 0.5 to 1, that a gap in vision since then, or during which this touch was,
+  // hides no later touch of the other side (touch/kept_touch.hpp); 1 without a gap.
   double kept = 1;
 };
 

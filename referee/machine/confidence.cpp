@@ -73,7 +73,9 @@ void add_confidence(Finding& finding, const RefereeState& state, const RefereeIn
   const ConfidenceCoefficients& coefficients = row == kFitted.end() ? kOfOtherCalls : row->values;
   finding.confidence_features = confidence_features(finding, state, input);
   finding.confidence = confidence_by(coefficients, finding.confidence_features);
-  if (entry_of(finding.event).is_exit) finding.confidence *= input.last_touch.kept;
+  const bool is_by_last_touch =
+      entry_of(finding.event).is_exit || finding.event == Event::kAimlessKick;
+  if (is_by_last_touch) finding.confidence *= input.last_touch.kept;
 }
 
 }  // namespace autoref::referee

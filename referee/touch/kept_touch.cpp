@@ -62,7 +62,7 @@ bool leads_from(const Vec2& from_m, const Vec2& now_m, const Vec2& now_mps, doub
   const double speed_mps = now_mps.norm();
   return speed_mps > kMoves_mps && path_m.norm() > kMovedOn_m && path_m.dot(now_mps) > 0 &&
          std::abs(cross(path_m, now_mps)) < kBesidePath_m * speed_mps &&
-         path_m.norm() <= within_s * speed_mps;
+         path_m.norm() <= kFaster * within_s * speed_mps;
 }
 
 bool goes_straight_on(const BeforeGap& before, const Vec2& now_mps) {
@@ -106,7 +106,8 @@ std::optional<LastTouch> kept_touch(const BeforeGap& before, const FrameHistory&
     return std::nullopt;
   }
   LastTouch touch = before.last;
-  touch.kept *= kept_over(gap_s, kStraightLasts_s);
+  // The teams may change places in either gap, or in both.
+  touch.kept = 0.5 + 2 * (touch.kept - 0.5) * (kept_over(gap_s, kStraightLasts_s) - 0.5);
   return touch;
 }
 

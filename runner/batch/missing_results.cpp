@@ -69,11 +69,11 @@ std::vector<std::string> results_below(const fs::path& folder) {
 
 std::string text_without_scenario(const fs::path& folder, const StoredRowFiles& rows) {
   return fmt::format(
-      "{0}/ has {1} rows in {2} file{3}, but {4}, which says what experiment they belong to, is "
+      "{0}/ has {1} row{6} in {2} file{3}, but {4}, which says what experiment they belong to, is "
       "missing. Copy it from where they were played (all shards have the same), or repeat the "
       "command that played them with -o {5}: it writes {4} and keeps the rows",
       kGamesFolder, rows.rows, rows.files, rows.files == 1 ? "" : "s", kEffectiveFile,
-      folder.string());
+      folder.string(), rows.rows == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -99,8 +99,10 @@ std::string missing_results_text(const fs::path& folder) {
       "holds no results: expected {} and a folder {}, as written by autoref run and "
       "autoref judge",
       kEffectiveFile, kGamesFolder);
-  return has_scenario ? fmt::format("{}; the folder {} is missing", expected, kGamesFolder)
-                      : expected;
+  const bool has_games = fs::is_directory(folder / kGamesFolder, none);
+  return has_scenario && !has_games
+             ? fmt::format("{}; the folder {} is missing", expected, kGamesFolder)
+             : expected;
 }
 
 }  // namespace autoref::runner

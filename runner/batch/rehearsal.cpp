@@ -221,10 +221,12 @@ class Rehearsals {
     Entry& entry = entries_[part.entry];
     if (!result.payload.empty()) {
       const PlayedPart played = played_part_of(result.payload);
-      entry.rehearsal.void_reason = played.void_reason;
-      if (played.void_reason.empty())
+      if (played.void_reason.empty()) {
         entry.samples.push_back(
             {part.share * played.share, result.wall_s, played.start_s, played.team_s});
+      } else if (entry.plays()) {
+        entry.rehearsal.void_reason = played.void_reason;
+      }
     } else if (entry.samples.empty() || !result.is_late) {
       entry.rehearsal.void_reason = result.failure;
     }  // otherwise, a longer part ran out of time

@@ -76,10 +76,13 @@ double played_clock_s(const MatchConfiguration& match, const RefereeSignal& sign
       return 0;
     case Stage::kFirstHalf:
       return match.half_s - signal.stage_time_left_s;
+    case Stage::kHalfTime:
+    case Stage::kSecondHalfPre:
+      return match.half_s;
     case Stage::kSecondHalf:
       return 2 * match.half_s - signal.stage_time_left_s;
-    default:
-      return match.half_s;
+    default:  // extra time and after
+      return match.halves * match.half_s;
   }
 }
 

@@ -10,6 +10,7 @@
 #include "runner/io/terminal.hpp"
 #include "runner/judge/judged_rows.hpp"
 #include "runner/report/folder_report.hpp"
+#include "runner/report/sections.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -54,9 +55,7 @@ int status_verb(const FolderArguments& arguments) {
   const ExperimentResults results = results_of(folder.scenario, folder.completed_games.done);
   fmt::print("\n{}", text_of(results.table, text_width(stdout)));
   if (!folder.is_complete() && !results.groups.empty()) {
-    fmt::print(
-        "\nDo not stop early because of interim intervals: stopping at the first favourable one is "
-        "wrong far more often than one time in twenty.\n");
+    fmt::print("\n{}\n", kInterimWarning);
   }
   return kDone;
 }

@@ -1,4 +1,6 @@
 // Reads the ids of games quickly. Declared in completion.hpp.
+#include <algorithm>
+#include <cstdint>
 #include <fstream>
 #include <set>
 #include <system_error>
@@ -20,6 +22,9 @@ constexpr int kMostFiles = 1000;
 std::string beginning_of(const fs::path& file, std::size_t most) {
   std::error_code none;
   if (!fs::is_regular_file(file, none)) return {};
+  const std::uintmax_t size = fs::file_size(file, none);
+  if (none) return {};
+  most = static_cast<std::size_t>(std::min<std::uintmax_t>(most, size));
   std::string text(most, '\0');
   std::ifstream stream(file, std::ios::binary);
   stream.read(text.data(), static_cast<std::streamsize>(most));

@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::size_t kGap = 3;            // between columns
 constexpr std::size_t kNarrowGap = 2;      // likewise, if the table is too wide
+constexpr std::size_t kMostFitted = 2000;  // rows; longer tables keep their width
 constexpr std::size_t kNarrowestCell = 8;  // words are not broken into shorter pieces
 
 using TextRows = std::vector<std::vector<std::string>>;
@@ -261,7 +262,8 @@ std::string wrapped(const std::string& text, std::size_t width) {
 std::string table_text(const TextTable& table, std::size_t width) {
   if (table.rows.empty()) return {};
   std::vector<std::size_t> natural = widths_of(table.rows);
-  if (total_of(natural, kGap) <= width) return rows_in_columns(table, {std::move(natural)});
+  if (total_of(natural, kGap) <= width || table.rows.size() > kMostFitted)
+    return rows_in_columns(table, {std::move(natural)});
   for (const Breaks breaks : {Breaks::kBetweenWords, Breaks::kBeforeDeviations}) {
     ColumnFitter fitter(table.rows, breaks);
     if (fitter.fit(width)) return rows_in_columns(table, {fitter.widths(), kNarrowGap, breaks});

@@ -34,10 +34,11 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows,
 // Breaks lines that are longer than `width` between words.
 std::string wrapped(const std::string& text, std::size_t width);
 
-// Formats the table in lines of at most `width` characters; everything is shown. A table that is
-// too wide gets narrower gaps, then cells of several lines, which are broken between words but not
-// within an interval in brackets; finally, the columns that do not fit follow in another table
-// below, which repeats the `keys`.
+// Formats the table in lines of at most `width` characters, if that is room for its keys and
+// another column of 8 each; everything is shown. Tables of more than 2000 rows keep their width. A
+// table that is too wide gets narrower gaps, then cells of several lines, which are broken between
+// words but not within an interval in brackets; finally, the columns that do not fit follow in
+// another table below, which repeats the `keys`.
 std::string table_text(const TextTable& table, std::size_t width);
 
 // table_text() and wrapped() of the blocks.

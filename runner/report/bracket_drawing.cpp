@@ -10,6 +10,7 @@ namespace autoref::runner {
 namespace {
 
 constexpr std::size_t kHeadLines = 1;  // of the grid, above the ties
+constexpr std::size_t kMostTies = 32;  // of the first round shown
 
 bool has_tie_at(const BracketPlace& place, const CupBracket& bracket) {
   return std::any_of(bracket.ties.begin(), bracket.ties.end(),
@@ -56,7 +57,7 @@ std::string placed_tie_html(const TieResult& tie, std::size_t column, std::size_
 std::vector<std::size_t> rounds_of(const CupBracket& bracket) {
   std::vector<std::size_t> rounds;
   for (const TieResult& tie : bracket.ties) {
-    if (!tie.place) continue;
+    if (!tie.place || tie.place->ties_in_round > kMostTies) continue;
     if (rounds.empty() || rounds.back() != tie.place->ties_in_round)
       rounds.push_back(tie.place->ties_in_round);
   }

@@ -9,7 +9,8 @@
 
 namespace autoref::runner {
 
-// The numbers of ties in the rounds, including byes, from the first round to the final: 4, 2, 1.
+// The numbers of ties in the rounds, including byes, from the first round to the final: 4, 2, 1. Of
+// a cup of more than 64 teams only the last rounds are laid out.
 std::vector<std::size_t> rounds_of(const CupBracket& bracket);
 
 // An element that page_bracket_style() (view/page_parts.hpp) arranges: columns of ties with lines

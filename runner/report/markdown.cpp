@@ -111,7 +111,7 @@ std::vector<std::vector<std::string>> bracket_lines(const CupBracket& bracket,
                                               std::vector<std::string>(rounds.size()));
   std::size_t used = 0;
   for (const TieResult& tie : bracket.ties) {
-    if (!tie.place) continue;
+    if (!tie.place || tie.place->ties_in_round > rounds.front()) continue;
     const auto column = std::find(rounds.begin(), rounds.end(), tie.place->ties_in_round);
     const std::size_t line = tie.place->position * (rounds.front() / tie.place->ties_in_round);
     lines[line][static_cast<std::size_t>(column - rounds.begin())] = tie_markdown(tie);

@@ -99,7 +99,7 @@ std::string start_failure(const ProgramSpec& spec, const SupervisorReport& repor
     case SupervisorReport::kNoDirectory:
       return fmt::format("cannot enter the directory {}: {}", spec.directory, reason);
     case SupervisorReport::kUnreadable:
-      return fmt::format("{} cannot read {}: {}", spec.command[0],
+      return fmt::format("{} may not use {}: {}", spec.command[0],
                          spec.command.at(static_cast<std::size_t>(report.argument)), reason);
     case SupervisorReport::kNoProgram:
       return fmt::format("cannot start {}: {}", spec.command[0], reason);
@@ -150,7 +150,11 @@ ProgramProcess::ProgramProcess(ProgramSpec spec) : spec_(std::move(spec)) {
   Pipe reports;
   Pipe started;
   stderr_.emplace(err.release(0), spec_);
-  if (runs_as_root()) user_.emplace();
+  if (runs_as_root()) {
+    user_.emplace();
+    // Programs open /dev/stderr and the like by name, which only the owner of a pipe may.
+    for (const int end : {in.reader(), out.writer(), err.writer()}) user_->give(end);
+  }
   supervisor_ = start_supervisor(
       user_ ? with_environment(spec_, user_->environment()) : spec_,
       {in.reader(), out.writer(), err.writer(), life.reader(), reports.writer(), started.writer()},

@@ -19,6 +19,8 @@ namespace {
 constexpr int kFirstUser = 61184;
 constexpr int kUsers = 4336;
 constexpr const char* kLocks = "/run/autoref-users";
+constexpr const char* kCannot =
+    "AutoRef runs as root, but cannot start programs under another user; start it as a user";
 
 // Whether root of this user namespace is an ordinary user outside, who cannot become another one.
 bool is_a_user_outside() {
@@ -44,14 +46,16 @@ bool has_account(int id) {
 }
 
 // Locks the byte of the id in a file of root's. The lock ends with the descriptor, however the
-// process ends. Returns whether nobody else holds it.
+// process ends. Returns whether nobody else holds it; throws if that cannot be known.
 bool lock(int file, int id) {
   struct flock byte {};
   byte.l_type = F_WRLCK;
   byte.l_whence = SEEK_SET;
   byte.l_start = id;
   byte.l_len = 1;
-  return fcntl(file, F_OFD_SETLK, &byte) == 0;
+  if (fcntl(file, F_OFD_SETLK, &byte) == 0) return true;
+  if (errno == EAGAIN || errno == EACCES) return false;
+  throw io_error(fmt::format("{}: {}", kCannot, kLocks), errno);
 }
 
 }  // namespace
@@ -67,7 +71,7 @@ bool runs_as_root() {
 
 ProgramUser::LockFile::LockFile()
     : descriptor(open(kLocks, O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0600)) {
-  if (descriptor < 0) throw io_error(kLocks, errno);
+  if (descriptor < 0) throw io_error(fmt::format("{}: {}", kCannot, kLocks), errno);
 }
 
 ProgramUser::LockFile::~LockFile() { close(descriptor); }
@@ -82,11 +86,15 @@ ProgramUser::ProgramUser() {
   const auto id = static_cast<uid_t>(id_);
   if (chown(folder_.path().c_str(), id, id) != 0) {
     const int error_number = errno;
-    throw io_error(fmt::format("AutoRef runs as root, but cannot start programs under another "
-                               "user; start it as a user: {} cannot be given to user {}",
-                               folder_.path().string(), id_),
-                   error_number);
+    throw io_error(
+        fmt::format("{}: {} cannot be given to user {}", kCannot, folder_.path().string(), id_),
+        error_number);
   }
+}
+
+void ProgramUser::give(int descriptor) const {
+  const auto id = static_cast<uid_t>(id_);
+  if (fchown(descriptor, id, id) != 0) throw io_error(kCannot, errno);
 }
 
 std::vector<std::string> ProgramUser::environment() const {

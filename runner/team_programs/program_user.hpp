@@ -21,6 +21,9 @@ class ProgramUser {
 
   int id() const { return id_; }  // also of its group
 
+  // Makes the user the owner of an open file.
+  void give(int descriptor) const;
+
   // "NAME=value": the folder as HOME and TMPDIR.
   std::vector<std::string> environment() const;
 

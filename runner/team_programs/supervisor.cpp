@@ -75,7 +75,8 @@ std::vector<NamedFile> files_of(const ProgramSpec& spec) {
       std::filesystem::absolute(spec.directory.empty() ? "." : spec.directory, error);
   for (std::size_t i = 0; i < spec.command.size(); ++i) {
     const std::string path = directory / spec.command[i];
-    if (std::filesystem::exists(path, error)) files.push_back({static_cast<int>(i), path});
+    if (!spec.command[i].empty() && std::filesystem::exists(path, error))
+      files.push_back({static_cast<int>(i), path});
   }
   return files;
 }
@@ -105,7 +106,7 @@ bool leave_root(int user) {
 
 void check_files(const ProgramEnds& ends, const PreparedProgram& prepared) {
   for (const NamedFile& file : prepared.files) {
-    if (access(file.path.c_str(), R_OK) != 0)
+    if (access(file.path.c_str(), file.argument == 0 ? X_OK : R_OK) != 0)
       fail_to_start(ends.started, SupervisorReport::kUnreadable, file.argument);
   }
 }

@@ -103,7 +103,21 @@ TEST(KeptTouch, IsForgottenAfterSeveralSeconds) {
   skip_moving(game, 8);
   game.ball_mps = Vec2(0.2, 1.5);
   const Decision exit = exit_of(game);
-  EXPECT_LE(exit.last_touch.kept, exit.last_touch.side ? 0.51 : 1.0);
+  ASSERT_TRUE(exit.last_touch.side);
+  EXPECT_GE(exit.last_touch.kept, 0.5);
+  EXPECT_LE(exit.last_touch.kept, 0.51);
+}
+
+TEST(KeptTouch, IsLessSureAfterEachOfTwoGaps) {
+  ScriptedGame game = yellow_has_the_ball();
+  game.ball_mps = Vec2(0.05, 0.55);
+  skip_moving(game, 1.1);
+  game.run(0.2);
+  skip_moving(game, 1.1);
+  const Decision exit = exit_of(game);
+  EXPECT_EQ(exit.last_touch.robot, kYellow1);
+  EXPECT_GT(exit.last_touch.kept, 0.7);
+  EXPECT_LT(exit.last_touch.kept, 0.77);
 }
 
 TEST(KeptTouch, GivesWayToTheNextTouch) {

@@ -235,6 +235,21 @@ TEST_F(Rehearse, ReportsWhyAGameIsVoid) {
   EXPECT_EQ(rehearsals[1].void_reason, "a threw");
 }
 
+TEST_F(Rehearse, RemembersAVoidGameAfterGoodOnes) {
+  const std::vector<Rehearsal> rehearsals =
+      rehearse(scheduled_games(small_sweep(1)),
+               {[this](const GameConfiguration& game, double /*most_wall_s*/) {
+                  // Parts are played in workers, which share nothing but files.
+                  const bool is_first_whole = game.match.half_s > 5 && games().empty();
+                  if (is_first_whole) write_content(folder_ / "games", "void");
+                  return PlayedPart{.void_reason = is_first_whole ? "a threw" : ""};
+                },
+                1, kAmple_s});
+  ASSERT_EQ(rehearsals.size(), 2U);
+  EXPECT_EQ(rehearsals[0].void_reason, "a threw");
+  EXPECT_EQ(rehearsals[1].void_reason, "");
+}
+
 TEST_F(Rehearse, ReportsAGameThatCrashesInTheMiddle) {
   const auto play = [](const GameConfiguration& game) {
     if (game.match.half_s > 100) std::abort();

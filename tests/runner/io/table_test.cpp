@@ -62,6 +62,12 @@ TEST(TableText, FitsEveryWidthAndLosesNothing) {
   }
 }
 
+TEST(TableText, OfThousandsOfRowsKeepsItsWidth) {
+  TextTable table;
+  for (int i = 0; i < 3000; ++i) table.rows.push_back({"name", "two words", "two more words"});
+  EXPECT_EQ(table_text(table, 20), aligned(table.rows));
+}
+
 TEST(TableText, ContinuesBelowWithTheKeysIfWordsDoNotFit) {
   const TextTable table = {
       {{"team", "first", "second", "third"}, {"zone", "11111", "222222", "33333"}}, {Align::kLeft}};

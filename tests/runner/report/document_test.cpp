@@ -1,7 +1,11 @@
 #include "runner/report/document.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "runner/report/bracket_drawing.hpp"
 #include "tests/runner/support/has_part.hpp"
 
 namespace autoref::runner {
@@ -94,6 +98,24 @@ TEST(Markdown, ShowsABracketWithAColumnPerRound) {
                   "|  | a : winner of semi-final 1 |\n"
                   "| **b\\_\\<i\\>** 1 (4) : 1 (2) c\\_\\*, shoot-out |  |\n"))
       << text;
+}
+
+// A cup of 128 teams, of which only the ties of the last rounds are laid out.
+TEST(Bracket, OfALargeCupBeginsWithARoundOf32Ties) {
+  CupBracket cup;
+  for (std::size_t ties = 64; ties >= 1; ties /= 2) {
+    for (std::size_t i = 0; i < ties; ++i)
+      cup.ties.push_back({fmt::format("tie {} of {}", i, ties),
+                          BracketPlace{ties, i},
+                          {{{"a", false, "", false}, {"b", false, "", false}}},
+                          ""});
+  }
+  EXPECT_EQ(rounds_of(cup), (std::vector<std::size_t>{32, 16, 8, 4, 2, 1}));
+  const std::string html = html_of({"t", {cup}});
+  EXPECT_FALSE(has(html, "tie 63 of 64"));
+  EXPECT_TRUE(has(html, "tie 31 of 32"));
+  const std::string markdown = markdown_of({"t", {cup}});
+  EXPECT_EQ(std::count(markdown.begin(), markdown.end(), ':'), 63);
 }
 
 TEST(Html, EmbedsTheDrawingsOfFigures) {

@@ -108,6 +108,12 @@ TEST_F(ProgramsOfRoot, HaveAFolderOfTheirOwnWhileTheyRun) {
   EXPECT_FALSE(fs::exists(text.substr(5, text.size() - 5 - 5)));
 }
 
+TEST_F(ProgramsOfRoot, CanOpenTheirStreamsByName) {
+  EXPECT_EQ(output_of(script("echo a >/dev/stdout && echo b >/dev/stderr && : </dev/stdin && echo "
+                             "c >/proc/self/fd/1")),
+            "a\nc\n");
+}
+
 TEST_F(ProgramsOfRoot, KeepTheFolderThatTheirTeamHasGiven) {
   ProgramSpec spec = script("echo $HOME");
   spec.environment.emplace_back("HOME=/given");
@@ -124,20 +130,20 @@ TEST_F(ProgramsOfRoot, AreRefusedWithAnExplanationIfTheyCouldNotReadTheirFiles) 
       "may read only what everybody may: start AutoRef as a user, or give the program a folder "
       "that everybody may read";
   EXPECT_EQ(refusal_of(program({"/bin/sh", file.string()})),
-            "/bin/sh cannot read " + file.string() + hint);
+            "/bin/sh may not use " + file.string() + hint);
   ProgramSpec relative = program({"/bin/sh", "team.sh"});
   relative.directory = folder.path().string();
-  EXPECT_EQ(refusal_of(relative), "/bin/sh cannot read team.sh" + hint);
+  EXPECT_EQ(refusal_of(relative), "/bin/sh may not use team.sh" + hint);
   fs::create_directory(folder / "inside");
   fs::permissions(file, fs::perms::all);
   ProgramSpec below = program({"/bin/sh", "inside/../team.sh"});
   fs::permissions(folder / "inside", fs::perms::none);
   below.directory = folder.path().string();
-  EXPECT_EQ(refusal_of(below), "/bin/sh cannot read inside/../team.sh" + hint);
+  EXPECT_EQ(refusal_of(below), "/bin/sh may not use inside/../team.sh" + hint);
   fs::permissions(folder.path(), fs::perms::owner_all);
   EXPECT_EQ(refusal_of(relative), "cannot enter the directory " + folder.path().string() + hint);
   EXPECT_EQ(refusal_of(program({file.string()})),
-            file.string() + " cannot read " + file.string() + hint);
+            file.string() + " may not use " + file.string() + hint);
 }
 
 TEST_F(ProgramsOfRoot, ThatEndForLackOfRightsAreExplained) {
