@@ -41,6 +41,7 @@ std::vector<Proposal> scenarios_begun(const ValuePlace& place) {
   std::vector<Proposal> proposals = words_begun(known, place.begun);
   if (!proposals.empty()) return proposals;
   std::vector<std::string> shorter;
+  shorter.reserve(known.size());
   for (const std::string& one : known) shorter.push_back(one.substr(one.find('/') + 1));
   return words_begun(shorter, place.begun);
 }

@@ -61,6 +61,7 @@ std::vector<const CLI::App*> nested_verbs(const CLI::App& app) {
 
 std::vector<std::string> names_of_verbs(const std::vector<const CLI::App*>& verbs) {
   std::vector<std::string> names;
+  names.reserve(verbs.size());
   for (const CLI::App* verb : verbs) names.push_back(verb->get_name());
   return names;
 }

@@ -51,6 +51,7 @@ fs::path installed_scenarios(const fs::path& program) {
 std::vector<std::string> similar_scenarios(const std::string& file,
                                            const std::vector<std::string>& known) {
   std::vector<std::string> names;
+  names.reserve(known.size());
   for (const std::string& one : known) names.push_back(fs::path(one).stem().string());
   std::vector<std::string> similar;
   for (const std::string& name : suggested_words(fs::path(file).stem().string(), names)) {

@@ -25,6 +25,7 @@ std::vector<std::string> paths_nearly_ending_in(std::string_view path,
                                                 const std::vector<std::string>& known) {
   if (path.find('.') != std::string_view::npos) return {};
   std::vector<std::string> names;
+  names.reserve(known.size());
   for (const std::string& one : known) names.push_back(one.substr(one.rfind('.') + 1));
   const std::vector<std::string> nearest = suggested_words(path, names);
   return nearest.empty() ? nearest : paths_ending_in(nearest.front(), known);
