@@ -224,7 +224,7 @@ class Rehearsals {
       if (played.void_reason.empty()) {
         entry.samples.push_back(
             {part.share * played.share, result.wall_s, played.start_s, played.team_s});
-      } else if (entry.plays()) {
+      } else if (entry.rehearsal.void_reason.empty()) {
         entry.rehearsal.void_reason = played.void_reason;
       }
     } else if (entry.samples.empty() || !result.is_late) {
