@@ -31,8 +31,8 @@ double confidence_by(const ConfidenceCoefficients& coefficients,
                      const ConfidenceFeatures& features);
 
 // Sets the finding's confidence, and what it was computed from. Where the last touch decides, it is
-// multiplied by the probability that a gap in vision hides no other touch. Findings that are not
-// calls keep a confidence of 1.
+// multiplied by the probability that a gap in vision hides no later touch of the other side.
+// Findings that are not calls keep a confidence of 1.
 void add_confidence(Finding& finding, const RefereeState& state, const RefereeInput& input);
 
 }  // namespace autoref::referee

@@ -83,8 +83,8 @@ const CLI::App& blamed_verb(const CLI::App& app) {
   return *verb;
 }
 
-// CLI11 puts the placeholder of an argument without dashes in front of what is wrong with it.
-std::string without_placeholder(const CLI::App& verb, const std::string& message) {
+// CLI11 begins with the name that an argument without dashes has in help, such as "BOOK: ".
+std::string without_argument_name(const CLI::App& verb, const std::string& message) {
   for (const CLI::Option* option : verb.get_options()) {
     const std::string front = option->get_name(true) + ": ";
     if (option->get_positional() && message.starts_with(front)) return message.substr(front.size());
@@ -122,7 +122,7 @@ std::string message_about(const CLI::App& verb, const CLI::ParseError& error) {
   if (!extras.empty()) return extras_message(verb, extras);
   for (const std::string& message : {missing_message(verb, error), unreadable_message(error)})
     if (!message.empty()) return message;
-  return without_placeholder(verb, error.what());
+  return without_argument_name(verb, error.what());
 }
 
 }  // namespace
@@ -148,7 +148,7 @@ std::string unknown_verb_message(const CLI::App& app, const std::string& word) {
   }
   if (const std::optional<std::string_view> now = new_verb_of(word))
     return fmt::format("unknown verb '{}'; its name is '{}' now", word, *now);
-  return fmt::format("there is no verb '{}'{} `autoref help` lists them", word, end);
+  return fmt::format("unknown verb '{}'{} `autoref help` lists them", word, end);
 }
 
 std::string message_of(const CLI::App& app, const CLI::ParseError& error) {

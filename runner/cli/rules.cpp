@@ -28,7 +28,7 @@ int rules_verb(const RulesArguments& arguments) {
     const std::vector<std::string> known = rule_book_names();
     const std::string nearest = suggestion(arguments.book, known);
     throw InputError({}, "",
-                     fmt::format("there is no rule book '{}'{} Known here: {}", arguments.book,
+                     fmt::format("unknown rule book '{}'{} Known here: {}", arguments.book,
                                  nearest.empty() ? "." : nearest, listed(known)));
   }
   fmt::print("{}",

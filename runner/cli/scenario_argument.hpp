@@ -13,7 +13,7 @@ namespace autoref::runner {
 CLI::Option* add_scenario_argument(CLI::App& verb, std::string& file, const std::string& about);
 
 // found_scenario() of the running program; if it is another file than `given`, a message on stderr
-// names it. Throws InputError if there is no such file, but one with a similar name.
+// names it. Throws InputError if only a file with a similar name exists.
 std::string scenario_to_read(const std::string& given);
 
 // `file` if it exists; otherwise the file of that name that was installed with `program`

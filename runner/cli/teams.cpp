@@ -18,7 +18,7 @@ const strategies::Entry& team_named(const std::string& name) {
   for (const strategies::Entry& team : strategies::all_strategies()) known.emplace_back(team.name);
   const std::string nearest = suggestion(name, known);
   throw InputError({}, "",
-                   fmt::format("there is no team '{}'{} Known here: {}", name,
+                   fmt::format("unknown team '{}'{} Known here: {}", name,
                                nearest.empty() ? "." : nearest, listed(known)));
 }
 

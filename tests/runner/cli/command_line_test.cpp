@@ -86,7 +86,7 @@ TEST(CommandLine, NamesTheFlagOrFileThatIsWrong) {
            {{"play", kPaperGame.c_str(), "--set", "a.params.x=1"}, "no parameter 'x'"},
            {{"play", kPaperGame.c_str(), "--set", "a.params.shot_mps=9"},
             "from 0 to 8 m/s, found '9'"},
-           {{"teams", "basik"}, "there is no team 'basik'; did you mean 'basic'"},
+           {{"teams", "basik"}, "unknown team 'basik'; did you mean 'basic'"},
            {{"play", kPaperGame.c_str(), "--events", "/nonexistent/e"},
             "/nonexistent/e cannot be"}}) {
     const Answer answer = answer_to(wrong.arguments);

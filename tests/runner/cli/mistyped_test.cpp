@@ -26,7 +26,7 @@ TEST(MistypedVerb, IsAnsweredWithTheClosestOne) {
   const Answer answer = answer_to({"plya"});
   EXPECT_EQ(answer.code, kBadInput);
   EXPECT_EQ(answer.err,
-            "autoref: there is no verb 'plya'; did you mean 'play'? `autoref help` lists them\n");
+            "autoref: unknown verb 'plya'; did you mean 'play'? `autoref help` lists them\n");
 }
 
 TEST(MistypedVerb, GetsNoSuggestionIfNoneIsClose) {
@@ -52,7 +52,7 @@ TEST(Help, ForAVerbEqualsItsHelpFlag) {
 TEST(Help, SuggestsTheClosestVerb) {
   const Answer answer = answer_to({"help", "repotr"});
   EXPECT_EQ(answer.code, kBadInput);
-  EXPECT_TRUE(says(answer, "no verb 'repotr'; did you mean 'report'?")) << answer.err;
+  EXPECT_TRUE(says(answer, "unknown verb 'repotr'; did you mean 'report'?")) << answer.err;
   EXPECT_EQ(answer_to({"help", "nonsense"}).code, kBadInput);
 }
 
@@ -82,16 +82,15 @@ TEST(VerbOfAVerb, IsNamedInItsMessages) {
   EXPECT_TRUE(says(answer_to({"team"}), "team: expected one of its verbs: new, play, check;"));
 }
 
-// CLI11 would put the placeholders of help in front.
-TEST(Messages, DoNotBeginWithPlaceholders) {
+// CLI11 would begin with what help calls the argument, such as "BOOK: ".
+TEST(Messages, DoNotBeginWithTheNameOfAnArgument) {
   const auto message = [](std::vector<const char*> arguments) {
     const Answer answer = answer_to(std::move(arguments));
     EXPECT_EQ(answer.code, kBadInput);
     return answer.err;
   };
-  EXPECT_EQ(message({"rules", "nosuch"}).find("autoref: there is no rule book 'nosuch'. Known"),
-            0U);
-  EXPECT_EQ(message({"teams", "nosuch"}).find("autoref: there is no team 'nosuch'. Known"), 0U);
+  EXPECT_EQ(message({"rules", "nosuch"}).find("autoref: unknown rule book 'nosuch'. Known"), 0U);
+  EXPECT_EQ(message({"teams", "nosuch"}).find("autoref: unknown team 'nosuch'. Known"), 0U);
   EXPECT_EQ(message({"reference", "verb"}),
             "autoref: reference: expected one of settings, verbs, rules, teams, found 'verb'; did "
             "you mean 'verbs'? `autoref help reference` lists its options\n");
