@@ -16,12 +16,16 @@ Kicker::Kicker(const KickerParameters& parameters, double substeps_per_s)
       chip_angle_(sin_cos(to_radians(parameters.chip_angle_deg))) {}
 
 std::optional<Kick> Kicker::fire(const RobotCommand& command, const BodyState& robot,
-                                 const Vec2& ball_m, double ball_height_m, std::int64_t substep,
+                                 const BodyState& ball, double ball_height_m, std::int64_t substep,
                                  RandomStream& noise) {
   if (command.kick_mps <= 0.0 || is_recharging(substep)) return std::nullopt;
-  if (!is_in_dribbler_zone(robot, ball_m, ball_height_m, parameters_.reach_m)) return std::nullopt;
+  if (!is_in_dribbler_zone(robot, ball.position_m, ball_height_m, parameters_.reach_m))
+    return std::nullopt;
   ready_at_ = substep + dead_substeps_;
-  return make(command, robot.heading, noise);
+  Kick kick = make(command, robot.heading, noise);
+  const Vec2 across = left_of(robot.heading);
+  kick.velocity_mps += across * ball.velocity_mps.dot(across);
+  return kick;
 }
 
 Kick Kicker::make(const RobotCommand& command, const Vec2& heading, RandomStream& noise) const {

@@ -13,7 +13,8 @@
 
 namespace autoref::sim {
 
-// The ball's velocity over ground after a kick.
+// The ball's velocity over ground after a kick: along the heading, that of the kick; across it, the
+// ball's own, since the plate pushes it only forwards.
 struct Kick {
   Vec2 velocity_mps{0, 0};
   double vertical_mps = 0;
@@ -26,8 +27,9 @@ class Kicker {
 
   // Fires if commanded, with the ball in the dribbler zone and the kicker charged. A chip's
   // commanded speed is its total speed, at the chip angle.
-  std::optional<Kick> fire(const RobotCommand& command, const BodyState& robot, const Vec2& ball_m,
-                           double ball_height_m, std::int64_t substep, RandomStream& noise);
+  std::optional<Kick> fire(const RobotCommand& command, const BodyState& robot,
+                           const BodyState& ball, double ball_height_m, std::int64_t substep,
+                           RandomStream& noise);
 
   // Whether it fired less than its dead time ago.
   bool is_recharging(std::int64_t substep) const { return substep < ready_at_; }

@@ -53,8 +53,8 @@ std::optional<Vec2> World::Impl::kicked(int substep) {
   double limit_mps = 0.0;
   const std::size_t first = touches_.size();
   for_each_near_ball([&](RobotId id, Robot& robot, int index) {
-    const auto kick = robot.kicker.fire(robot.aim, bodies_.robot(index), ball.position_m,
-                                        ball_.height_m(), substeps_, team(id.side).kicks);
+    const auto kick = robot.kicker.fire(robot.aim, bodies_.robot(index), ball, ball_.height_m(),
+                                        substeps_, team(id.side).kicks);
     if (!kick) return;
     is_kicked = true;
     limit_mps = std::max(limit_mps, robot.kicker.speed_limit_mps());

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "strategies/skills/strike.hpp"
+
 namespace autoref::strategies {
 namespace {
 
@@ -34,17 +36,20 @@ RobotCommand play_ball(const TrackedRobot& robot, const TrackedBall& ball,
         interception_m - aim * kPlayTouch_m + left_of(aim) * (side * kPlayBeside_m);
     return drive_to(robot, {round_m, aim}, obstacles, style);
   }
-  const bool in_lane = std::abs(beside_m) < kPlayLane_m && robot.heading.dot(aim) > 0.9;
-  if (!in_lane) return drive_to(robot, {run_up_m, aim}, obstacles, style);
+  // From this heading, the kick sends the moving ball along the aim.
+  const Vec2 heading = kick_heading(aim, intent.kick_mps, ball.velocity_mps);
+  const bool in_lane = std::abs(beside_m) < kPlayLane_m && robot.heading.dot(heading) > 0.9;
+  if (!in_lane) return drive_to(robot, {run_up_m, heading}, obstacles, style);
 
   // Follows the ball sideways, runs through it along the aim, and closes the lateral error in
   // proportion to its size.
   const double along_mps = std::clamp(ball.velocity_mps.dot(aim), 0.0, 1.5) + kThrough_mps;
   const Vec2 velocity_mps = ball.velocity_mps - aim * ball.velocity_mps.dot(aim) + aim * along_mps +
                             left_of(aim) * (style.approach_per_s * beside_m);
-  RobotCommand command = drive_with(robot, clamp_norm(velocity_mps, style.speed_mps), aim, style);
+  RobotCommand command =
+      drive_with(robot, clamp_norm(velocity_mps, style.speed_mps), heading, style);
   command.dribble = true;
-  const double error_rad = std::abs(angle_between(robot.heading, aim));
+  const double error_rad = std::abs(angle_between(robot.heading, heading));
   if (error_rad < intent.tolerance_rad) {
     command.kick_mps = intent.kick_mps;
   } else if (error_rad < intent.hasty_tolerance_rad) {

@@ -38,10 +38,17 @@ double turn_rate_radps(double error_rad, const Strike& strike) {
   return std::copysign(std::min({rate, 12 * std::abs(error_rad), strike.turn_radps}), error_rad);
 }
 
-// Kicks if the heading error, allowing for the turn within this frame, is small enough.
-void kick_if_aligned(const TrackedRobot& robot, const Vec2& aim, const Strike& strike,
-                     RobotCommand& command) {
-  const double error_rad = std::abs(angle_between(robot.heading, aim));
+// The kick's speed over ground; a chip at 45 degrees loses part of it to its height.
+double ground_mps(const Strike& strike) {
+  return strike.chip ? strike.kick_mps * std::sqrt(0.5) : strike.kick_mps;
+}
+
+// Kicks if the ball would go in the direction of `aim`, allowing for the turn within this frame.
+void kick_if_aligned(const TrackedRobot& robot, const Vec2& ball_mps, const Vec2& aim,
+                     const Strike& strike, RobotCommand& command) {
+  if (strike.kick_mps <= 0) return;
+  const double error_rad =
+      std::abs(angle_between(kicked_mps(robot.heading, ground_mps(strike), ball_mps), aim));
   const double turn_rad = std::abs(robot.angular_velocity_radps) * kFrame_s / 2;
   if (error_rad > strike.tolerance_rad + 0.3 * turn_rad) return;
   command.kick_mps = strike.kick_mps;
@@ -51,9 +58,10 @@ void kick_if_aligned(const TrackedRobot& robot, const Vec2& aim, const Strike& s
 RobotCommand turn_and_kick(const TrackedRobot& robot, const Vec2& aim, const Strike& strike) {
   RobotCommand command;
   command.velocity_mps = Vec2(kPress_mps, 0);
-  command.angular_velocity_radps = turn_rate_radps(angle_between(robot.heading, aim), strike);
+  const Vec2 heading = kick_heading(aim, ground_mps(strike), robot.velocity_mps);
+  command.angular_velocity_radps = turn_rate_radps(angle_between(robot.heading, heading), strike);
   command.dribble = true;
-  kick_if_aligned(robot, aim, strike, command);
+  kick_if_aligned(robot, plate_mps(robot), aim, strike, command);
   return command;
 }
 
@@ -64,7 +72,7 @@ RobotCommand intercept_pass(const TrackedRobot& robot, const BallPath& path,
                             const DrivingStyle& style) {
   const Vec2 back = -path.direction();
   const bool sends_on = strike.first_touch && aim.dot(back) > kWideFirstTouch;
-  const Vec2 heading = sends_on ? aim : back;
+  const Vec2 heading = sends_on ? kick_heading(aim, ground_mps(strike), path.velocity_mps()) : back;
   const Vec2 front_m = robot.position_m + heading * kStrikeTouch_m;
   // If the robot is already on the ball's path, it stays there; otherwise it goes to the earliest
   // interception.
@@ -77,7 +85,7 @@ RobotCommand intercept_pass(const TrackedRobot& robot, const BallPath& path,
   RobotCommand command =
       drive_via(robot, steer_for(robot, stand_m, obstacles), {stand_m, heading}, style);
   command.dribble = true;
-  if (sends_on) kick_if_aligned(robot, aim, strike, command);
+  if (sends_on) kick_if_aligned(robot, path.velocity_mps(), aim, strike, command);
   return command;
 }
 
@@ -113,11 +121,36 @@ RobotCommand fetch(const TrackedRobot& robot, const BallPath& path,
     command = drive_via(robot, steer_for(robot, stand_m, obstacles), {stand_m, from}, style);
   }
   command.dribble = true;
-  kick_if_aligned(robot, aim, strike, command);
+  kick_if_aligned(robot, path.velocity_mps(), aim, strike, command);
   return command;
 }
 
 }  // namespace
+
+Vec2 plate_mps(const TrackedRobot& robot) {
+  return robot.velocity_mps +
+         left_of(robot.heading) * (robot.angular_velocity_radps * kStrikeTouch_m);
+}
+
+Vec2 kicked_mps(const Vec2& heading, double along_mps, const Vec2& ball_mps) {
+  const Vec2 across = left_of(heading);
+  return heading * along_mps + across * ball_mps.dot(across);
+}
+
+// With t the tangent of the angle between heading and aim, a the ball's speed along the aim and c
+// that across it, the ball has no motion across the aim if v t sqrt(1 + t^2) = c + a t. Solved by
+// fixed-point iteration, at most 45 degrees off the aim.
+Vec2 kick_heading(const Vec2& aim, double along_mps, const Vec2& ball_mps) {
+  if (along_mps <= 0) return aim;
+  const double along = ball_mps.dot(aim);
+  const double across = ball_mps.dot(left_of(aim));
+  double tangent = 0;
+  for (int i = 0; i < 4; ++i) {
+    const double per_tangent = along_mps * std::sqrt(1 + square(tangent)) - along;
+    tangent = std::clamp(across / std::max(per_tangent, 0.2 * along_mps), -1.0, 1.0);
+  }
+  return direction_of(aim - left_of(aim) * tangent, aim);
+}
 
 RobotCommand take_kick(const TrackedRobot& robot, const Vec2& ball_m, const Strike& strike,
                        const Obstacles& obstacles, const DrivingStyle& style) {

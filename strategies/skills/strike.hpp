@@ -23,6 +23,17 @@ struct Strike {
   double turn_braking_radps2 = 16.0;  // planned for it
 };
 
+// The velocity of a ball at the middle of the robot's plate, which moves with it.
+Vec2 plate_mps(const TrackedRobot& robot);
+
+// The velocity with which a kick along `heading` sends on a ball that moves with `ball_mps`: across
+// the heading, the ball keeps its motion (sim/kicker.hpp). `along_mps` is the kick's speed over
+// ground, for a chip its horizontal part.
+Vec2 kicked_mps(const Vec2& heading, double along_mps, const Vec2& ball_mps);
+
+// The heading from which such a kick sends the ball along `aim`; `aim` itself without a kick.
+Vec2 kick_heading(const Vec2& aim, double along_mps, const Vec2& ball_mps);
+
 // Whether the ball is in the robot's dribbler zone, to a few millimetres.
 bool has_ball(const TrackedRobot& robot, const Vec2& ball_m);
 

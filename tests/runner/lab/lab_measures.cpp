@@ -187,6 +187,15 @@ double kicked_mps(const LabRecord& record) {
   return record.states[kKickCommand + 1].ball.velocity_mps.norm() + kSlide_mps2 * kFrame_s;
 }
 
+// In the first frame in which the ball moves forwards.
+double kick_on_the_run_deg(const LabRecord& record) {
+  const std::size_t f = first_frame(record, [](const WorldState&, const WorldState& now) {
+    return now.ball.velocity_mps.x() > 1.0;
+  });
+  const Vec2& kicked_mps = record.states[f].ball.velocity_mps;
+  return angle_of(kicked_mps) * 180.0 / kPi;
+}
+
 // In the last frame before the ball is within reach of the receiver's dribbler.
 double arrival_mps(const LabRecord& record) {
   const std::size_t f = first_frame(record, [](const WorldState& former, const WorldState& now) {

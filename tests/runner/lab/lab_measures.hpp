@@ -36,6 +36,7 @@ double is_lost_in_hard_pull(const LabRecord& record);
 double most_off_when_held_mm(const LabRecord& record);
 double most_faster_when_held_mps(const LabRecord& record);
 double kicked_mps(const LabRecord& record);
+double kick_on_the_run_deg(const LabRecord& record);
 double fast_path_m(const LabRecord& record);
 double slow_path_m(const LabRecord& record);
 double arrival_mps(const LabRecord& record);

@@ -23,6 +23,22 @@ Strike strike_at(const Vec2& target_m) {
   return strike;
 }
 
+class KickHeading : public testing::TestWithParam<Vec2> {};
+
+// Whatever the ball's motion, it leaves along the aim.
+TEST_P(KickHeading, SendsAMovingBallAlongTheAim) {
+  const Vec2 aim = heading_of(0.7);
+  const Vec2 heading = kick_heading(aim, 6, GetParam());
+  EXPECT_NEAR(heading.norm(), 1, 1e-9);
+  EXPECT_NEAR(angle_between(aim, kicked_mps(heading, 6, GetParam())), 0, 0.005);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ball, KickHeading,
+                         testing::Values(Vec2(0, 0), Vec2(0, 2), Vec2(1.5, -1), Vec2(-4, 1),
+                                         Vec2(-2, -3)));
+
+TEST(KickHeading, IsTheAimWithoutAKick) { EXPECT_EQ(kick_heading({0, 1}, 0, {3, 0}), Vec2(0, 1)); }
+
 TEST(HasBall, IsTrueForABallAtThePlate) {
   EXPECT_TRUE(has_ball(facing_robot_at({1, 1}), {1 + kHeldBall_m, 1}));
   EXPECT_TRUE(has_ball(facing_robot_at({1, 1}, {0, -1}), {1, 1 - kHeldBall_m}));
@@ -107,9 +123,9 @@ TEST(StrikeBall, PressesGentlyAgainstTheBallWhileTurning) {
 }
 
 TEST(StrikeBall, KicksAPassFirstTimeIfTheAngleAllows) {
-  const TrackedRobot robot = facing_robot_at({1, 0});
-  const Vec2 dribbler_zone_m = robot.position_m + Vec2(kHeldBall_m, 0);
   const Vec2 direction = Vec2(-2, -1).normalized();
+  const TrackedRobot robot = facing_robot_at({1, 0}, kick_heading({1, 0}, 7, direction * 3));
+  const Vec2 dribbler_zone_m = robot.position_m + robot.heading * kHeldBall_m;
   Strike on = strike_at({3, 0});
   on.kick_mps = 7;
   const RobotCommand command = strike(robot, {dribbler_zone_m - direction, direction * 3}, on);
