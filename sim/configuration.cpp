@@ -139,6 +139,7 @@ void validate(const Configuration& configuration) {
   check_range("contact_free_substeps", configuration.contact_free_substeps, 1, 16);
   check_range("frame_rate_hz", configuration.frame_rate_hz, 30.0, 240.0);
   check_range("latency_s", configuration.latency_s, 0.0, 0.5);
+  check_range("latency_error_s", configuration.latency_error_s, 0.0, 0.1);
   validate(configuration.vision);
   check_range("radio.command_loss", configuration.radio.command_loss, 0.0, 0.9);
   check_range("radio.hold_s", configuration.radio.hold_s, 0.0, 10.0);

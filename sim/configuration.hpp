@@ -76,6 +76,7 @@ struct KickerParameters {
   double speed_noise = 0.025;         // relative standard deviation of the ball's speed
   double direction_noise_deg = 1.5;   // standard deviation
   double chip_angle_noise_deg = 0.0;  // standard deviation of a chip's elevation
+  bool operator==(const KickerParameters&) const = default;
 };
 
 struct DribblerParameters {
@@ -147,7 +148,10 @@ struct Configuration {
   double frame_rate_hz = 60.0;
   VisionParameters vision;
   RadioParameters radio;
-  double latency_s = 40_ms;  // from a frame until the resulting commands move the robots
+  // From a frame until the resulting commands move the robots: that of the preset `paper`.
+  double latency_s = 5 / 60.0;
+  // Standard deviation of what a team believes the latency to be; drawn for each game and team.
+  double latency_error_s = 0.0;
   BallParameters ball;
   ContactParameters contacts;
   PlacementParameters placement;

@@ -28,7 +28,8 @@ enum class RandomPurpose : std::uint8_t {
   kRadio = 2,
   kMotors = 3,
   kKicker = 4,
-  kStrategy = 5
+  kStrategy = 5,
+  kLatency = 6
 };
 
 class RandomStream {

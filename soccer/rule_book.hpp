@@ -127,11 +127,14 @@ struct RuleBook {
   bool operator==(const RuleBook&) const = default;
 };
 
-// Default field, team size and half time for games under a rule book.
+// Defaults for games under a rule book.
 struct GameSetup {
   Field field;
   int robots = 6;  // per team
   double half_s = 600;
+  // Kickers and dribblers: a preset of sim/robot_presets.hpp.
+  std::string kickers_and_dribblers = "default";
+  double latency_error_s = 0;  // sim/configuration.hpp
 };
 
 // The rule book of that name; nullopt if the name is unknown.

@@ -110,7 +110,8 @@ std::string settings_page() {
     page += fmt::format("## {}\n\n", heading_of(branch)) + reference_table(rows);
   }
   page += "Rules that a rule book has in force are on the page [Rules](rules.md).\n\n";
-  for (const char* preset : {"match.rules", "sim.camera", "sim.ball.preset", "sim.dribbler.preset"})
+  for (const char* preset :
+       {"match.rules", "sim.camera", "sim.ball.preset", "sim.kicker.preset", "sim.dribbler.preset"})
     page += preset_section(preset);
   page.pop_back();
   return page;

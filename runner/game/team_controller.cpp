@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <exception>
 
@@ -9,6 +10,7 @@
 #include "sim/world.hpp"
 #include "soccer/abilities.hpp"
 #include "soccer/random.hpp"
+#include "soccer/units.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -21,8 +23,11 @@ std::array<Abilities, kMaxRobots> abilities_of(const GameConfiguration& c, Side 
     const sim::RobotSpec& robot = robots[i];
     all[i] = {robot.body.speed_mps * robot.speed_factor,
               robot.body.acceleration_mps2 * robot.acceleration_factor,
-              robot.body.braking_mps2 * robot.acceleration_factor, robot.kicker.speed_limit_mps,
-              robot.kicker.chip_limit_mps};
+              robot.body.braking_mps2 * robot.acceleration_factor,
+              robot.kicker.speed_limit_mps,
+              robot.kicker.chip_limit_mps,
+              to_radians(robot.kicker.direction_noise_deg),
+              robot.kicker.speed_noise};
   }
   return all;
 }
@@ -31,6 +36,14 @@ std::array<Abilities, kMaxRobots> abilities_of(const GameConfiguration& c, Side 
 double latency_s(const sim::Configuration& c) {
   const sim::LatencySplit split = sim::split_latency(c);
   return (split.frames + static_cast<double>(split.substeps) / c.substeps) / c.frame_rate_hz;
+}
+
+// What the team on this side believes that time to be.
+double believed_latency_s(const GameConfiguration& c, Side side) {
+  const double true_s = latency_s(c.sim);
+  if (c.sim.latency_error_s <= 0) return true_s;
+  RandomStream stream = RandomStream::of(c.seed, RandomPurpose::kLatency, side);
+  return std::max(0.0, true_s + c.sim.latency_error_s * stream.normal());
 }
 
 // What `action` throws; empty if nothing. An InputOutputError is not the team's fault and
@@ -62,7 +75,7 @@ std::unique_ptr<strategies::Strategy> make_team_on(const GameConfiguration& c, S
                                   abilities_of(c, side)};
   context.side = side;
   context.robot_count = static_cast<int>(team.robots.size());
-  context.latency_s = latency_s(c.sim);
+  context.latency_s = believed_latency_s(c, side);
   context.random_seed = RandomStream::stream_seed(c.seed, RandomPurpose::kStrategy, side);
   return make_team(team, context);
 }
@@ -74,7 +87,7 @@ TeamController::TeamController(const GameConfiguration& configuration, Side side
     : side_(side),
       robots_(static_cast<int>(team_on(configuration, side).robots.size())),
       strategy_(make_team_on(configuration, side, make_team)) {
-  view_.latency_s = latency_s(configuration.sim);
+  view_.latency_s = believed_latency_s(configuration, side);
   if (strategy_->has_sensors()) sensors_.emplace(configuration, side);
 }
 

@@ -12,7 +12,7 @@
 #include "runner/settings/robot_changes.hpp"
 #include "sim/ball_presets.hpp"
 #include "sim/camera_presets.hpp"
-#include "sim/dribbler_presets.hpp"
+#include "sim/robot_presets.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -100,7 +100,8 @@ bool is_preset(const Setting& setting) {
   return std::holds_alternative<RulesChoice>(setting.target) ||
          std::holds_alternative<BallPreset>(setting.target) ||
          std::holds_alternative<CameraPreset>(setting.target) ||
-         std::holds_alternative<DribblerPreset>(setting.target);
+         std::holds_alternative<DribblerPreset>(setting.target) ||
+         std::holds_alternative<KickerPreset>(setting.target);
 }
 
 bool holds_others(const Setting& setting) {
@@ -186,6 +187,7 @@ void set_value(const Setting& setting, const SettingValue& value) {
           [&](Players*) { none(); },
           [&](RobotTypes*) { none(); },
           [&](DribblerPreset preset) { sim::apply_dribbler_preset(word(), *preset.dribbler); },
+          [&](KickerPreset preset) { sim::apply_kicker_preset(word(), *preset.kicker); },
           [&](BallPreset preset) { sim::apply_ball_preset(word(), *preset.ball); },
           [&](CameraPreset preset) { sim::apply_camera_preset(word(), *preset.sim); },
           [&](RulesChoice choice) { choose_rules(word(), *choice.game); },
@@ -221,6 +223,9 @@ SettingValue current_value(const Setting& setting) {
           },
           [](DribblerPreset preset) -> SettingValue {
             return sim::dribbler_preset_of(*preset.dribbler).value_or("other");
+          },
+          [](KickerPreset preset) -> SettingValue {
+            return sim::kicker_preset_of(*preset.kicker).value_or("other");
           },
           [](RulesChoice choice) -> SettingValue { return choice.game->match.rules; },
           [](const TypeName& type) -> SettingValue { return *type.name; },

@@ -31,9 +31,12 @@ struct CameraPreset {
   sim::Configuration* sim = nullptr;
 };
 
-// `preset`: selects the parameters of a known dribbler by name (sim/dribbler_presets.hpp).
+// `preset`: selects the parameters of a known dribbler or kicker by name (sim/robot_presets.hpp).
 struct DribblerPreset {
   sim::DribblerParameters* dribbler = nullptr;
+};
+struct KickerPreset {
+  sim::KickerParameters* kicker = nullptr;
 };
 
 // `match.rules`: the name of a rule book, which also sets its rules, field, robots and length of a
@@ -78,8 +81,9 @@ using Players = std::map<int, PlayerSettings>;
 using Target =
     std::variant<double*, int*, bool*, std::uint64_t*, std::string*, Side*, DefenceArea::Shape*,
                  referee::AfterGame*, OnTeamFault*, referee::Control*, referee::PlacedBy*,
-                 BothFactors, BallPreset, CameraPreset, DribblerPreset, RulesChoice, TypeName,
-                 FreeText, CommandWords, Change, ChangesOf, Params*, Players*, RobotTypes*>;
+                 BothFactors, BallPreset, CameraPreset, DribblerPreset, KickerPreset, RulesChoice,
+                 TypeName, FreeText, CommandWords, Change, ChangesOf, Params*, Players*,
+                 RobotTypes*>;
 
 struct Range {
   double low = 0;

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "runner/settings/robot_changes.hpp"
+#include "sim/robot_presets.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -60,6 +61,9 @@ void choose_rules(const std::string& book, GameSettings& game) {
   game.match.change_ends = rules.change_ends;
   game.match.half_s = setup.half_s;
   game.field = setup.field;
+  sim::apply_kicker_preset(setup.kickers_and_dribblers, game.robot.kicker);
+  sim::apply_dribbler_preset(setup.kickers_and_dribblers, game.robot.dribbler);
+  game.sim.latency_error_s = setup.latency_error_s;
   game.a.robots = game.b.robots = setup.robots;
 }
 

@@ -3,7 +3,7 @@
 #include "runner/settings/settings_branch.hpp"
 #include "sim/ball_presets.hpp"
 #include "sim/camera_presets.hpp"
-#include "sim/dribbler_presets.hpp"
+#include "sim/robot_presets.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -86,6 +86,8 @@ void list_line_up(sim::LineUpParameters& line_up, Branch to) {
 }
 
 void list_kicker(sim::KickerParameters& kicker, Branch to) {
+  to.preset("preset", KickerPreset{&kicker}, sim::kicker_preset_names(),
+            "sets how the kicker scatters, and all else of it");
   to.number("reach_m", kicker.reach_m, {0, 0.1}, "m", "maximum gap between plate and ball");
   to.number("speed_limit_mps", kicker.speed_limit_mps, {0.1, 20}, "m/s",
             "top speed of straight kicks");
@@ -164,6 +166,8 @@ std::vector<Setting> settings_of(sim::Configuration& sim, sim::RobotSpec& robot)
   to.preset("camera", CameraPreset{&sim}, sim::camera_preset_names(),
             "sets vision, frame_rate_hz, command_loss and latency_s");
   to.number("latency_s", sim.latency_s, {0, 0.5}, "s", "delay from a frame to the robots' motion");
+  to.number("latency_error_s", sim.latency_error_s, {0, 0.1}, "s",
+            "standard deviation of what a team believes that delay to be, drawn for each game");
   list_vision(sim.vision, Branch(list, "sim.vision."));
   Branch radio(list, "sim.radio.");
   radio.number("command_loss", sim.radio.command_loss, {0, 0.9}, "", "fraction of commands lost");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "strategies/skills/openings.hpp"
 #include "strategies/skills/prediction.hpp"
 #include "strategies/skills/shot.hpp"
 #include "strategies/tactics/penalty.hpp"
@@ -14,9 +15,11 @@ namespace {
 constexpr int kSidesteps = 12;  // limit on sidesteps from the ball's path to the goal
 
 // If kicks above the limit are fouls, the team's kicks stay below it by more than the kickers'
-// error, which is a few per cent.
-Style within_the_rules(Style style, const RuleBook& rules) {
-  const double share = rules.has(RuleId::kBotKickedBallTooFast) ? style.kick_caution : 1.0;
+// error.
+Style within_the_rules(Style style, const RuleBook& rules, const Abilities& robot) {
+  const double share = rules.has(RuleId::kBotKickedBallTooFast)
+                           ? std::min(style.kick_caution, share_below_limit(robot.kick_speed_error))
+                           : 1.0;
   style.shot_mps = std::min(style.shot_mps, rules.kick_limit_mps * share);
   style.pass_mps = std::min(style.pass_mps, rules.kick_limit_mps * share);
   return style;
@@ -25,7 +28,9 @@ Style within_the_rules(Style style, const RuleBook& rules) {
 }  // namespace
 
 Basic::Basic(const TeamContext& context)
-    : context_(context), style_(within_the_rules(tuned(context.params), context.rules)) {}
+    : context_(context),
+      style_(within_the_rules(tuned(context.params), context.rules, context.robots[0])),
+      look_ahead_(context.robots, context.frame_rate_hz) {}
 
 // The distance from a hull to the ball's centre required at restarts. If the rule is in force,
 // referees measure to the ball's surface.
@@ -276,8 +281,12 @@ void Basic::stand_at_penalty(TeamCommands& commands) {
 }
 
 void Basic::decide(const TeamView& view, TeamCommands& commands) {
-  if (view.play == Play::kHalt) return;
-  look_ahead(view, now_);
+  look_ahead_.look(view, now_);
+  if (view.play != Play::kHalt) command_robots(view, commands);
+  look_ahead_.note(view.frame, commands);
+}
+
+void Basic::command_robots(const TeamView& view, TeamCommands& commands) {
   find_obstacles();
   if (!now_.own.empty()) requests_.keeper = now_.own.front().number;
   ball_target_m_ = now_.placement_m.value_or(now_.ball.position_m);

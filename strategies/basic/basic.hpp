@@ -9,6 +9,7 @@
 #include "strategies/basic/roles.hpp"
 #include "strategies/basic/style.hpp"
 #include "strategies/skills/limits.hpp"
+#include "strategies/skills/look_ahead.hpp"
 #include "strategies/skills/play_ball.hpp"
 #include "strategies/skills/shot.hpp"
 #include "strategies/strategy.hpp"
@@ -40,11 +41,13 @@ class Basic final : public Strategy {
   std::optional<Vec2> position_off_ball(const Vec2& from_m) const;
   DrivingStyle waiting_style() const;
   void line_up(TeamCommands& commands);
+  void command_robots(const TeamView& view, TeamCommands& commands);
   void stand_at_penalty(TeamCommands& commands);
 
   TeamContext context_;
   Style style_;
   DrivingStyle driving_;
+  LookAhead look_ahead_;
   TeamView now_;      // the view, extrapolated to when commands take effect
   Obstacles robots_;  // what robots drive around
   Obstacles robots_and_ball_;

@@ -28,7 +28,11 @@ Squad::Squad(const TeamContext& context, const TeamPlaybook& playbook)
 void Squad::decide(const TeamView& view, TeamCommands& commands) {
   predicted_.update(view);
   if (!view.own.empty()) requests_.keeper = view.own.front().number;
-  if (view.play == Play::kHalt) return;
+  if (view.play != Play::kHalt) command_robots(view, commands);
+  predicted_.note(commands);
+}
+
+void Squad::command_robots(const TeamView& view, TeamCommands& commands) {
   field_.update();
   handler_.update();
   placer_.update(view.ball);

@@ -26,6 +26,7 @@ class Squad final : public Strategy {
   TeamRequests requests() const override { return requests_; }
 
  private:
+  void command_robots(const TeamView& view, TeamCommands& commands);
   void choose_play(RoleAssignment& assignment);
   void keep(const RoleAssignment& assignment);
   bool may_take() const;

@@ -11,9 +11,9 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kKickError_rad = 0.03;  // 1.5 degrees from the kicker, plus the heading's error
-constexpr double kReaction_s = 0.08;     // delay before a robot reacts to a kick
-constexpr double kReach_mps2 = 3.0;      // the robot's acceleration after that
+constexpr double kHeadingError_rad = 0.015;  // adds to the kicker's error
+constexpr double kReaction_s = 0.08;         // delay before a robot reacts to a kick
+constexpr double kReach_mps2 = 3.0;          // the robot's acceleration after that
 constexpr double kLongestReach_m = 0.5;
 constexpr double kBlock_m = kRobotRadius_m + kBallRadius_m;
 constexpr double kNarrowest_m = 20_mm;  // robots closer to the ball are ignored
@@ -106,7 +106,8 @@ Opening widest_opening(const Field& field, const Vec2& from_m, const TrackedRobo
   const double sine = direction.x() / distance_m;
   const double half_m =
       std::max(0.0, (gap.high_m - gap.low_m) / 2 * sine - kBallRadius_m * (1 - sine));
-  return {target_m, half_m, share_within(half_m / (kKickError_rad * distance_m))};
+  const double error_rad = std::sqrt(square(terms.kick_error_rad) + square(kHeadingError_rad));
+  return {target_m, half_m, share_within(half_m / (error_rad * distance_m))};
 }
 
 // Each opponent covers a disc around its position, which grows until the ball passes.

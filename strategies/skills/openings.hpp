@@ -1,6 +1,7 @@
 // Estimates how open the goal is for a shot, and how safe a pass is.
 #pragma once
 
+#include "soccer/abilities.hpp"
 #include "soccer/field.hpp"
 #include "soccer/tracks.hpp"
 
@@ -13,16 +14,21 @@ struct Opening {
   double chance = 0;  // probability that a shot at it scores
 };
 
-// The kick speed, and the robot that does not count as a blocker.
+// The kick, and the robot that does not count as a blocker.
 struct ShotTerms {
   double kick_mps = 8.0;
   int but_mate = -1;  // number of the team's robot that shoots
+  double kick_error_rad = Abilities{}.kick_error_rad;
 };
 
 // Finds the widest opening. Opponents cover what they can reach while the ball is moving; the
 // team's own robots cover only their hulls.
 Opening widest_opening(const Field& field, const Vec2& from_m, const TrackedRobots& opponents,
                        const TrackedRobots& own, const ShotTerms& terms);
+
+// The fraction of a limit on the ball's speed at which a kick whose speed scatters by this fraction
+// stays below it in 98 of 100 cases (two standard deviations).
+constexpr double share_below_limit(double speed_error) { return 1 / (1 + 2 * speed_error); }
 
 // How safely a ball kicked along the ground gets from one point to the other, 0 to 1, given the
 // opponents in its path and those that can reach it in time.

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "soccer/robot_shape.hpp"
-#include "strategies/skills/prediction.hpp"
+#include "strategies/skills/openings.hpp"
 #include "strategies/skills/strike.hpp"
 #include "strategies/tactics/areas.hpp"
 
@@ -33,12 +33,15 @@ void add_areas(const PredictedState& predicted, const TrackedRobot& robot, const
 }  // namespace
 
 PredictedState::PredictedState(const TeamContext& context, const Style& style)
-    : context_(context), style_(style) {}
+    : context_(context), style_(style), look_ahead_(context.robots, context.frame_rate_hz) {}
 
 void PredictedState::update(const TeamView& view) {
-  look_ahead(view, now_);
-  path_.follow(view.ball, view.latency_s);
-  now_.ball.position_m = path_.now_m();
+  if (look_ahead_.look(view, now_)) {
+    path_.follow(now_.ball, 0);
+  } else {
+    path_.follow(view.ball, view.latency_s);
+    now_.ball.position_m = path_.now_m();
+  }
   position_m_ = now_.placement_m.value_or(now_.ball.position_m);
   intercept_ball();
   settle_possession();
@@ -142,7 +145,10 @@ bool PredictedState::may_touch_at(const Vec2& ball_m) const {
 }
 
 double PredictedState::allowed_kick_mps(double wanted_mps) const {
-  const double share = rules().has(RuleId::kBotKickedBallTooFast) ? style_.kick_caution : 1.0;
+  if (!rules().has(RuleId::kBotKickedBallTooFast))
+    return std::min(wanted_mps, rules().kick_limit_mps);
+  const double share =
+      std::min(style_.kick_caution, share_below_limit(context_.robots[0].kick_speed_error));
   return std::min(wanted_mps, share * rules().kick_limit_mps);
 }
 

@@ -8,6 +8,7 @@
 #include "soccer/team_view.hpp"
 #include "strategies/skills/ball_path.hpp"
 #include "strategies/skills/limits.hpp"
+#include "strategies/skills/look_ahead.hpp"
 #include "strategies/skills/obstacle_avoidance.hpp"
 #include "strategies/skills/reach.hpp"
 #include "strategies/strategy.hpp"
@@ -21,6 +22,8 @@ class PredictedState {
 
   // Processes the next view. Call it for every view of the game.
   void update(const TeamView& view);
+  // The team's commands for that view.
+  void note(const TeamCommands& commands) { look_ahead_.note(now_.frame, commands); }
 
   const TeamContext& context() const { return context_; }
   const Field& field() const { return context_.field; }
@@ -76,6 +79,7 @@ class PredictedState {
 
   TeamContext context_;
   Style style_;
+  LookAhead look_ahead_;
   TeamView now_;
   BallPath path_;
   Vec2 position_m_{0, 0};

@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "sim/ball_presets.hpp"
-#include "sim/dribbler_presets.hpp"
+#include "sim/robot_presets.hpp"
 #include "soccer/random.hpp"
 #include "tests/sim/scene.hpp"
 

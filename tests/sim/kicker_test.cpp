@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "sim/robot_presets.hpp"
 #include "tests/sim/scene.hpp"
 
 namespace autoref::sim {
@@ -28,6 +29,35 @@ TEST(Kicker, GivesTheBallTheCommandedSpeedOverGroundAlongTheHeading) {
   EXPECT_NEAR(shot.ball().velocity_mps.x(), 4.0 - 3.4 * 4 / 240, 0.001);
   EXPECT_NEAR(shot.ball().velocity_mps.y(), 0.0, 1e-3);
   EXPECT_FALSE(shot.ball().is_rolling);
+}
+
+// A kick sends the ball forwards; across the plate, the ball keeps its own motion.
+Vec2 kicked_while_moving_mps(const Vec2& ball_mps, bool chip = false) {
+  RobotSpec strong = quiet_robot();
+  strong.kicker.speed_limit_mps = 20;
+  Shot shot(strong);
+  shot.command(kWest0).chip = chip;
+  shot.put_ball({kFrontDistance_m + kBallRadius_m, 0}, ball_mps, true);
+  shot.frame();
+  return shot.world.touches()[0].ball_mps;
+}
+
+TEST(Kicker, LeavesTheBallItsMotionAcrossTheHeading) {
+  const Vec2 run_mps = kicked_while_moving_mps({0, 2});
+  EXPECT_NEAR(run_mps.x(), 4.0, 1e-6);
+  EXPECT_NEAR(run_mps.y(), 2.0, 0.02);
+}
+
+TEST(Kicker, DiscardsTheBallsMotionAlongTheHeading) {
+  const Vec2 coming_mps = kicked_while_moving_mps({-3, -1});
+  EXPECT_NEAR(coming_mps.x(), 4.0, 1e-6);
+  EXPECT_NEAR(coming_mps.y(), -1.0, 0.02);
+}
+
+TEST(Kicker, LeavesAChippedBallItsMotionAcrossTheHeading) {
+  const Vec2 chipped_mps = kicked_while_moving_mps({0, 2}, true);
+  EXPECT_NEAR(chipped_mps.x(), 4.0 * std::sqrt(0.5), 1e-6);
+  EXPECT_NEAR(chipped_mps.y(), 2.0, 0.02);
 }
 
 bool fires_at(double gap_m, double aside_m) {
@@ -161,6 +191,17 @@ TEST(Kicker, ScattersTheElevationOfChips) {
     shot.frames(6);
   }
   EXPECT_NEAR(std::sqrt(angle2 / kKicks), 6.0, 0.9);  // four standard deviations
+}
+
+TEST(KickerPresets, HaveTheirParameters) {
+  KickerParameters kicker;
+  EXPECT_EQ(kicker_preset_of(kicker), "default");
+  apply_kicker_preset("rc2026", kicker);
+  EXPECT_EQ(kicker.direction_noise_deg, 2.9);
+  EXPECT_EQ(kicker_preset_of(kicker), "rc2026");
+  kicker.direction_noise_deg = 2;
+  EXPECT_EQ(kicker_preset_of(kicker), std::nullopt);
+  EXPECT_THROW(apply_kicker_preset("hard", kicker), std::invalid_argument);
 }
 
 TEST(TwoKickersAtOnce, AddUpInAnyOrder) {

@@ -1,0 +1,44 @@
+// Prediction over the delay: a team's own robots follow the commands that are still on their way.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "soccer/abilities.hpp"
+#include "soccer/robot_command.hpp"
+#include "soccer/team_view.hpp"
+
+namespace autoref::strategies {
+
+class LookAhead {
+ public:
+  using TeamAbilities = std::array<Abilities, kMaxRobots>;
+
+  LookAhead(const TeamAbilities& abilities, double frame_rate_hz);
+
+  // `view` extrapolated by its latency, to when commands given now take effect. The team's own
+  // robots follow the commands noted so far, within their acceleration; a ball at their dribbler
+  // moves with them. Opponents and any other ball keep their motion. Returns whether the ball is
+  // held.
+  bool look(const TeamView& view, TeamView& ahead) const;
+
+  // The commands that the team gives for the view of this frame.
+  void note(std::int64_t frame, const TeamCommands& commands);
+
+ private:
+  // The latest commands; with more frames between view and motion, the oldest ones are missing.
+  static constexpr std::size_t kKept = 32;
+  struct Sent {
+    std::int64_t frame = -1;
+    TeamCommands commands{};
+  };
+
+  const TeamCommands* sent_for(std::int64_t frame) const;
+  void follow_commands(const TeamView& view, TrackedRobot& robot) const;
+
+  TeamAbilities abilities_;
+  double frame_s_;
+  std::array<Sent, kKept> sent_{};
+};
+
+}  // namespace autoref::strategies
