@@ -23,7 +23,7 @@ namespace autoref::strategies {
 // What a team knows before the game.
 struct TeamContext {
   Field field;
-  RuleBook rules;
+  RuleBook rules;  // those that the team keeps to: the match's, and its laws' (obeyed_rules())
   double frame_rate_hz = 60;
   RandomStream random{0};                    // this team's stream; the only randomness allowed
   std::map<std::string, double> params;      // the team's parameters by name
@@ -32,6 +32,7 @@ struct TeamContext {
   int robot_count = kMaxRobots;
   double latency_s = 0;           // from a frame until a command based on it moves a robot
   std::uint64_t random_seed = 0;  // RandomStream(random_seed) is `random`
+  RuleSet enforced = {};          // the rules in force in the match
 };
 
 // What cameras and robots report about the moment of a view.

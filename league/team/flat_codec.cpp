@@ -59,8 +59,7 @@ FlatStart record_of(const TeamStart& start) {
   record.latency_s = start.latency_s;
   set_field(start.field, record);
   record.robots = static_cast<std::uint32_t>(start.robots.size());
-  visit_start_numbers(start.rules, start.field,
-                      [&record](std::string_view, double) { ++record.rule_numbers; });
+  visit_start_numbers(start, [&record](std::string_view, double) { ++record.rule_numbers; });
   record.params = static_cast<std::uint32_t>(start.params.size());
   copy_name(start.rules.name, record.rules);
   return record;
@@ -154,7 +153,7 @@ class FlatCodec final : public TeamCodec {
           FlatAbilities{a.speed_mps, a.acceleration_mps2, a.braking_mps2, a.kick_mps, a.chip_mps},
           bytes);
     }
-    visit_start_numbers(start.rules, start.field, [&bytes](std::string_view name, double value) {
+    visit_start_numbers(start, [&bytes](std::string_view name, double value) {
       append_number(name, value, bytes);
     });
     for (const auto& [name, value] : start.params) append_number(name, value, bytes);

@@ -51,7 +51,7 @@ OrderedJson json_of(const TeamStart& start) {
   for (const Abilities& robot : start.robots) members["robots"].push_back(json_of(robot));
   members["rules"] = start.rules.name;
   members["rule_numbers"] = OrderedJson::object();
-  visit_start_numbers(start.rules, start.field, [&members](std::string_view name, double value) {
+  visit_start_numbers(start, [&members](std::string_view name, double value) {
     members["rule_numbers"][std::string(name)] = value;
   });
   members["params"] = OrderedJson::object();

@@ -48,7 +48,7 @@ void fill_start(const TeamStart& start, team::TeamStart& message) {
   fill_field(start.field, *message.mutable_field());
   for (const Abilities& robot : start.robots) fill_abilities(robot, *message.add_robots());
   message.set_rules(start.rules.name);
-  visit_start_numbers(start.rules, start.field, [&message](std::string_view name, double value) {
+  visit_start_numbers(start, [&message](std::string_view name, double value) {
     fill_named(name, value, *message.add_rule_numbers());
   });
   for (const auto& [name, value] : start.params) fill_named(name, value, *message.add_params());

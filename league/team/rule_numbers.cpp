@@ -88,32 +88,23 @@ constexpr std::array kNumbers = {
 constexpr std::string_view kEdition = "edition";
 constexpr std::string_view kInForce = "in_force.";
 constexpr std::string_view kGoalLineRunOff = "field.goal_line_run_off_m";
+constexpr std::string_view kObeyed = "obeyed.";
 
-}  // namespace
-
-void visit_rule_numbers(const RuleBook& rules,
-                        const std::function<void(std::string_view name, double value)>& visit) {
-  for (const RuleNumber& number : kNumbers) {
-    std::visit([&](auto member) { visit(number.name, static_cast<double>(rules.*member)); },
-               number.member);
-  }
-  visit(kEdition, static_cast<double>(rules.edition));
-  for (const RuleEntry& entry : rule_table()) {
-    visit(std::string(kInForce) + std::string(entry.name), rules.has(entry.rule) ? 1 : 0);
-  }
+void visit_rules(std::string_view prefix, const RuleSet& rules,
+                 const std::function<void(std::string_view name, double value)>& visit) {
+  for (const RuleEntry& entry : rule_table())
+    visit(std::string(prefix) + std::string(entry.name), rules.has(entry.rule) ? 1 : 0);
 }
 
-void visit_start_numbers(const RuleBook& rules, const Field& field,
-                         const std::function<void(std::string_view name, double value)>& visit) {
-  visit_rule_numbers(rules, visit);
-  visit(kGoalLineRunOff, field.behind_goal_lines_m());
+// Switches the rule whose name, after `prefix`, is `name`; returns false if that is not one.
+bool set_rule(RuleSet& rules, std::string_view prefix, std::string_view name, double value) {
+  if (!name.starts_with(prefix)) return false;
+  const std::optional<RuleId> rule = find_rule(name.substr(prefix.size()));
+  if (rule) rules[*rule] = value != 0;
+  return rule.has_value();
 }
 
-bool set_start_number(RuleBook& rules, Field& field, std::string_view name, double value) {
-  if (name == kGoalLineRunOff) {
-    field.goal_line_run_off_m = value;
-    return true;
-  }
+bool set_rule_number(RuleBook& rules, std::string_view name, double value) {
   for (const RuleNumber& number : kNumbers) {
     if (number.name != name) continue;
     std::visit(
@@ -124,14 +115,40 @@ bool set_start_number(RuleBook& rules, Field& field, std::string_view name, doub
         number.member);
     return true;
   }
-  if (name == kEdition) {
-    rules.edition = static_cast<Edition>(value);
+  return false;
+}
+
+}  // namespace
+
+void visit_rule_numbers(const RuleBook& rules,
+                        const std::function<void(std::string_view name, double value)>& visit) {
+  for (const RuleNumber& number : kNumbers) {
+    std::visit([&](auto member) { visit(number.name, static_cast<double>(rules.*member)); },
+               number.member);
+  }
+  visit(kEdition, static_cast<double>(rules.edition));
+  visit_rules(kInForce, rules.in_force, visit);
+}
+
+void visit_start_numbers(const TeamStart& start,
+                         const std::function<void(std::string_view name, double value)>& visit) {
+  visit_rule_numbers(start.rules, visit);
+  visit(kGoalLineRunOff, start.field.behind_goal_lines_m());
+  visit_rules(kObeyed, start.obeyed, visit);
+}
+
+bool set_start_number(TeamStart& start, std::string_view name, double value) {
+  if (name == kGoalLineRunOff) {
+    start.field.goal_line_run_off_m = value;
     return true;
   }
-  if (!name.starts_with(kInForce)) return false;
-  const std::optional<RuleId> rule = find_rule(name.substr(kInForce.size()));
-  if (rule) rules.in_force[*rule] = value != 0;
-  return rule.has_value();
+  if (name == kEdition) {
+    start.rules.edition = static_cast<Edition>(value);
+    return true;
+  }
+  return set_rule_number(start.rules, name, value) ||
+         set_rule(start.rules.in_force, kInForce, name, value) ||
+         set_rule(start.obeyed, kObeyed, name, value);
 }
 
 }  // namespace autoref::league

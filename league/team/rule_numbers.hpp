@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "soccer/field.hpp"
+#include "league/team/team_messages.hpp"
 #include "soccer/rule_book.hpp"
 
 namespace autoref::league {
@@ -17,12 +17,13 @@ void visit_rule_numbers(const RuleBook& rules,
                         const std::function<void(std::string_view name, double value)>& visit);
 
 // What a START contains: the numbers of the rule book, then "field.goal_line_run_off_m", from the
-// goal lines to the wall, for which its record of the field has no room.
-void visit_start_numbers(const RuleBook& rules, const Field& field,
+// goal lines to the wall, for which its record of the field has no room, and for each rule
+// "obeyed." and its name, 1 or 0.
+void visit_start_numbers(const TeamStart& start,
                          const std::function<void(std::string_view name, double value)>& visit);
 
 // Sets the number of that name, as visit_start_numbers() names it, in a team's program; returns
 // false if the name is unknown.
-bool set_start_number(RuleBook& rules, Field& field, std::string_view name, double value);
+bool set_start_number(TeamStart& start, std::string_view name, double value);
 
 }  // namespace autoref::league

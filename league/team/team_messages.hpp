@@ -31,7 +31,8 @@ inline constexpr std::size_t kLongestName = 55;          // bytes of a parameter
 struct TeamStart {
   Side side = Side::kWest;  // the colour: west is yellow
   Field field;
-  RuleBook rules;
+  RuleBook rules;  // the match's rules in force; numbers as in TeamContext::rules
+  RuleSet obeyed;  // the rules in force and those of the team's laws
   double frame_rate_hz = 60;
   double latency_s = 0;           // from a frame until a command sent then moves a robot
   std::uint64_t random_seed = 0;  // RandomStream(random_seed) is the team's stream

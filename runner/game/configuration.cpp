@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "referee/machine/shootout.hpp"
+#include "soccer/obeyed_rules.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -42,6 +43,10 @@ double longest_shootout_s(const RuleBook& rules) {
 }
 
 }  // namespace
+
+RuleBook obeyed_rules(const GameConfiguration& game, const TeamConfiguration& team) {
+  return team.laws ? autoref::obeyed_rules(game.match.rules, *team.laws) : game.match.rules;
+}
 
 const TeamConfiguration& team_on(const GameConfiguration& game, Side side) {
   return side == game.match.a_plays ? game.a : game.b;

@@ -27,12 +27,17 @@ struct TeamProgram {
   int memory_mb = 4096;                  // limit of each process
 };
 
+// The laws that teams know unless a setting says otherwise.
+inline constexpr const char* kDefaultLaws = "2014";
+
 struct TeamConfiguration {
   std::string strategy = "basic";                           // unused if there is a program
   std::map<std::string, double> params;                     // the strategy's parameters, by name
   sim::TeamSpec::Robots robots = sim::TeamSpec::Robots(6);  // by number, 1 to 16
   std::optional<TeamProgram> program = {};
   bool on_network = false;  // commanded over the network (runner/live/)
+  // The laws that it keeps to, in addition to the rules in force; nullopt: only these.
+  std::optional<RuleBook> laws = find_rule_book(kDefaultLaws);
 };
 
 // What becomes of a game in which a team fails (strategies::StrategyFault and the like): it has no
@@ -65,6 +70,9 @@ struct GameConfiguration {
   std::optional<Scene> scene = {};       // nullopt: a whole game
   std::string id = {};                   // in an experiment; empty for a single game
 };
+
+// The rules that the team keeps to.
+RuleBook obeyed_rules(const GameConfiguration& game, const TeamConfiguration& team);
 
 const TeamConfiguration& team_on(const GameConfiguration& game, Side side);
 

@@ -68,7 +68,7 @@ std::unique_ptr<strategies::Strategy> make_team_on(const GameConfiguration& c, S
                                                    const TeamMaker& make_team) {
   const TeamConfiguration& team = team_on(c, side);
   strategies::TeamContext context{c.field,
-                                  c.match.rules,
+                                  obeyed_rules(c, team),
                                   c.sim.frame_rate_hz,
                                   RandomStream::of(c.seed, RandomPurpose::kStrategy, side),
                                   team.params,
@@ -77,6 +77,7 @@ std::unique_ptr<strategies::Strategy> make_team_on(const GameConfiguration& c, S
   context.robot_count = static_cast<int>(team.robots.size());
   context.latency_s = believed_latency_s(c, side);
   context.random_seed = RandomStream::stream_seed(c.seed, RandomPurpose::kStrategy, side);
+  context.enforced = c.match.rules.in_force;
   return make_team(team, context);
 }
 

@@ -16,6 +16,16 @@ std::vector<std::string> strategy_names() {
   return names;
 }
 
+// Words for the laws that a team knows: the rule books of the league, and none of them.
+std::vector<std::string> laws_names() {
+  std::vector<std::string> names = rule_book_names();
+  std::erase_if(names, [](const std::string& name) {
+    return find_rule_book(name)->edition == Edition::kPaper;
+  });
+  names.emplace_back(kEnforcedOnly);
+  return names;
+}
+
 void list_changes(RobotChanges& changes, Branch to) {
   to.add("robot", ChangesOf{&changes, "robot"}, {}, "overrides of sim.robot");
   to.add("kicker", ChangesOf{&changes, "kicker"}, {}, "overrides of sim.kicker");
@@ -41,6 +51,9 @@ void list_types(RobotTypes& types, Branch to) {
 
 void list_team(TeamSettings& team, const RobotTypes& types, Branch to) {
   to.word("strategy", team.strategy, strategy_names(), "the team's strategy");
+  to.word("laws", team.laws, laws_names(),
+          "the laws that the team knows: it keeps to the rules in force and to these, whether or "
+          "not they are in force; enforced: only to the rules in force");
   to.add("command", CommandWords{&team.command}, {},
          "the team is this program, instead of a strategy");
   to.add("directory", FreeText{&team.directory}, {}, "working directory of the program");

@@ -38,6 +38,9 @@ struct PlayerSettings {
 // The strategy of teams that play over the network (runner/live/).
 inline constexpr const char* kNetworkStrategy = "network";
 
+// The laws of a team that keeps only to the rules in force.
+inline constexpr const char* kEnforcedOnly = "enforced";
+
 struct TeamSettings {
   std::string strategy = "basic";        // unused if there is a command
   std::vector<std::string> command;      // the team is this program
@@ -52,6 +55,7 @@ struct TeamSettings {
   RobotChanges changes;                  // override the type's
   double speed_factor = 1.0;             // scales the robots' top speed, (0, 2]
   double acceleration_factor = 1.0;      // scales their acceleration and braking, (0, 2]
+  std::string laws = kDefaultLaws;       // name of a rule book, or kEnforcedOnly
   std::map<std::string, double> params;
   std::map<int, PlayerSettings> players;  // by number
 };

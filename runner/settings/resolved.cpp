@@ -42,6 +42,8 @@ TeamConfiguration resolved(const GameSettings& game, const TeamSettings& team,
   if (!team.command.empty())
     configuration.program =
         TeamProgram{team.command, team.directory, team.environment, team.answer_s, team.memory_mb};
+  configuration.laws =
+      team.laws == kEnforcedOnly ? std::nullopt : std::optional(book_of(team.laws));
   configuration.on_network = team.command.empty() && team.strategy == kNetworkStrategy;
   return configuration;
 }

@@ -16,6 +16,8 @@ league::TeamStart start_of(const strategies::TeamContext& context) {
   start.side = context.side;
   start.field = context.field;
   start.rules = context.rules;
+  start.rules.in_force = context.enforced;
+  start.obeyed = context.rules.in_force;
   start.frame_rate_hz = context.frame_rate_hz;
   start.latency_s = context.latency_s;
   start.random_seed = context.random_seed;

@@ -10,6 +10,7 @@
 
 #include "league/team/rule_numbers.hpp"
 #include "league/team/team_messages.hpp"
+#include "soccer/rule_table.hpp"
 
 namespace autoref::league {
 
@@ -88,12 +89,14 @@ class Description {
 };
 
 inline std::string described(const TeamStart& start) {
-  const auto& [side, field, rules, frame_rate_hz, latency_s, random_seed, params, robots] = start;
+  const auto& [side, field, rules, obeyed, frame_rate_hz, latency_s, random_seed, params, robots] =
+      start;
   Description all;
   all.add_each(side, field, rules.name, frame_rate_hz, latency_s, fmt::format("{}", random_seed));
   visit_rule_numbers(rules, [&all](std::string_view name, double value) {
     all.add_each(std::string(name), value);
   });
+  for (const RuleEntry& entry : rule_table()) all.add_each(obeyed.has(entry.rule));
   for (const auto& [name, value] : params) all.add_each(name, value);
   return all.add_all(robots).text;
 }

@@ -129,7 +129,7 @@ class FlatSide final : public ProgramSide {
     }
     for (std::uint32_t i = 0; i < head.rule_numbers; ++i) {
       const auto number = records.take<FlatNumber>();
-      if (!set_start_number(start.rules, start.field, number.name.data(), number.value))
+      if (!set_start_number(start, number.name.data(), number.value))
         throw std::runtime_error("unknown rule number");
     }
     for (std::uint32_t i = 0; i < head.params; ++i) {

@@ -120,8 +120,7 @@ class JsonSide final : public ProgramSide {
     start.field = field_of(message.at("field"));
     start.rules.name = message.at("rules");
     for (const auto& [name, value] : message.at("rule_numbers").items()) {
-      if (!set_start_number(start.rules, start.field, name, value))
-        throw std::runtime_error("unknown number");
+      if (!set_start_number(start, name, value)) throw std::runtime_error("unknown number");
     }
     for (const auto& [name, value] : message.at("params").items()) start.params[name] = value;
     for (const json& a : message.at("robots")) {

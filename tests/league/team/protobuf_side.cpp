@@ -103,7 +103,7 @@ class ProtobufSide final : public ProgramSide {
     start.field = field_of(message.field());
     start.rules.name = message.rules();
     for (const team::TeamNumber& number : message.rule_numbers()) {
-      if (!set_start_number(start.rules, start.field, number.name(), number.value()))
+      if (!set_start_number(start, number.name(), number.value()))
         throw std::runtime_error("unknown number");
     }
     for (const team::TeamNumber& number : message.params())

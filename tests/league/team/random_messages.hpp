@@ -20,6 +20,7 @@ class RandomMessages {
     start.side = one_in(2) ? Side::kEast : Side::kWest;
     start.rules = *find_rule_book(one_in(2) ? "2026-a" : "2014");
     start.rules.kick_limit_mps = number();
+    start.obeyed[RuleId::kBotDribbledBallTooFar] = one_in(2);
     start.frame_rate_hz = number();
     start.latency_s = number();
     start.random_seed = random_();

@@ -55,34 +55,46 @@ TEST(RuleNumbers, ContainTheRulesInForce) {
 
 TEST(RuleNumbers, GiveTheWholeRuleBookBack) {
   for (const std::string& name : rule_book_names()) {
-    const RuleBook rules = *find_rule_book(name);
-    RuleBook read;
-    read.name = name;
-    Field field;
-    visit_start_numbers(rules, {}, [&](std::string_view number, double value) {
-      EXPECT_TRUE(set_start_number(read, field, number, value)) << number;
+    TeamStart start;
+    start.rules = *find_rule_book(name);
+    start.obeyed = find_rule_book("2014")->in_force;
+    TeamStart read;
+    read.rules.name = name;
+    visit_start_numbers(start, [&](std::string_view number, double value) {
+      EXPECT_TRUE(set_start_number(read, number, value)) << number;
     });
-    EXPECT_EQ(read, rules);
+    EXPECT_EQ(read.rules, start.rules);
+    EXPECT_EQ(read.obeyed, start.obeyed);
   }
 }
 
-TEST(RuleNumbers, EndWithTheDistanceToTheWallBehindTheGoalLines) {
-  Field field;
+TEST(RuleNumbers, DistinguishTheRulesInForceFromThoseThatTheTeamKeepsTo) {
+  TeamStart start;
+  start.obeyed[RuleId::kBotDribbledBallTooFar] = true;
+  std::map<std::string, double> numbers;
+  visit_start_numbers(
+      start, [&numbers](std::string_view name, double value) { numbers.emplace(name, value); });
+  EXPECT_EQ(numbers.at("in_force.bot_dribbled_ball_too_far"), 0);
+  EXPECT_EQ(numbers.at("obeyed.bot_dribbled_ball_too_far"), 1);
+}
+
+TEST(RuleNumbers, ContainTheDistanceToTheWallBehindTheGoalLines) {
+  TeamStart start;
   std::vector<double> last;
   for (const double behind_m : {0.0, 0.6}) {
-    field.goal_line_run_off_m = behind_m;
-    visit_start_numbers({}, field, [&last](std::string_view name, double value) {
+    start.field.goal_line_run_off_m = behind_m;
+    visit_start_numbers(start, [&last](std::string_view name, double value) {
       if (name == "field.goal_line_run_off_m") last.push_back(value);
     });
   }
-  EXPECT_EQ(last, (std::vector<double>{field.run_off_m, 0.6}));
+  EXPECT_EQ(last, (std::vector<double>{start.field.run_off_m, 0.6}));
 }
 
 TEST(RuleNumbers, RefuseUnknownNames) {
-  RuleBook rules;
-  Field field;
-  EXPECT_FALSE(set_start_number(rules, field, "kick_limit", 1));
-  EXPECT_FALSE(set_start_number(rules, field, "in_force.aimless", 1));
+  TeamStart start;
+  EXPECT_FALSE(set_start_number(start, "kick_limit", 1));
+  EXPECT_FALSE(set_start_number(start, "in_force.aimless", 1));
+  EXPECT_FALSE(set_start_number(start, "obeyed.aimless", 1));
 }
 
 }  // namespace

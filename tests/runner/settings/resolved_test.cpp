@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -31,6 +32,26 @@ TEST(ResolvedGame, HasTheRuleBookWithItsRulesSwitchedAsSet) {
   expected.in_force[RuleId::kNoProgressInGame] = false;
   expected.extra_half_s = 120;
   EXPECT_EQ(rules, expected);
+}
+
+TEST(ResolvedGame, HasTeamsThatKnowTheLawsOf2014) {
+  const GameConfiguration game = resolved(GameSettings{});
+  EXPECT_EQ(game.a.laws, find_rule_book("2014"));
+  EXPECT_EQ(game.b.laws, find_rule_book("2014"));
+}
+
+TEST(ResolvedGame, HasTheLawsThatEachTeamIsSetToKnow) {
+  GameSettings settings;
+  set_by_path(settings, "a.laws", "2026-b");
+  set_by_path(settings, "b.laws", "enforced");
+  const GameConfiguration game = resolved(settings);
+  EXPECT_EQ(game.a.laws, find_rule_book("2026-b"));
+  EXPECT_EQ(game.b.laws, std::nullopt);
+}
+
+TEST(ResolvedGame, RefusesTheNameOfThePapersBookAsLaws) {
+  GameSettings settings;
+  EXPECT_THROW(set_by_path(settings, "a.laws", "paper"), SettingError);
 }
 
 TEST(ResolvedGame, ChangesEndsByTheRuleBookUnlessItIsSet) {
