@@ -9,14 +9,24 @@
 namespace autoref::strategies {
 namespace {
 
+constexpr double kClearsAlone_s = 0.4;  // how much earlier than an opponent
+
 int count_of(double wanted) { return static_cast<int>(std::lround(wanted)); }
 
-// The robot with the lowest number keeps the goal, unless it is alone and reaches the ball before
-// the opponents.
+// Whether a robot without team-mates can clear a ball near its goal well before an opponent gets
+// there.
+bool can_clear_alone(const PredictedState& predicted) {
+  const BallInterception& own = predicted.interception(0);
+  return own.point_m.x() < 0 && own.time_s + kClearsAlone_s < predicted.theirs().time_s;
+}
+
+// The robot with the lowest number keeps the goal, unless nobody can shoot at it. Without
+// team-mates, it leaves the goal only to clear the ball.
 void give_goal(const PredictedState& predicted, RoleAssignment& assignment) {
-  if (predicted.robots() == 0) return;
-  if (predicted.robots() == 1 && predicted.is_ours()) return;
-  assignment.give(0, is_keepers_ball(predicted) ? Role::kBall : Role::kKeeper);
+  if (predicted.robots() == 0 || predicted.now().opponents.empty()) return;
+  const bool is_keepers =
+      is_keepers_ball(predicted) || (predicted.robots() == 1 && can_clear_alone(predicted));
+  assignment.give(0, is_keepers ? Role::kBall : Role::kKeeper);
 }
 
 // Whether the opponents could soon have the ball.
@@ -132,13 +142,15 @@ void open_play(PlayContext& book, RoleAssignment& assignment) {
   give_goal_and_ball(book, assignment);
   const int left = assignment.free_robots();
   const Shares shares = shares_of(predicted.style(), left);
+  // Opponents that may come to shoot: all but one, which keeps their goal.
+  const int threats = std::max(0, static_cast<int>(predicted.now().opponents.size()) - 1);
   if (predicted.is_ours()) {
     const int backs = predicted.path().now_m().x() < 0 || is_contested(predicted) ? 2 : 1;
-    const int ahead = std::min(shares.receivers, left - backs);
-    defend(book, assignment, left - std::max(ahead, 0), 0);
+    const int ahead = std::min(shares.receivers, left - std::min(backs, threats));
+    defend(book, assignment, std::min(left - std::max(ahead, 0), threats), 0);
   } else {
     const int ahead = std::clamp(left - 2, 0, shares.forwards);
-    const int wall = std::min(shares.wall, left - ahead);
+    const int wall = std::min({shares.wall, (left - ahead + 1) / 2, threats});
     defend(book, assignment, wall, std::min(shares.markers, left - ahead - wall));
     cover(book, assignment, assignment.free_robots() - ahead);
   }

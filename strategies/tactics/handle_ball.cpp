@@ -71,6 +71,8 @@ Choice BallHandler::choose(int index, const Vec2& from_m) const {
     return option;
   };
   Choice best = shot_from(predicted_, robot.number, from_m);
+  // Without team-mates, a robot gains time to return to its goal.
+  if (predicted_.robots() == 1 && !predicted_.now().opponents.empty()) return best;
   const bool is_shooting = choice_.kind == Choice::Kind::kShot;
   if (best.worth >=
       predicted_.style().shot_threshold * (is_shooting ? predicted_.style().still_shoots : 1.0))
