@@ -76,8 +76,10 @@ const std::vector<Claim>& lab_claims() {
        turning_radps2},
       {"turning", "maximum angular speed", "turn", 15, 0.05, "rad/s", "the league's robots",
        turning_radps},
-      {"delay", "delay from frame to motion", "delay", 40, 2.1, "ms",
-       "the league's simulators, 35 + 5 ms; rounded to one of 240 sub-steps per second", delay_ms},
+      {"delay", "delay from frame to motion", "delay", 83.3, 2.1, "ms",
+       "five frames, as in a simulator of one of the paper's authors; rounded to one of 240 "
+       "sub-steps per second",
+       delay_ms},
       {"pushing", "deceleration of two robots, one pushing and one holding its position", "push",
        1.0, 0.05, "m/s²", "closed form (5 - 3) / 2", pair_mps2},
       {"robots_rebound", "speed kept when two robots collide", "head-on", 0.2, 0.02, "", kModels,
