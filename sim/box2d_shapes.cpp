@@ -65,7 +65,8 @@ void add_end(b2Body& ground, const Surfaces& surfaces, const Field& field, doubl
   const auto at = [sign](double x, double y) { return Vec2(sign * x, sign * y); };
   // The walls overlap at the corners, and none ends flush with another's face: a ball rolling along
   // a wall would catch in the groove between two rounded edges.
-  const double end = outside - kSkin_m;
+  const double end =
+      field.goal_sides_reach_wall ? field.wall_x_m() + kWallThickness_m / 2 : outside - kSkin_m;
   const double back_half = outer - kSkin_m;
   add_box(ground, surfaces, at(line, inner), at(end, outer), kGoals, surfaces.wall);
   add_box(ground, surfaces, at(line, -inner), at(end, -outer), kGoals, surfaces.wall);

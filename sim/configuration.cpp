@@ -132,6 +132,18 @@ void validate(const VisionParameters& vision) {
   check_range("vision.misread_numbers", vision.misread_numbers, 0.0, 0.9);
 }
 
+void check_goals_end_before_walls(const Field& field) {
+  constexpr double kRounding_m = 1e-9;
+  const double behind_m = field.behind_goal_lines_m();
+  const double deepest_m = behind_m - field.goal_wall_thickness_m;
+  if (field.goal_depth_m <= deepest_m + kRounding_m) return;
+  refuse("field.goal_depth_m", field.goal_depth_m,
+         "at most " + text_of(deepest_m) + ", because the wall stands " + text_of(behind_m) +
+             " m behind the goal line (" +
+             (field.goal_line_run_off_m > 0 ? "field.goal_line_run_off_m" : "field.run_off_m") +
+             ") and the goal's back is " + text_of(field.goal_wall_thickness_m) + " m thick");
+}
+
 }  // namespace
 
 void validate(const Configuration& configuration) {
@@ -178,15 +190,14 @@ void validate(const Field& field) {
   // Smaller fields have no room for 16 robots per side, larger ones exceed Box2D's range of sizes.
   check_range("field.length_m", field.length_m, 4.0, 30.0);
   check_range("field.width_m", field.width_m, 2.0, 20.0);
-  // Leaves space for balls and robots behind a goal.
-  const double behind_goal_m = field.goal_depth_m + field.goal_wall_thickness_m + 0.2;
+  // A robot that takes a free kick from a line, or comes back after a card, stands beyond it.
+  check_range("field.run_off_m", field.run_off_m, 2 * kRobotRadius_m, 5.0);
   if (field.goal_line_run_off_m > 0)
-    check_range("field.goal_line_run_off_m", field.goal_line_run_off_m, behind_goal_m, 5.0);
-  check_range("field.run_off_m", field.run_off_m,
-              field.goal_line_run_off_m > 0 ? 2 * kRobotRadius_m : behind_goal_m, 5.0);
+    check_range("field.goal_line_run_off_m", field.goal_line_run_off_m, 2 * kRobotRadius_m, 5.0);
   check_range("field.goal_width_m", field.goal_width_m, 0.2, field.width_m - 0.4);
   check_range("field.goal_depth_m", field.goal_depth_m, 0.05, 1.0);
   check_range("field.goal_wall_thickness_m", field.goal_wall_thickness_m, 0.01, 0.1);
+  check_goals_end_before_walls(field);
   check_positive("field.goal_opening_height_m", field.goal_opening_height_m);
   check_range("field.goal_bar_radius_m", field.goal_bar_radius_m, 0.001, 0.05);
   check_range("field.line_width_m", field.line_width_m, 0.0, 0.05);

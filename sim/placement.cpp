@@ -25,6 +25,7 @@ Route route_to_field(const Field& field, const Vec2& position_m, double clearanc
   }
   const double beside_m = field.half_goal_m() + field.goal_wall_thickness_m + clearance_m;
   const double behind_m = field.half_length_m();
+  // Side walls that reach the field's wall are crossed: a hand lifts the ball over them.
   // A ball exactly behind the goal's centre goes to the left as seen from the field, facing the
   // goal.
   const double flank = position_m.y() == 0.0 ? end : std::copysign(1.0, position_m.y());

@@ -8,6 +8,13 @@
 namespace autoref::sim {
 namespace {
 
+// Whether the point is over a goal's side wall where it goes on to the field's wall.
+bool is_over_goal_side(const Field& field, const Vec2& point_m) {
+  const double beside_m = std::abs(point_m.y()) - field.half_goal_m();
+  return field.goal_sides_reach_wall && std::abs(point_m.x()) > field.half_length_m() &&
+         beside_m >= 0.0 && beside_m <= field.goal_wall_thickness_m;
+}
+
 double bounced_vertical(const ContactParameters& contacts, const Ball& ball) {
   return std::max(contacts.top_leaving_mps, -contacts.top_restitution * ball.vertical_mps());
 }
@@ -48,6 +55,11 @@ std::optional<Vec2> bounced_off_top(const Field& field, const ContactParameters&
   if (former_height_m >= net_m && height_m < net_m && is_over_goal(field, body.position_m)) {
     ball.bounce_in_air(net_m, bounced_vertical(contacts, ball));
     return leaving(body.velocity_mps, {0.0, 0.0}, {std::copysign(1.0, body.position_m.x()), 0.0},
+                   contacts.top_leaving_mps);
+  }
+  if (former_height_m >= net_m && height_m < net_m && is_over_goal_side(field, body.position_m)) {
+    ball.bounce_in_air(net_m, bounced_vertical(contacts, ball));
+    return leaving(body.velocity_mps, {0.0, 0.0}, {0.0, std::copysign(1.0, body.position_m.y())},
                    contacts.top_leaving_mps);
   }
   if (former_height_m < kRobotHeight_m || height_m >= kRobotHeight_m) return std::nullopt;

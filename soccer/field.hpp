@@ -34,6 +34,7 @@ struct Field {
   double goal_opening_height_m = 155_mm;  // to the underside of the bar: the paper's G_h
   double goal_bar_radius_m = 5_mm;        // a round bar of at most 10 mm (Laws 2014, law 1)
   double goal_wall_thickness_m = 20_mm;
+  bool goal_sides_reach_wall = false;  // the goals' side walls go on to the wall (2026)
 
   double half_length_m() const { return length_m / 2; }    // the paper's F_x
   double half_width_m() const { return width_m / 2; }      // the paper's F_y

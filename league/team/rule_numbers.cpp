@@ -88,6 +88,7 @@ constexpr std::array kNumbers = {
 constexpr std::string_view kEdition = "edition";
 constexpr std::string_view kInForce = "in_force.";
 constexpr std::string_view kGoalLineRunOff = "field.goal_line_run_off_m";
+constexpr std::string_view kGoalSidesReachWall = "field.goal_sides_reach_wall";
 constexpr std::string_view kObeyed = "obeyed.";
 
 void visit_rules(std::string_view prefix, const RuleSet& rules,
@@ -134,12 +135,17 @@ void visit_start_numbers(const TeamStart& start,
                          const std::function<void(std::string_view name, double value)>& visit) {
   visit_rule_numbers(start.rules, visit);
   visit(kGoalLineRunOff, start.field.behind_goal_lines_m());
+  visit(kGoalSidesReachWall, start.field.goal_sides_reach_wall ? 1 : 0);
   visit_rules(kObeyed, start.obeyed, visit);
 }
 
 bool set_start_number(TeamStart& start, std::string_view name, double value) {
   if (name == kGoalLineRunOff) {
     start.field.goal_line_run_off_m = value;
+    return true;
+  }
+  if (name == kGoalSidesReachWall) {
+    start.field.goal_sides_reach_wall = value != 0;
     return true;
   }
   if (name == kEdition) {

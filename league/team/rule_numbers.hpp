@@ -16,9 +16,9 @@ namespace autoref::league {
 void visit_rule_numbers(const RuleBook& rules,
                         const std::function<void(std::string_view name, double value)>& visit);
 
-// What a START contains: the numbers of the rule book, then "field.goal_line_run_off_m", from the
-// goal lines to the wall, for which its record of the field has no room, and for each rule
-// "obeyed." and its name, 1 or 0.
+// What a START contains: the numbers of the rule book, then what its record of the field has no
+// room for: "field.goal_line_run_off_m", from the goal lines to the wall, and
+// "field.goal_sides_reach_wall", 1 or 0. Last, for each rule, "obeyed." and its name, 1 or 0.
 void visit_start_numbers(const TeamStart& start,
                          const std::function<void(std::string_view name, double value)>& visit);
 

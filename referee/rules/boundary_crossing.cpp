@@ -1,4 +1,4 @@
-// A kick must not take the ball over the field's boundary, the outer edge of the run-off (2026).
+// A kick must not take the ball over the field's boundary, the wall around the run-off (2026).
 // The opponents get a free kick from where the ball was kicked. The ball has crossed a line before,
 // so the rule also applies in the stop that follows; there, a ball that somebody carries away does
 // not count. Unless the last touch is known, nobody is blamed.

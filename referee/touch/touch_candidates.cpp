@@ -147,7 +147,9 @@ Candidates candidates_on(const BallSegment& segment, const StoredFrame& before,
 double gap_to_goals_m(const Field& field, const BallSegment& segment) {
   // By symmetry, one post represents all four.
   const Vec2 low_m(field.half_length_m(), field.half_goal_m());
-  const Vec2 high_m = low_m + Vec2(field.goal_depth_m, field.goal_wall_thickness_m);
+  const double length_m =
+      field.goal_sides_reach_wall ? field.behind_goal_lines_m() : field.goal_depth_m;
+  const Vec2 high_m = low_m + Vec2(length_m, field.goal_wall_thickness_m);
   double least_m = distance_to_box_m(segment.from_m.cwiseAbs(), low_m, high_m);
   for (int i = 1; i <= kCandidateSamples; ++i) {
     const Vec2 ball_m = on_segment(segment, static_cast<double>(i) / kCandidateSamples);

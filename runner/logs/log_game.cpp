@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "runner/settings/resolved.hpp"
@@ -34,6 +35,12 @@ Field field_in(const league::LogSummary& log, const Field& of_book) {
   Field field = *log.field;
   if (log.field_gaps.penalty_mark) field.penalty_mark_m = of_book.penalty_mark_m;
   if (log.field_gaps.defence_area) field.defence_area = of_book.defence_area;
+  // Vision does not say so; a field with the book's walls has its goals.
+  constexpr double kSameWall_m = 1_mm;
+  const bool has_its_walls =
+      std::abs(field.run_off_m - of_book.run_off_m) < kSameWall_m &&
+      std::abs(field.behind_goal_lines_m() - of_book.behind_goal_lines_m()) < kSameWall_m;
+  field.goal_sides_reach_wall = has_its_walls && of_book.goal_sides_reach_wall;
   return field;
 }
 

@@ -11,7 +11,8 @@
 namespace autoref::runner {
 
 // The field according to the log's geometry; values that the geometry lacks come from the rule
-// book's field.
+// book's field. Vision does not say whether the goals' side walls reach the wall: they do as in the
+// book if the walls are where the book has them.
 Field field_in(const league::LogSummary& log, const Field& of_book);
 
 // A game under the rule book, with field, robots, lengths and first kick-off overridden by the log,

@@ -14,6 +14,8 @@
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
 #include "runner/io/words.hpp"
+#include "runner/logs/guessed_rules.hpp"
+#include "runner/logs/log_game.hpp"
 #include "soccer/rule_book.hpp"
 
 namespace autoref::runner {
@@ -205,7 +207,7 @@ Field field_shown(const std::string& path, const league::LogSummary& log, const 
                      fmt::format("expected one of {}, found '{}'{}", listed(known), book,
                                  suggestion(book, known)));
   }
-  if (log.field) return *log.field;
+  if (log.field) return field_in(log, find_game_setup(guessed_rules(log).book)->field);
   write_message(stderr, fmt::format("autoref: {}: the log has no geometry; using the field of "
                                     "the rules {} (change with --rules)\n",
                                     path, book));

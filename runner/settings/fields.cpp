@@ -141,6 +141,8 @@ void list_field(Field& field, Branch to) {
             "radius of the goal's round bar");
   to.number("goal_wall_thickness_m", field.goal_wall_thickness_m, {0.01, 0.1}, "m",
             "thickness of the goal walls");
+  to.yes_or_no("goal_sides_reach_wall", field.goal_sides_reach_wall,
+               "the goals' side walls go on to the wall, so nothing passes behind a goal");
 }
 
 }  // namespace

@@ -49,11 +49,15 @@ Outline around_defence_area(const Field& field, Side side, double distance_m) {
   return outline;
 }
 
-std::array<Vec2, 4> goal_walls_m(const Field& field, Side side) {
+std::vector<Vec2> goal_walls_m(const Field& field, Side side) {
   const double x = field.goal_centre_m(side).x();
   const double back_x = x + goal_sign(side) * field.goal_depth_m;
   const double y = field.half_goal_m();
-  return {Vec2(x, y), Vec2(back_x, y), Vec2(back_x, -y), Vec2(x, -y)};
+  if (!field.goal_sides_reach_wall)
+    return {Vec2(x, y), Vec2(back_x, y), Vec2(back_x, -y), Vec2(x, -y)};
+  const double wall_x = goal_sign(side) * field.wall_x_m();
+  return {Vec2(x, y),       Vec2(wall_x, y),  Vec2(back_x, y),
+          Vec2(back_x, -y), Vec2(wall_x, -y), Vec2(x, -y)};
 }
 
 }  // namespace autoref::runner

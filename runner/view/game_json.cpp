@@ -50,7 +50,7 @@ Json field_json(const Field& field) {
   };
   return {{"halfLength_mm", mm_json(field.half_length_m())},
           {"halfWidth_mm", mm_json(field.half_width_m())},
-          {"runOff_mm", mm_json(field.run_off_m)},
+          {"wall_mm", position_json({field.wall_x_m(), field.wall_y_m()})},
           {"lineWidth_mm", mm_json(field.line_width_m)},
           {"marks", outline_json(field_lines(field))},
           {"penaltyMarks", list_json(kSides, penalty_mark)},

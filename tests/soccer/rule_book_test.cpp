@@ -44,6 +44,28 @@ TEST(RuleBooks, LetKeepersHoldTheBallFor15And10And5Seconds) {
   EXPECT_DOUBLE_EQ(book("2026-a").keeper_holding_s, 5);
 }
 
+// Rules of 2026, change 103: 0.7 m of carpet, of which the outer 0.4 m are the referees' path
+// behind the wall; division A has substitution areas behind the goal lines.
+TEST(RuleBooks, HaveTheirWalls300MmFromTheLinesIn2026) {
+  const Field b = find_game_setup("2026-b")->field;
+  EXPECT_DOUBLE_EQ(b.wall_x_m(), 4.8);
+  EXPECT_DOUBLE_EQ(b.wall_y_m(), 3.3);
+  EXPECT_TRUE(b.goal_sides_reach_wall);
+  const Field a = find_game_setup("2026-a")->field;
+  EXPECT_DOUBLE_EQ(a.wall_x_m(), 6.6);
+  EXPECT_DOUBLE_EQ(a.wall_y_m(), 4.8);
+  EXPECT_TRUE(a.goal_sides_reach_wall);
+}
+
+TEST(RuleBooks, HadTheirWalls675MmFromTheLinesUntil2014) {
+  for (const char* name : {"paper", "2014", "2014-double"}) {
+    const Field field = find_game_setup(name)->field;
+    EXPECT_DOUBLE_EQ(field.wall_x_m() - field.half_length_m(), 0.675) << name;
+    EXPECT_DOUBLE_EQ(field.wall_y_m() - field.half_width_m(), 0.675) << name;
+    EXPECT_FALSE(field.goal_sides_reach_wall) << name;
+  }
+}
+
 TEST(RuleBooks, GrantTimeoutsByTheSizeOfTheField) {
   EXPECT_EQ(book("2014").timeouts, 4);
   EXPECT_DOUBLE_EQ(book("2014").timeouts_s, 300);

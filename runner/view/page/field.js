@@ -3,6 +3,7 @@
 const kColors = {
   carpet: "#1c5b40",
   runOff: "#174c36",
+  wall: "#0b2419",
   line: "rgba(255, 255, 255, 0.88)",
   sides: ["#ffd43b", "#4a9dff"],
   onSides: ["#1d1a05", "#04152b"],
@@ -16,6 +17,7 @@ const kColors = {
 const kPaperColors = {
   carpet: "#ffffff",
   runOff: "#f2f2f2",
+  wall: "#999999",
   line: "#555555",
   watched: "#777777",
   mark: "#000000",
@@ -63,6 +65,10 @@ function drawGoals(context, field, thin, yellowEnd) {
 // that yellow defends.
 function drawField(context, field, thin, yellowEnd) {
   const {halfLength_mm: x, halfWidth_mm: y} = field;
+  const [wallX, wallY] = field.wall_mm;
+  context.strokeStyle = kColors.wall;
+  context.lineWidth = Math.max(20, 2 * thin);
+  context.strokeRect(-wallX, -wallY, 2 * wallX, 2 * wallY);
   context.fillStyle = kColors.carpet;
   context.fillRect(-x, -y, 2 * x, 2 * y);
   context.strokeStyle = kColors.line;

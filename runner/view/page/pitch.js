@@ -25,13 +25,14 @@ class Pitch {
     const {clientWidth, clientHeight} = this.canvas;
     const ratio = window.devicePixelRatio || 1;
     const goalDepth_mm = Math.abs(this.field.goals[0][1][0]) - this.field.halfLength_mm;
-    const margin_mm = Math.min(this.field.runOff_mm, Math.max(goalDepth_mm + 60, 300));
+    const margin_mm = Math.max(goalDepth_mm + 60, 300);
+    const x_mm = Math.min(this.field.wall_mm[0], this.field.halfLength_mm + margin_mm);
+    const y_mm = Math.min(this.field.wall_mm[1], this.field.halfWidth_mm + margin_mm);
     for (const canvas of [this.canvas, this.still]) {
       canvas.width = Math.max(1, Math.round(clientWidth * ratio));
       canvas.height = Math.max(1, Math.round(clientHeight * ratio));
     }
-    this.scale = Math.min(this.canvas.width / (2 * (this.field.halfLength_mm + margin_mm)),
-                          this.canvas.height / (2 * (this.field.halfWidth_mm + margin_mm)));
+    this.scale = Math.min(this.canvas.width / (2 * x_mm), this.canvas.height / (2 * y_mm));
     this.pixel_mm = ratio / this.scale;  // millimetres per pixel of the page
     this.drawStill();
   }

@@ -56,12 +56,12 @@ class Description {
   }
   Description& add(const Field& field) {
     const auto& [length, width, run_off, goal_line_run_off, substitution_area, line, circle, mark,
-                 area, goal_width, depth, opening, bar, wall] = field;
+                 area, goal_width, depth, opening, bar, wall, sides_reach_wall] = field;
     const auto& [shape, area_depth, straight] = area;
     static_cast<void>(goal_line_run_off);  // 0 says the same as run_off
     static_cast<void>(substitution_area);  // is not sent
     return add_each(length, width, run_off, field.behind_goal_lines_m(), line, circle, mark, shape,
-                    area_depth, straight, goal_width, depth, opening, bar, wall);
+                    area_depth, straight, goal_width, depth, opening, bar, wall, sides_reach_wall);
   }
   template <typename Enum>
   requires std::is_enum_v<Enum> Description& add(Enum value) {

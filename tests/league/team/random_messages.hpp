@@ -35,6 +35,7 @@ class RandomMessages {
       *member = number();
     }
     if (one_in(2)) start.field.defence_area.shape = DefenceArea::Shape::kBox;
+    start.field.goal_sides_reach_wall = one_in(2);
     start.robots.resize(random_() % (kMaxRobots + 1));
     for (Abilities& robot : start.robots)
       robot = {number(), number(), number(), number(), number()};

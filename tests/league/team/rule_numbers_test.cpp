@@ -90,6 +90,19 @@ TEST(RuleNumbers, ContainTheDistanceToTheWallBehindTheGoalLines) {
   EXPECT_EQ(last, (std::vector<double>{start.field.run_off_m, 0.6}));
 }
 
+TEST(RuleNumbers, SayWhetherTheGoalsSideWallsReachTheWall) {
+  for (const bool reach : {false, true}) {
+    Field field;
+    field.goal_sides_reach_wall = reach;
+    RuleBook rules;
+    Field read;
+    visit_start_numbers({}, field, [&](std::string_view name, double value) {
+      set_start_number(rules, read, name, value);
+    });
+    EXPECT_EQ(read.goal_sides_reach_wall, reach);
+  }
+}
+
 TEST(RuleNumbers, RefuseUnknownNames) {
   TeamStart start;
   EXPECT_FALSE(set_start_number(start, "kick_limit", 1));

@@ -221,7 +221,7 @@ TEST(BoundaryCrossing, IsNotCalledForABallThatStaysInTheRunOff) {
   game.placement_works = false;
   game.kick(Side::kWest, 1, {0.1, 6});
   game.run_until("throw_in", 3);
-  game.put_ball({0.5, 3.6});
+  game.put_ball({0.5, 3.2});
   game.run(3);
   EXPECT_EQ(game.count("boundary_crossing"), 0);
 }

@@ -13,7 +13,7 @@ int count_of_event(const GameRecord& record, referee::Event event) {
 }
 
 GameConfiguration placed_by_teams(const std::string& a, const std::string& b) {
-  GameConfiguration game = short_game_by("2026-b", 30, 5);
+  GameConfiguration game = short_game_by("2026-b", 60, 5);
   game.a.strategy = a;
   game.b.strategy = b;
   game.match.placement = referee::PlacedBy::kTeams;

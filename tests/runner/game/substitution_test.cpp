@@ -114,6 +114,17 @@ TEST(ReturnPosition, IsInTheRunOffOfItsOwnHalfNearTheHalfwayLine) {
   EXPECT_EQ(return_position(game.field, Side::kEast, {}, game.world).value(), -west_m);
 }
 
+// On every field that a rule book has.
+TEST(ReturnPosition, LeavesRoomForTheHullBetweenLineAndWall) {
+  for (const std::string& book : rule_book_names()) {
+    StagedGame game = dummies();
+    game.field = find_game_setup(book)->field;
+    const Vec2 position_m = return_position(game.field, Side::kWest, {}, game.world).value();
+    EXPECT_GT(std::abs(position_m.y()) + 1e-9, game.field.half_width_m() + kRobotRadius_m) << book;
+    EXPECT_LT(std::abs(position_m.y()), game.field.wall_y_m() - kRobotRadius_m) << book;
+  }
+}
+
 TEST(ReturnPosition, KeepsItsDistanceFromTheBallAndThePlacementTarget) {
   StagedGame game = dummies();
   const Vec2 first_m = return_position(game.field, Side::kWest, {}, game.world).value();

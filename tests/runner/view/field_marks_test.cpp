@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "soccer/rule_book.hpp"
 
 namespace autoref::runner {
@@ -61,6 +63,16 @@ TEST(GoalWalls, RunFromPostToPostAlongTheBack) {
   EXPECT_EQ(walls_m[0], Vec2(-3.025, 0.35));
   EXPECT_NEAR(walls_m[1].x(), -3.205, 1e-9);
   EXPECT_EQ(walls_m[3], Vec2(-3.025, -0.35));
+}
+
+TEST(GoalWalls, GoOnToTheWallIn2026) {
+  const auto walls_m = goal_walls_m(field_of_book("2026-a"), Side::kEast);
+  EXPECT_EQ(walls_m.front(), Vec2(6, 0.9));
+  EXPECT_EQ(walls_m.back(), Vec2(6, -0.9));
+  for (const double y_m : {0.9, -0.9})
+    EXPECT_EQ(std::count(walls_m.begin(), walls_m.end(), Vec2(6.6, y_m)), 1) << y_m;
+  EXPECT_NEAR(walls_m[2].x(), 6.18, 1e-9);
+  EXPECT_NEAR(walls_m[3].x(), 6.18, 1e-9);
 }
 
 }  // namespace

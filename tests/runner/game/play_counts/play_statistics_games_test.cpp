@@ -161,7 +161,7 @@ INSTANTIATE_TEST_SUITE_P(Books, PlayCountsOfGames,
                          name_of_setup);
 
 TEST(PlayCountsOfAGame, HaveMoreFoulsForARowdyTeam) {
-  GameConfiguration game = short_game_by("2026-b", 60, 25);
+  GameConfiguration game = short_game_by("2026-b", 120, 25);
   game.a.strategy = "rowdy";
   const GameRecord record = play(game);
   EXPECT_GT(record.counts[0].fouls, record.counts[1].fouls);
