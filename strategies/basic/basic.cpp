@@ -57,6 +57,7 @@ Limits Basic::limits_for(bool is_keeper) const {
 void Basic::find_obstacles() {
   const double clearance_m = 2 * kRobotRadius_m + style_.robot_gap_m;
   robots_.clear();
+  robots_.farthest_m = farthest_between_walls_m(context_.field);
   for (const TrackedRobot& mate : now_.own) robots_.push_back({mate.position_m, clearance_m});
   for (const TrackedRobot& opponent : now_.opponents) {
     robots_.push_back({opponent.position_m, clearance_m});

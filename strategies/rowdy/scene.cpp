@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "strategies/skills/limits.hpp"
 #include "strategies/skills/play_ball.hpp"
 #include "strategies/skills/prediction.hpp"
 
@@ -27,6 +28,7 @@ const TrackedRobot* nearest(const TrackedRobots& robots, int except, const Vec2&
 
 Obstacles everybody_but(const Scene& scene, int number) {
   Obstacles obstacles;
+  obstacles.farthest_m = farthest_between_walls_m(scene.field);
   for (const TrackedRobot& mate : scene.now.own) {
     if (mate.number != number) obstacles.push_back({mate.position_m, kSceneClearance_m});
   }

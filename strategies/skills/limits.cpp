@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "soccer/robot_shape.hpp"
 #include "soccer/trigonometry.hpp"
@@ -11,7 +12,8 @@ namespace {
 
 constexpr double kLimitMargin_m =
     30_mm;  // added to the distances in the rules to allow for the robots' own errors
-constexpr double kFarMargin_m = 1e-6;  // far above rounding errors
+constexpr double kFarMargin_m = 1e-6;     // far above rounding errors
+constexpr double kWideRunOff_m = 600_mm;  // the Laws' 500 mm from the ball, and a hull
 constexpr int kTurns = 36;  // directions tried to each side of a position inside the ball's circle
 
 // Moves `p` to the nearest point at `distance_m` from the area of `side`.
@@ -67,12 +69,32 @@ Vec2 pushed_into_bounds(const Field& field, Vec2 p, const Limits& limits) {
     p = pushed_out_of_area(field, Side::kEast, p, limits.keep_from_area_m + kLimitMargin_m,
                            limits.may_stay_behind_goal);
   }
-  const double x_m = field.half_length_m() + limits.beyond_lines_m;
-  const double y_m = field.half_width_m() + limits.beyond_lines_m;
+  const Vec2 farthest_m = farthest_between_walls_m(field);
+  const double x_m = std::min(field.half_length_m() + limits.beyond_lines_m, farthest_m.x());
+  const double y_m = std::min(field.half_width_m() + limits.beyond_lines_m, farthest_m.y());
   return {std::clamp(p.x(), -x_m, x_m), std::clamp(p.y(), -y_m, y_m)};
 }
 
 }  // namespace
+
+Vec2 farthest_between_walls_m(const Field& field) {
+  constexpr double kAnywhere_m = std::numeric_limits<double>::infinity();
+  if (field.run_off_m >= kWideRunOff_m) return {kAnywhere_m, kAnywhere_m};
+  return {field.wall_x_m() - kRobotRadius_m, field.wall_y_m() - kRobotRadius_m};
+}
+
+Vec2 off_walls(const Field& field, const Vec2& from_m, const Vec2& direction, double length_m) {
+  const Vec2 farthest_m = farthest_between_walls_m(field);
+  for (int i = 0; i <= kTurns; ++i) {
+    for (const double side : {1.0, -1.0}) {
+      const Vec2 turned = to_world(direction, heading_of(side * i * kPi / kTurns));
+      const Vec2 to_m = from_m + length_m * turned;
+      if (std::abs(to_m.x()) <= farthest_m.x() && std::abs(to_m.y()) <= farthest_m.y())
+        return i == 0 ? direction : turned;
+    }
+  }
+  return direction;
+}
 
 double room_for_error_m(const RuleBook& rules) {
   return rules.edition == Edition::kRules2026 ? 40_mm : 0.0;

@@ -19,6 +19,14 @@ struct Limits {
   double beyond_lines_m = 90_mm;  // how far a robot's centre may be outside the field
 };
 
+// The largest |x| and |y| that a robot's centre can have between walls near the lines; infinite if
+// the run-off is wide enough to keep the rules' distance from a ball at a line.
+Vec2 farthest_between_walls_m(const Field& field);
+
+// The direction nearest to the unit vector `direction` in which a robot at `from_m` can drive
+// `length_m` without meeting a wall near the lines; `direction` if there is none.
+Vec2 off_walls(const Field& field, const Vec2& from_m, const Vec2& direction, double length_m);
+
 // Extra distance from the ball if the rule book penalises being too near at once (2026); otherwise
 // 0.
 double room_for_error_m(const RuleBook& rules);

@@ -7,6 +7,7 @@ namespace autoref::strategies {
 namespace {
 
 constexpr double kMotionLookAhead_m = 1.5;  // obstacles farther along the path are ignored
+constexpr double kBetween = 0.7;            // least cosine between a wall's and a robot's direction
 constexpr double kGoalClearance_m = 30_mm;  // between a goal's wall and a passing robot
 
 // The first obstacle on the path from `from_m` along the unit vector `direction`; nullptr if there
@@ -28,6 +29,14 @@ const Obstacle* first_on_path(const Vec2& from_m, const Vec2& direction, double 
 
 }  // namespace
 
+bool Obstacles::has_room(const Obstacle& obstacle, const Vec2& from_m, const Vec2& beside_m) const {
+  if (inside_walls_m(beside_m) == beside_m) return true;
+  const Vec2 off_m = from_m - obstacle.position_m;
+  const Vec2 beside = beside_m - obstacle.position_m;
+  return off_m.norm() < obstacle.clearance_m &&
+         off_m.dot(beside) > kBetween * off_m.norm() * beside.norm();
+}
+
 Vec2 steer_around(const Vec2& from_m, const Vec2& target_m, const Obstacles& obstacles) {
   const Vec2 offset = target_m - from_m;
   const double length_m = offset.norm();
@@ -37,7 +46,10 @@ Vec2 steer_around(const Vec2& from_m, const Vec2& target_m, const Obstacles& obs
   if (obstacle == nullptr) return target_m;
   // Passes the obstacle on the side on which the straight path runs.
   const double side = cross(direction, obstacle->position_m - from_m) > 0 ? -1.0 : 1.0;
-  return obstacle->position_m + left_of(direction) * (side * obstacle->clearance_m * 1.1);
+  const Vec2 beside = left_of(direction) * (side * obstacle->clearance_m * 1.1);
+  const Vec2 beside_m = obstacle->position_m + beside;
+  return obstacles.has_room(*obstacle, from_m, beside_m) ? obstacles.inside_walls_m(beside_m)
+                                                         : Vec2(obstacle->position_m - beside);
 }
 
 std::optional<Vec2> exit_from_behind_goal(const Field& field, const Vec2& from_m) {
@@ -49,7 +61,8 @@ std::optional<Vec2> exit_from_behind_goal(const Field& field, const Vec2& from_m
     const double before_line_m = field.half_length_m() - kRobotRadius_m;
     return Vec2(std::copysign(before_line_m, from_m.x()), from_m.y());
   }
-  if (beyond_m < field.goal_depth_m + kRobotRadius_m) return std::nullopt;  // in the goal
+  const bool is_in_goal = beyond_m < field.goal_depth_m + kRobotRadius_m;
+  if (is_in_goal || field.goal_sides_reach_wall) return std::nullopt;
   return Vec2(from_m.x(), std::copysign(flank_m + kGoalClearance_m, from_m.y()));
 }
 

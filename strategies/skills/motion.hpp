@@ -2,6 +2,7 @@
 #pragma once
 
 #include <boost/container/static_vector.hpp>
+#include <limits>
 #include <optional>
 
 #include "soccer/field.hpp"
@@ -32,14 +33,29 @@ struct Obstacle {
   Vec2 position_m{0, 0};
   double clearance_m = 0;
 };
-using Obstacles = boost::container::static_vector<Obstacle, 2 * kMaxRobots + 4>;
+
+// Discs, and the walls if they stand near the lines.
+struct Obstacles : boost::container::static_vector<Obstacle, 2 * kMaxRobots + 4> {
+  using static_vector::static_vector;
+  // The largest |x| and |y| of a detour; see farthest_between_walls_m().
+  Vec2 farthest_m = Vec2::Constant(std::numeric_limits<double>::infinity());
+
+  // Whether a robot at `from_m` can pass the obstacle at `beside_m`: no wall is too near, or the
+  // robot is already between the obstacle and the wall.
+  bool has_room(const Obstacle& obstacle, const Vec2& from_m, const Vec2& beside_m) const;
+  Vec2 inside_walls_m(const Vec2& position_m) const {
+    return position_m.cwiseMax(-farthest_m).cwiseMin(farthest_m);
+  }
+};
 
 // The point to steer for on the way to `target_m`: the target itself if the straight path is free,
-// otherwise a point beside the first obstacle.
+// otherwise a point beside the first obstacle: on its other side if a wall leaves no room, but
+// along the wall if the robot is already between the two.
 Vec2 steer_around(const Vec2& from_m, const Vec2& target_m, const Obstacles& obstacles);
 
 // The point to steer for from behind or close beside a goal whose walls block the straight path to
-// the field: first sideways, then past the goal line. Returns nullopt elsewhere.
+// the field: first sideways, then past the goal line. Returns nullopt elsewhere. No robot gets
+// behind a goal whose side walls reach the field's wall.
 std::optional<Vec2> exit_from_behind_goal(const Field& field, const Vec2& from_m);
 
 // Commands that drive `robot` around the obstacles to `goal` and stop it there.

@@ -11,6 +11,7 @@ constexpr double kMovesOn_s = 0.25;            // other robots are extrapolated 
 constexpr double kRoom_m = 30_mm;              // between hulls
 constexpr double kAvoidanceBeside_m = 20_mm;   // additional clearance of the detour point
 constexpr double kBlockedLeg_m = 0.5;          // length added to a detour if an obstacle is on it
+constexpr double kBehindWall_m = 20;           // the same if a wall is
 constexpr double kTurning_s = 0.15;            // weight of the current velocity: length per speed
 
 // The first obstacle on the segment; nullptr if there is none.
@@ -37,6 +38,7 @@ const Obstacle* first_on(const Vec2& from_m, const Vec2& to_m, const Obstacles& 
 void find_obstacles(const Surroundings& all, const TrackedRobot& robot, const Vec2& target_m,
                     Obstacles& obstacles) {
   obstacles.clear();
+  obstacles.farthest_m = all.farthest_m;
   const Vec2 middle_m = (robot.position_m + target_m) / 2;
   const double reach_m = (target_m - robot.position_m).norm() / 2 + 4 * kRobotRadius_m;
   const auto add = [&](const TrackedRobot& other) {
@@ -72,11 +74,12 @@ Vec2 steer_for(const TrackedRobot& robot, const Vec2& target_m, const Obstacles&
         next != nullptr && next != hit)
       cost_m += kBlockedLeg_m;
     if (first_on(beside_m, target_m, obstacles) != nullptr) cost_m += kBlockedLeg_m / 2;
+    if (!obstacles.has_room(*hit, from_m, beside_m)) cost_m += kBehindWall_m;
     // Favours the side to which the robot already moves, so the choice does not flip.
     cost_m -= kTurning_s * robot.velocity_mps.dot(direction_of(leg, direction));
     if (cost_m >= best_cost_m) continue;
     best_cost_m = cost_m;
-    best_m = beside_m;
+    best_m = obstacles.inside_walls_m(beside_m);
   }
   return best_m;
 }

@@ -13,6 +13,7 @@ struct Surroundings {
   double ball_room_m =
       0;  // from the ball's centre to the robot's hull; 0: the ball is not an obstacle
   Vec2 ball_m{0, 0};
+  Vec2 farthest_m = Obstacles{}.farthest_m;  // largest |x| and |y| of a detour
 };
 
 // Fills `obstacles` with everything close enough to `robot` or its path to `target_m` to matter.
@@ -20,8 +21,8 @@ void find_obstacles(const Surroundings& all, const TrackedRobot& robot, const Ve
                     Obstacles& obstacles);
 
 // The point to steer for: the target if the straight path is free; otherwise the better of the two
-// points beside the first obstacle, judged by the length of the detour, the obstacles on it, and
-// the robot's current velocity.
+// points beside the first obstacle, judged by the length of the detour, the obstacles and walls on
+// it, and the robot's current velocity.
 Vec2 steer_for(const TrackedRobot& robot, const Vec2& target_m, const Obstacles& obstacles);
 
 }  // namespace autoref::strategies

@@ -215,7 +215,8 @@ RobotCommand BallPlacer::set_down(const TrackedRobot& robot) {
   const double left_m = kLeave_m - from_ball_m.norm();
   if (left_m < 0) return command;
   const double limit_mps = waited_s < kSlowly_s ? kSlowly_mps : kLeave_mps;
-  return drive_with(robot, away * std::min(limit_mps, 0.1 + 3 * left_m), -away,
+  const Vec2 out = off_walls(predicted_.field(), robot.position_m, away, left_m);
+  return drive_with(robot, out * std::min(limit_mps, 0.1 + 3 * left_m), -away,
                     predicted_.driving(index_));
 }
 

@@ -155,8 +155,9 @@ double PredictedState::allowed_kick_mps(double wanted_mps) const {
 void robots_around(const PredictedState& predicted, int index, const Vec2& target_m,
                    Obstacles& obstacles) {
   const TeamView& now = predicted.now();
-  find_obstacles({now.own, now.opponents, 0, now.ball.position_m}, predicted.robot(index), target_m,
-                 obstacles);
+  find_obstacles(
+      {now.own, now.opponents, 0, now.ball.position_m, farthest_between_walls_m(predicted.field())},
+      predicted.robot(index), target_m, obstacles);
 }
 
 Waypoint facing_ball(const PredictedState& predicted, const Vec2& position_m) {
@@ -176,14 +177,18 @@ RobotCommand go_to(const PredictedState& predicted, int index, const Waypoint& w
   }
   Obstacles obstacles;
   const double room_m = std::max(predicted.style().near_room_m, predicted.room_at_ball_m());
-  find_obstacles({now.own, now.opponents, room_m, now.ball.position_m}, robot, goal.position_m,
-                 obstacles);
+  find_obstacles({now.own, now.opponents, room_m, now.ball.position_m,
+                  farthest_between_walls_m(predicted.field())},
+                 robot, goal.position_m, obstacles);
   add_areas(predicted, robot, goal.position_m, obstacles);
   const DrivingStyle style = predicted.driving(index);
   const Vec2 off_m = robot.position_m - now.ball.position_m;
   if (room_m > predicted.style().near_room_m &&
       off_m.norm() < room_m + kRobotRadius_m - predicted.style().near_room_m) {
-    const Vec2 out = direction_of(off_m, Vec2(-1, 0));  // first leave the ball's circle directly
+    // First leaves the ball's circle directly, or along a wall that is in the way.
+    const Vec2 out =
+        off_walls(predicted.field(), robot.position_m, direction_of(off_m, Vec2(-1, 0)),
+                  room_m + kRobotRadius_m - off_m.norm());
     return drive_via(robot, robot.position_m + out * predicted.style().near_room_m * 10, goal,
                      style);
   }

@@ -152,6 +152,7 @@ Limits Chaser::limits() const {
 
 Obstacles Chaser::obstacles_for(int index, bool keeps_off_ball) const {
   Obstacles obstacles;
+  obstacles.farthest_m = farthest_between_walls_m(context_.field);
   for (int i = 0; i < static_cast<int>(now_.own.size()); ++i) {
     if (i != index) obstacles.push_back({now_.own[i].position_m, kChaserClearance_m});
   }

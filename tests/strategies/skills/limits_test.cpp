@@ -99,17 +99,45 @@ TEST_P(PermittedOnFieldOf, MovesAPositionOutOfAnAreaNoFartherThanNecessary) {
   const Field field = team_context_of(GetParam()).field;
   Limits limits = off_both_areas();
   limits.beyond_lines_m = field.run_off_m;
+  const double beyond_m = std::min(0.5, field.run_off_m - kRobotRadius_m);
   const auto is_right = [&](const Vec2& position_m) {
     const Vec2 p = permitted(field, position_m, {kFarBall_m, 0}, limits);
     const double shorter_m = (p - position_m).norm() - 40_mm;
     return shorter_m < 0 || !is_out_within(field, half_of(position_m), position_m, shorter_m);
   };
-  EXPECT_EQ(exceptions(positions_on(field, 0.5), is_right), kNone_m);
+  EXPECT_EQ(exceptions(positions_on(field, beyond_m), is_right), kNone_m);
 }
 
 INSTANTIATE_TEST_SUITE_P(Books, PermittedOnFieldOf,
                          testing::Values("paper", "2014-double", "2026-b", "2026-a"),
                          name_of_rule_book);
+
+TEST(Permitted, KeepsRobotsInsideWallsThatStandNearTheLines) {
+  const Field field = team_context_of("2026-b").field;
+  Limits limits;
+  limits.beyond_lines_m = 0.57;
+  const Vec2 p = permitted(field, {2, 5}, {kFarBall_m, 0}, limits);
+  EXPECT_NEAR(p.y(), 3.3 - kRobotRadius_m, 1e-9);
+  EXPECT_NEAR(permitted(field, {5, 3}, {kFarBall_m, 0}, limits).x(), 4.8 - kRobotRadius_m, 1e-9);
+}
+
+// A robot between a ball at a touch line of 2026 and the wall cannot back away from the ball by 0.5
+// m.
+TEST(OffWalls, TurnsAlongAWallThatIsTooNear) {
+  const Field field = team_context_of("2026-b").field;
+  const Vec2 from_m(1, 3.1);
+  const Vec2 along = off_walls(field, from_m, {0, 1}, 0.5);
+  EXPECT_LE(from_m.y() + 0.5 * along.y(), 3.3 - kRobotRadius_m);
+  EXPECT_GT(std::abs(along.x()), 0.9);
+  EXPECT_EQ(off_walls(field, from_m, {0, -1}, 0.5), Vec2(0, -1));
+  const Vec2 slanting = off_walls(field, from_m, heading_of(1.3), 0.5);
+  EXPECT_GT(slanting.x(), 0.9);
+}
+
+TEST(OffWalls, ChangesNothingOnFieldsWithAWideRunOff) {
+  const Field field = team_context_of("2014").field;
+  EXPECT_EQ(off_walls(field, {0, field.wall_y_m() - 0.1}, {0, 1}, 0.5), Vec2(0, 1));
+}
 
 // 0.9 m in front of the west goal line and 0.3 m inside a side of the 2 m wide box.
 TEST(Permitted, MovesAPositionInABoxToItsNearestSide) {

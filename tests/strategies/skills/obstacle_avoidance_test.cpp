@@ -52,6 +52,40 @@ TEST(SteerFor, NeverLeadsThroughALoneRobot) {
   }
 }
 
+// Robots that drive along a wall, which their centres can approach to y = 2.1.
+TEST(SteerFor, PassesARobotAtAWallOnTheFieldsSide) {
+  Obstacles ahead = {{{0.7, 1.98}, kClear_m}};
+  EXPECT_GT(steer_for(robot_at({0, 2}), {1.5, 2}, ahead).y(), 2);
+  ahead.farthest_m = {9, 2.1};
+  EXPECT_LT(steer_for(robot_at({0, 2}), {1.5, 2}, ahead).y(), 2);
+}
+
+// As on the way round a ball that the rules keep it away from, from just inside that distance.
+TEST(SteerFor, GoesRoundTheFieldsSideOfAnObstacleThatItHasJustTouched) {
+  Obstacles ahead = {{{0.59, 1.7}, 0.6}};
+  ahead.farthest_m = {9, 2.1};
+  EXPECT_LT(steer_for(robot_at({0, 1.72}), {1.2, 1.9}, ahead).y(), 1.7);
+  EXPECT_LT(steer_around({0, 1.72}, {1.2, 1.9}, ahead).y(), 1.7);
+}
+
+// As between a wall and a ball that the rules keep it away from.
+TEST(SteerFor, GoesAlongTheWallIfItIsAlreadyTooNearToTheObstacle) {
+  Obstacles beside = {{{0.2, 1.7}, 0.6}};
+  beside.farthest_m = {9, 2.1};
+  for (const Vec2& steer_m :
+       {steer_for(robot_at({0, 2}), {1.5, 2}, beside), steer_around({0, 2}, {1.5, 2}, beside)}) {
+    EXPECT_NEAR(steer_m.y(), 2.1, 1e-9);
+    EXPECT_GT(steer_m.x(), 0);
+  }
+}
+
+TEST(SteerAround, PassesARobotAtAWallOnTheFieldsSide) {
+  Obstacles ahead = {{{0.7, 1.98}, kClear_m}};
+  EXPECT_GT(steer_around({0, 2}, {1.5, 2}, ahead).y(), 2);
+  ahead.farthest_m = {9, 2.1};
+  EXPECT_LT(steer_around({0, 2}, {1.5, 2}, ahead).y(), 2);
+}
+
 TEST(FindObstacles, FindsEveryOtherRobotNearThePath) {
   const TrackedRobots own = {robot_at({0, 0}), numbered(1, robot_at({1, 0.1}))};
   const TrackedRobots opponents = {robot_at({0.5, 0}), numbered(1, robot_at({0.5, 1.7}))};
