@@ -16,9 +16,11 @@ namespace {
 
 // Our choice: a kicked ball reaches the boundary within this time after the touch.
 constexpr double kFlight_s = 4_s;
-// Our choice: the ball must be that far beyond, because a flying ball of unknown height appears
-// farther out than it is.
+// Our choice: the ball must be that far beyond the boundary.
 constexpr double kBeyondBoundary_m = 150_mm;
+// Our choice: that many standard deviations of a flying ball's height more. A camera sees a ball
+// that is higher than assumed farther out; 45 degrees aside of a camera, by as much.
+constexpr double kDeviations = 3;
 
 double beyond_boundary_m(const Field& field, const Vec2& ball_m) {
   return std::max(std::abs(ball_m.x()) - field.wall_x_m(), std::abs(ball_m.y()) - field.wall_y_m());
@@ -39,7 +41,10 @@ std::optional<Finding> find_boundary_crossing(RefereeState& state, const Referee
   const double beyond_m = beyond_boundary_m(c.field, ball_m);
   bool& is_called = state.watch.boundary_is_crossed;
   if (beyond_m < 0) is_called = false;
-  if (beyond_m < kBeyondBoundary_m || is_called || !touch.side) return std::nullopt;
+  if (!input.ball->height_known) return std::nullopt;
+  const double deviation_m = input.tracks.ball ? input.tracks.ball->height_deviation_m : 0.0;
+  const double least_m = kBeyondBoundary_m + kDeviations * deviation_m;
+  if (beyond_m < least_m || is_called || !touch.side) return std::nullopt;
   if (has_passed(touch.time_s, kFlight_s, input.time_s())) return std::nullopt;
   const std::optional<Vec2> from_m = kicked_from_m(input.frames, touch.time_s);
   if (!from_m) return std::nullopt;
