@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "strategies/skills/ease_off.hpp"
 #include "strategies/skills/openings.hpp"
 #include "strategies/skills/prediction.hpp"
 #include "strategies/skills/shot.hpp"
@@ -12,7 +13,8 @@
 namespace autoref::strategies::basic {
 namespace {
 
-constexpr int kSidesteps = 12;  // limit on sidesteps from the ball's path to the goal
+constexpr double kTakerWaits_m = 0.5;  // from the ball: within it, a restart's taker stands still
+constexpr int kSidesteps = 12;         // limit on sidesteps from the ball's path to the goal
 
 // If kicks above the limit are fouls, the team's kicks stay below it by more than the kickers'
 // error.
@@ -131,6 +133,9 @@ Intent Basic::attack_intent(const TrackedRobot& attacker) const {
   intent.tolerance_rad = std::clamp(
       style_.aim_share * std::min(aim.clearance_m, style_.free_lane_m) / distance_m, 0.04, 0.2);
   if (is_pressed() && now_.play == Play::kRunning) intent.hasty_mps = style_.push_mps;
+  // A ball that is pushed along before it is kicked would count as touched twice.
+  const bool touches_once = context_.rules.has(RuleId::kAttackerDoubleTouchedBall);
+  if (touches_once && is_restart(now_.play)) intent.hasty_mps = kick_mps;
   return intent;
 }
 
@@ -171,13 +176,35 @@ bool Basic::may_play_ball() const {
   return !is_theirs && (now_.own.size() == 1 || to_area_m > kFrontDistance_m);
 }
 
+// Number of the robot that must not touch the ball, -1 if all may.
+int Basic::barred_from_ball() const {
+  const bool is_barred = now_.play == Play::kRunning && now_.own.size() > 1 &&
+                         context_.rules.has(RuleId::kAttackerDoubleTouchedBall);
+  return is_barred ? taker_.number() : -1;
+}
+
+// Whether the robot might run into the ball that it must not touch.
+bool Basic::must_wait(const TrackedRobot& robot) const {
+  return robot.number == barred_from_ball() &&
+         (robot.position_m - now_.ball.position_m).norm() < kTakerWaits_m;
+}
+
+void Basic::avoid_contact(TeamCommands& commands) const {
+  if (now_.play != Play::kRunning || !context_.rules.has(RuleId::kBotCrashUnique)) return;
+  for (const TrackedRobot& robot : now_.own)
+    ease_off(robot, now_.opponents, {}, commands[robot.number]);
+}
+
 void Basic::play(TeamCommands& commands) {
-  const RoleAssignment assignment = assign_roles(now_, context_.field, style_, former_attacker_);
+  const RoleAssignment assignment =
+      assign_roles(now_, context_.field, style_, former_attacker_, barred_from_ball());
   former_attacker_ = assignment.attacker < 0 ? -1 : now_.own[assignment.attacker].number;
+  taker_.update(now_, now_.ours && is_restart(now_.play) ? former_attacker_ : -1);
   for (int i = 0; i < static_cast<int>(now_.own.size()); ++i) {
     const TrackedRobot& robot = now_.own[i];
     RobotCommand& command = commands[robot.number];
     const Role role = assignment.roles[i].role;
+    if (must_wait(robot)) continue;
     if (const auto path_m = exit_from_behind_goal(context_.field, robot.position_m)) {
       command = drive_to(robot, {*path_m, robot.heading}, robots_, driving_);
     } else if (role == Role::kKeeper) {
@@ -299,6 +326,7 @@ void Basic::command_robots(const TeamView& view, TeamCommands& commands) {
   } else {
     play(commands);
   }
+  avoid_contact(commands);
 }
 
 }  // namespace autoref::strategies::basic

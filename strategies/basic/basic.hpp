@@ -11,6 +11,7 @@
 #include "strategies/skills/limits.hpp"
 #include "strategies/skills/look_ahead.hpp"
 #include "strategies/skills/play_ball.hpp"
+#include "strategies/skills/restart_taker.hpp"
 #include "strategies/skills/shot.hpp"
 #include "strategies/strategy.hpp"
 
@@ -36,6 +37,9 @@ class Basic final : public Strategy {
   RobotCommand attack(const RoleAssignment& assignment) const;
   RobotCommand keep(int index, const RoleAssignment& assignment) const;
   bool may_play_ball() const;
+  int barred_from_ball() const;
+  bool must_wait(const TrackedRobot& robot) const;
+  void avoid_contact(TeamCommands& commands) const;
   void play(TeamCommands& commands);
   Vec2 allowed(const Vec2& wanted_m, const Vec2& ball_m, const Limits& limits) const;
   std::optional<Vec2> position_off_ball(const Vec2& from_m) const;
@@ -53,6 +57,7 @@ class Basic final : public Strategy {
   Obstacles robots_and_ball_;
   Vec2 ball_target_m_{0, 0};  // the ball, or where the referee is about to place it
   int former_attacker_ = -1;
+  RestartTaker taker_;
   TeamRequests requests_;
 };
 

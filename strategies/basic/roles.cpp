@@ -19,11 +19,12 @@ double time_behind_ball_s(const TrackedRobot& robot, const Interception& interce
 }
 
 void choose_attacker(const TeamView& view, const Field& field, const Style& style,
-                     const Taken& taken, int former_attacker, RoleAssignment& assignment) {
+                     const Taken& taken, int former_attacker, int barred,
+                     RoleAssignment& assignment) {
   double best_s = std::numeric_limits<double>::infinity();
   const BallSamples ball(view.ball);
   for (int i = 0; i < static_cast<int>(view.own.size()); ++i) {
-    if (taken[i]) continue;
+    if (taken[i] || view.own[i].number == barred) continue;
     const Interception interception = intercept(view.own[i], ball);
     // Hysteresis, so that two robots equally near do not alternate.
     const double bonus_s = view.own[i].number == former_attacker ? style.loyalty_s : 0.0;
@@ -78,12 +79,12 @@ void give(RoleAssignment& assignment, Taken& taken, int index, const AssignedRol
 
 // Greedy assignment: roles in order of importance, each to the robot that suits it best.
 RoleAssignment assign_roles(const TeamView& view, const Field& field, const Style& style,
-                            int former_attacker) {
+                            int former_attacker, int barred) {
   RoleAssignment assignment;
   Taken taken{};
   const Vec2 goal_m = field.goal_centre_m(Side::kWest);
   if (view.own.size() > 1) give(assignment, taken, 0, {Role::kKeeper, -1, 0});
-  choose_attacker(view, field, style, taken, former_attacker, assignment);
+  choose_attacker(view, field, style, taken, former_attacker, barred, assignment);
   give(assignment, taken, assignment.attacker, {Role::kAttacker, -1, 0});
   give(assignment, taken, nearest_free(view, taken, goal_m), {Role::kWall, -1, 0});
   if (view.own.size() > 4)

@@ -30,8 +30,9 @@ struct RoleAssignment {
 // ball first attacks; `former_attacker`, a robot's number, continues unless another is clearly
 // faster. The robot nearest to the team's own goal forms the wall, with five or more robots also
 // the second-nearest. One robot supports. Each of the others marks an opponent in the team's own
-// half, or supports if no opponent is left.
+// half, or supports if no opponent is left. The robot with the number `barred` does not attack; -1:
+// all may.
 RoleAssignment assign_roles(const TeamView& view, const Field& field, const Style& style,
-                            int former_attacker);
+                            int former_attacker, int barred = -1);
 
 }  // namespace autoref::strategies::basic

@@ -5,16 +5,13 @@
 #include <limits>
 
 #include "soccer/robot_shape.hpp"
+#include "strategies/skills/ease_off.hpp"
 #include "strategies/skills/openings.hpp"
 #include "strategies/skills/strike.hpp"
 #include "strategies/tactics/areas.hpp"
 
 namespace autoref::strategies {
 namespace {
-
-// Robots this near to each other are in contact, or both with a ball between them.
-constexpr double kContact_m = 35_mm;
-constexpr double kPressesFreely_mps = 100;  // no robot is as fast
 
 // Adds both areas as discs that touch the areas' front lines, unless the robot or its target is
 // inside the area.
@@ -200,44 +197,22 @@ RobotCommand go_to(const PredictedState& predicted, int index, const Waypoint& w
 namespace {
 
 // How gently opponents are approached.
-struct Easing {
-  double from_m;
-  double gentle_mps;
-  double braking_mps2;
-  double contact_mps;
-};
 Easing easing_of(const PredictedState& predicted) {
   const Style& style = predicted.style();
-  if (predicted.rules().fouls_per_card == 0)
-    return {style.ease_from_m, style.gentle_mps, style.ease_mps2, kPressesFreely_mps};
-  return {std::max(style.ease_from_m, style.card_ease_from_m),
-          std::min(style.gentle_mps, style.card_gentle_mps),
-          std::min(style.ease_mps2, style.card_ease_mps2), style.contact_mps};
+  Easing easing{style.ease_from_m, style.gentle_mps, style.ease_mps2};
+  if (predicted.rules().fouls_per_card == 0) return easing;
+  easing.from_m = std::max(easing.from_m, style.card_ease_from_m);
+  easing.gentle_mps = std::min(easing.gentle_mps, style.card_gentle_mps);
+  easing.braking_mps2 = std::min(easing.braking_mps2, style.card_ease_mps2);
+  if (predicted.rules().has(RuleId::kBotPushedBot)) easing.contact_mps = style.contact_mps;
+  return easing;
 }
 
 }  // namespace
 
-// Limits the closing speed towards each nearby opponent to a braking curve over the gap. Only the
-// component towards the opponent is reduced, so the robot can still slide past it. A robot in
-// contact with an opponent presses no harder than the style allows.
+// A robot in contact with an opponent presses no harder than the style allows.
 void ease_off(const PredictedState& predicted, int index, RobotCommand& command) {
-  const TrackedRobot& robot = predicted.robot(index);
-  const Easing easing = easing_of(predicted);
-  Vec2 velocity_mps = to_world(command.velocity_mps, robot.heading);
-  for (const TrackedRobot& opponent : predicted.now().opponents) {
-    const Vec2 there = opponent.position_m - robot.position_m;
-    const double gap_m = there.norm() - 2 * kRobotRadius_m;
-    if (gap_m > easing.from_m) continue;
-    const Vec2 direction = direction_of(there, Vec2(1, 0));
-    const double most_mps =
-        easing.gentle_mps + std::sqrt(2 * easing.braking_mps2 * std::max(0.0, gap_m));
-    const double closing_mps = (velocity_mps - opponent.velocity_mps).dot(direction);
-    if (closing_mps > most_mps) velocity_mps -= direction * (closing_mps - most_mps);
-    if (gap_m > kContact_m || !predicted.rules().has(RuleId::kBotPushedBot)) continue;
-    const double pressing_mps = velocity_mps.dot(direction) - easing.contact_mps;
-    if (pressing_mps > 0) velocity_mps -= direction * pressing_mps;
-  }
-  command.velocity_mps = to_local(velocity_mps, robot.heading);
+  ease_off(predicted.robot(index), predicted.now().opponents, easing_of(predicted), command);
 }
 
 }  // namespace autoref::strategies

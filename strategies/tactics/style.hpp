@@ -41,8 +41,8 @@ struct Style {
   double gentle_mps = 0.7;
   double ease_mps2 = 2.5;
   double possession_margin_s = 0.15;
-  double from_their_area_m = 0.1;
-  double from_own_area_m = 0.12;
+  double from_their_area_m = 0.15;
+  double from_own_area_m = 0.2;
   double beyond_line_m = 0.57;
   double room_for_taker_m = 0.5;
   double kick_caution = 0.93;
@@ -90,7 +90,7 @@ struct Style {
   double free_bend_rad = 1.4;
   double fight_m = 0.45;
   double dribbling_share = 0.4;
-  double release_rad = 1.5;
+  double release_rad = 3.0;
   double near_line_m = 0.2;
   double block_from_m = 60_mm;
   double block_press_mps = 0.5;
@@ -124,7 +124,7 @@ struct Style {
   double keeper_beside_post_m = 150_mm;
   double keeper_off_line_m = 20_mm;
   double keeper_fetch_mps = 1.2;
-  double keeper_area_margin_m = 30_mm;
+  double keeper_area_margin_m = 0.15;
   double keeper_aim_trust = 0.6;
 
   // Covering the goal together, and restarts. The defaults switch these behaviours off.
@@ -137,21 +137,21 @@ struct Style {
   double dribbled_restart = 0;
   double large_team = 0;
 
-  // Avoiding fouls. The defaults switch these behaviours off.
-  double area_margin_m = 0;
-  double around_boxes = 0;
-  double area_braking_mps2 = 0;
-  double ball_margin_m = 0;
-  double contact_mps = 3.0;
+  // Avoiding fouls.
+  double area_margin_m = 0.05;
+  double around_boxes = 1;
+  double area_braking_mps2 = 1.5;
+  double ball_margin_m = 0.06;
+  double contact_mps = 0.4;
   double card_gentle_mps = 3.0;
   double card_ease_mps2 = 10.0;
   double card_ease_from_m = 0;
-  double dribble_gap_m = 0;
-  double hasty_share = 0;
-  double penalty_on_line = 0;
-  double restart_least_mps = 0;
-  double restart_commit_rad = 0;
-  double clear_of_placement = 0;
+  double dribble_gap_m = 0.03;
+  double hasty_share = 0.5;
+  double penalty_on_line = 1;
+  double restart_least_mps = 2.5;
+  double restart_commit_rad = 0.15;
+  double clear_of_placement = 1;
 
   // Turning with the ball. In a steady turn the dribbler holds it up to 10 rad/s (sim/README.md).
   double ball_turn_radps = 6.0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "strategies/skills/ease_off.hpp"
 #include "strategies/skills/play_ball.hpp"
 #include "strategies/skills/prediction.hpp"
 #include "strategies/skills/shot.hpp"
@@ -21,7 +22,6 @@ constexpr double kSlowBall_mps =
     1.2;  // a faster ball in the team's own area is a shot: the keeper waits
 constexpr double kShotAtUs_mps = 0.3;  // minimum speed of a shot towards the team's own goal line
 constexpr double kCaution = 0.93;      // fraction of the kick speed limit that is used
-constexpr double kTouched_m = 130_mm;  // a robot this close to the ball has it
 constexpr double kChaserClearance_m = 2 * kRobotRadius_m + 20_mm;
 constexpr double kStopSpeedShare = 0.8;  // fraction of the speed limit while play is stopped
 
@@ -39,10 +39,12 @@ void Chaser::decide(const TeamView& view, TeamCommands& commands) {
   requests_.keeper = now_.own.front().number;
   ball_target_m_ = now_.placement_m.value_or(now_.ball.position_m);
   const int chaser = may_chase() ? nearest_to_ball() : -1;
-  note_taker(chaser);
+  taker_.update(now_, chaser < 0 ? -1 : now_.own[chaser].number);
   for (int i = 0; i < static_cast<int>(now_.own.size()); ++i) {
     const auto number = static_cast<std::size_t>(now_.own[i].number);
     commands[number] = i == chaser ? chase(i) : stand(i);
+    if (context_.rules.has(RuleId::kBotCrashUnique))
+      ease_off(now_.own[i], now_.opponents, {}, commands[number]);
   }
 }
 
@@ -52,22 +54,6 @@ bool Chaser::may_chase() const {
   return !context_.rules.has(RuleId::kAttackerTouchedBallInDefenseArea) ||
          distance_to_defence_area(context_.field, Side::kEast, now_.ball.position_m) >
              kFromTheirArea_m;
-}
-
-// Keeps track of the taker of a restart, which must not touch the ball again before another robot
-// has touched it.
-void Chaser::note_taker(int chaser) {
-  if (now_.play != Play::kRunning) {
-    taker_ = chaser < 0 ? -1 : now_.own[chaser].number;
-    return;
-  }
-  const auto touches = [&](const TrackedRobot& robot) {
-    return (robot.position_m - now_.ball.position_m).norm() < kTouched_m;
-  };
-  for (const TrackedRobot& mate : now_.own) {
-    if (mate.number != taker_ && touches(mate)) taker_ = -1;
-  }
-  if (std::any_of(now_.opponents.begin(), now_.opponents.end(), touches)) taker_ = -1;
 }
 
 // Returns the index of the keeper if the ball is in the team's own area, otherwise of a field
@@ -81,7 +67,7 @@ int Chaser::nearest_to_ball() const {
   int nearest = -1;
   for (int i = count > 1 ? 1 : 0; i < count; ++i) {
     const auto distance_m = [&](int k) { return (now_.own[k].position_m - ball_m).norm(); };
-    if (now_.play == Play::kRunning && now_.own[i].number == taker_) continue;
+    if (now_.play == Play::kRunning && now_.own[i].number == taker_.number()) continue;
     if (nearest < 0 || distance_m(i) < distance_m(nearest)) nearest = i;
   }
   return nearest;

@@ -3,6 +3,7 @@
 
 #include "strategies/skills/limits.hpp"
 #include "strategies/skills/motion.hpp"
+#include "strategies/skills/restart_taker.hpp"
 #include "strategies/strategy.hpp"
 
 namespace autoref::strategies {
@@ -18,7 +19,6 @@ class Chaser final : public Strategy {
 
  private:
   bool may_chase() const;
-  void note_taker(int chaser);
   int nearest_to_ball() const;
   RobotCommand chase(int index) const;
   RobotCommand stand(int index) const;
@@ -30,7 +30,7 @@ class Chaser final : public Strategy {
   TeamContext context_;
   TeamView now_;              // the view, extrapolated to when commands take effect
   Vec2 ball_target_m_{0, 0};  // the ball, or where the referee is about to place it
-  int taker_ = -1;            // number of the restart's taker, until another robot has the ball
+  RestartTaker taker_;
   TeamRequests requests_;
 };
 

@@ -1,5 +1,6 @@
 // The strong team. It dribbles at the goal at once, passes only where that is better, and covers
 // the goal with wall and keeper together.
+#include "strategies/skills/ease_off.hpp"
 #include "strategies/teams/playbooks.hpp"
 
 namespace autoref::strategies {
@@ -29,25 +30,13 @@ void defend(Style& style) {
   style.large_team = 1;
 }
 
-void avoid_fouls(Style& style) {
-  style.area_margin_m = 0.05;
-  style.around_boxes = 1;
-  style.area_braking_mps2 = 1.5;
-  style.from_their_area_m = 0.15;
-  style.from_own_area_m = 0.2;
-  style.keeper_area_margin_m = 0.15;
-  style.ball_margin_m = 0.06;
+// Nearly rules out crashes and pushes where they bring cards.
+void approach_gently(Style& style) {
+  const Easing easing;
+  style.card_ease_from_m = easing.from_m;
+  style.card_gentle_mps = easing.gentle_mps;
+  style.card_ease_mps2 = easing.braking_mps2;
   style.contact_mps = 0;
-  style.card_ease_from_m = 1.2;
-  style.card_gentle_mps = 0.2;
-  style.card_ease_mps2 = 1.2;
-  style.dribble_gap_m = 0.03;
-  style.hasty_share = 0.5;
-  style.release_rad = 3.0;
-  style.penalty_on_line = 1;
-  style.restart_least_mps = 2.5;
-  style.restart_commit_rad = 0.15;
-  style.clear_of_placement = 1;
 }
 
 }  // namespace
@@ -56,7 +45,7 @@ TeamPlaybook cobalt_playbook() {
   Style style;
   attack(style);
   defend(style);
-  avoid_fouls(style);
+  approach_gently(style);
   return {style};
 }
 

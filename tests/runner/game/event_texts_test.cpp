@@ -21,7 +21,7 @@ bool has_match(const std::string& text, const char* pattern) {
 
 class EventTexts : public testing::TestWithParam<const char*> {
  protected:
-  const PlayedEvents events_ = played_events(foul_game(GetParam(), 2, 120));
+  const PlayedEvents events_ = played_events(foul_game(GetParam(), 2, 240));
 };
 
 TEST_P(EventTexts, NameSidesOnlyByTheirColours) {
@@ -71,7 +71,7 @@ TEST(EventCards, HaveAReason) {
 }
 
 TEST(EventCards, NameTheFoulAndTheActiveCardThatCauseARedCard) {
-  const PlayedEvents events = played_events(foul_game("2026-b", 2, 120));
+  const PlayedEvents events = played_events(foul_game("2026-b", 2, 300));
   const auto yellow = events.of("multiple_fouls");
   const auto red = events.of("multiple_cards");
   ASSERT_FALSE(yellow.empty());

@@ -51,7 +51,7 @@ TEST(ResolvedGame, HasTheLawsThatEachTeamIsSetToKnow) {
 
 TEST(ResolvedGame, RefusesTheNameOfThePapersBookAsLaws) {
   GameSettings settings;
-  EXPECT_THROW(set_by_path(settings, "a.laws", "paper"), SettingError);
+  EXPECT_THROW(set_by_path(settings, "a.laws", "paper"), std::invalid_argument);
 }
 
 TEST(ResolvedGame, ChangesEndsByTheRuleBookUnlessItIsSet) {

@@ -220,5 +220,26 @@ TEST(Basic, PlaysWithNoRobotsAndWithSixteen) {
   EXPECT_EQ(numbers_of(full.view.own, is_nowhere), kNobody);
 }
 
+// The smallest distance from the ball, in 1 s, of the robot that has just kicked off 0.3 m ahead.
+double kicker_stays_from_ball_m(const char* rules) {
+  Basic team{team_context_of(rules)};
+  StagedWorld world(Play::kKickoff, true);
+  world.own(0, {-2.8, 0}).own(1, {-0.12, 0}).own(2, {-2.5, 1.5}).opponent(0, {2.8, 0}).ball({0, 0});
+  world.step(team);
+  world.view.play = Play::kRunning;
+  world.ball({0.3, 0});
+  double least_m = 9;
+  for (int frame = 0; frame < 60; ++frame) {
+    world.step(team);
+    least_m = std::min(least_m, (world.robot(1).position_m - world.view.ball.position_m).norm());
+  }
+  return least_m;
+}
+
+TEST(Basic, DoesNotTouchTheBallTwiceAtARestart) {
+  EXPECT_GT(kicker_stays_from_ball_m("2014"), 0.2);
+  EXPECT_LT(kicker_stays_from_ball_m("paper"), 0.15);
+}
+
 }  // namespace
 }  // namespace autoref::strategies::basic

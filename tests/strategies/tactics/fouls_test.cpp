@@ -127,7 +127,7 @@ bool lets_go_after(double path_m, const Style& style) {
 TEST(AvoidingFouls, ARobotLetsGoOfABallThatItHasDribbledFarTogetherWithAnOpponent) {
   EXPECT_FALSE(lets_go_after(0.3, careful()));
   EXPECT_TRUE(lets_go_after(0.8, careful()));
-  EXPECT_FALSE(lets_go_after(0.8, Style{}));
+  EXPECT_FALSE(lets_go_after(0.8, cobalt1_playbook().style));
 }
 
 TEST(AvoidingFouls, RobotsClearThePathOfABallThatTheRefereePlacesForTheOpponents) {
@@ -156,6 +156,12 @@ TEST(Restarts, AreDribbledOnlyIfTheRulesAllowTheTakerASecondTouch) {
   EXPECT_TRUE(dribbles_from_restart("paper"));
   EXPECT_FALSE(dribbles_from_restart("2014"));
   EXPECT_FALSE(dribbles_from_restart("2026-b"));
+}
+
+TEST(AvoidingFouls, IsCommonToAllTeamsButTheYardstick) {
+  for (const TeamPlaybook& team :
+       {counter_playbook(), possession_playbook(), shadow_playbook(), zone_playbook()})
+    EXPECT_TRUE(lets_go_after(0.8, team.style));
 }
 
 }  // namespace
