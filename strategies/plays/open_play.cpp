@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "strategies/plays/plays.hpp"
+#include "strategies/skills/strike.hpp"
 #include "strategies/tactics/defend.hpp"
 #include "strategies/tactics/keeper.hpp"
 
@@ -46,6 +47,8 @@ int choose_for_ball(const PlayContext& book, const RoleAssignment& assignment) {
     double time_s = predicted.interception(i).time_s;
     if (number == book.former) time_s -= predicted.style().ball_loyalty_s;
     if (number == book.handler.receiver()) time_s -= predicted.style().receiver_bonus_s;
+    if (has_ball(predicted.robot(i), predicted.path().now_m()))
+      time_s -= predicted.style().holder_bonus_s;
     if (number == book.restarter) time_s += predicted.style().next_touch_s;
     if (!predicted.may_touch_at(predicted.interception(i).point_m))
       time_s += predicted.style().forbidden_s;

@@ -70,9 +70,10 @@ Choice BallHandler::choose(int index, const Vec2& from_m) const {
     option.worth -= predicted_.style().turn_nll * pressure * (1 - robot.heading.dot(aim)) / 2;
     return option;
   };
-  Choice best = shot_from(predicted_, robot.number, from_m);
   // Without team-mates, a robot gains time to return to its goal.
-  if (predicted_.robots() == 1 && !predicted_.now().opponents.empty()) return best;
+  if (predicted_.robots() == 1 && !predicted_.now().opponents.empty())
+    return shot_from(predicted_, robot.number, from_m);
+  Choice best = may_score() ? shot_from(predicted_, robot.number, from_m) : Choice{};
   const bool is_shooting = choice_.kind == Choice::Kind::kShot;
   if (best.worth >=
       predicted_.style().shot_threshold * (is_shooting ? predicted_.style().still_shoots : 1.0))
@@ -206,8 +207,19 @@ RobotCommand BallHandler::strike(int index) const {
   if (predicted_.now().play != Play::kRunning) return take_restart(robot, obstacles, style);
   Strike now = with_turning(choice_.strike, predicted_.style());
   now.keep_off = out_of_field(predicted_.field(), path.now_m(), predicted_.style().near_line_m);
-  if (is_hasty()) now.tolerance_rad = predicted_.style().release_rad;
+  if (is_hasty()) {
+    now.tolerance_rad = predicted_.style().release_rad;
+    if (predicted_.style().release_faster_mps > 0)
+      now.kick_mps = std::max(now.kick_mps, robot.velocity_mps.dot(robot.heading) +
+                                                predicted_.style().release_faster_mps);
+  }
   return strike_ball(robot, path, interception, now, obstacles, style);
+}
+
+// Whether a goal straight from the kick would count.
+bool BallHandler::may_score() const {
+  return predicted_.now().play != Play::kIndirectFree ||
+         !predicted_.rules().has(RuleId::kIndirectGoal) || predicted_.style().indirect_shots > 0.5;
 }
 
 // Whether the taker of this restart may touch the ball again, and so take it along.
@@ -225,7 +237,7 @@ bool BallHandler::must_let_go(int index) const {
   if (!from_m || predicted_.now().play != Play::kRunning) return false;
   const Vec2& ball_m = predicted_.path().now_m();
   const double share = std::max(predicted_.style().dribbling_share, predicted_.style().hasty_share);
-  if ((ball_m - *from_m).norm() < share * predicted_.rules().dribbling_m) return false;
+  if (dribbled_m(*from_m) < share * predicted_.rules().dribbling_m) return false;
   return !has_ball(robot, ball_m) || opponent_has_ball(predicted_) ||
          robot.heading.x() < kBackwards;
 }
@@ -255,8 +267,13 @@ bool BallHandler::has_dribbled(double share) const {
   Vec2 from_m = taken_from_m_;
   if (holder_ >= 0 && contact_from_m_[static_cast<std::size_t>(holder_)])
     from_m = *contact_from_m_[static_cast<std::size_t>(holder_)];
-  const double path_m = (predicted_.path().now_m() - from_m).norm();
-  return path_m > share * predicted_.rules().dribbling_m;
+  return dribbled_m(from_m) > share * predicted_.rules().dribbling_m;
+}
+
+// How far from where it was gained the ball will be once the robot can part with it.
+double BallHandler::dribbled_m(const Vec2& from_m) const {
+  return (predicted_.path().now_m() - from_m).norm() +
+         predicted_.style().release_lead_s * predicted_.path().speed_mps();
 }
 
 }  // namespace autoref::strategies

@@ -40,8 +40,10 @@ class BallHandler {
   RobotCommand take_restart(const TrackedRobot& robot, const Obstacles& obstacles,
                             const DrivingStyle& style) const;
   bool has_dribbled(double share) const;
+  double dribbled_m(const Vec2& from_m) const;
   bool must_release() const;
   bool is_hasty() const;
+  bool may_score() const;
   bool may_dribble_restart() const;
 
   const PredictedState& predicted_;

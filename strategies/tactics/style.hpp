@@ -148,6 +148,10 @@ struct Style {
   double card_ease_from_m = 0;
   double dribble_gap_m = 0.03;
   double hasty_share = 0.5;
+  double release_lead_s = 0.05;
+  double release_faster_mps = 1.0;
+  double holder_bonus_s = 1.0;
+  double indirect_shots = 0;
   double penalty_on_line = 1;
   double restart_least_mps = 2.5;
   double restart_commit_rad = 0.15;

@@ -129,6 +129,20 @@ constexpr std::array kDiscipline = std::to_array<Tunable>({
      {"hasty_share", "1", 0, 0, 1,
       "Fraction of the allowed dribbling distance from which the ball is kicked in any "
       "direction."}},
+    {&Style::release_lead_s,
+     {"release_lead_s", "s", 0, 0, 1,
+      "How long before the end of its share of the allowed distance a dribbled ball is passed "
+      "on."}},
+    {&Style::release_faster_mps,
+     {"release_faster_mps", "m/s", 0, 0, 8,
+      "How much faster than the robot a ball is kicked that it has dribbled nearly too far; 0: as "
+      "fast as otherwise."}},
+    {&Style::holder_bonus_s,
+     {"holder_bonus_s", "s", 0, 0, 5,
+      "Bonus of the robot that has the ball for going on with it."}},
+    {&Style::indirect_shots,
+     {"indirect_shots", "1", 0, 0, 1,
+      "1: shoots at the goal also from indirect free kicks, from which no goal counts."}},
     {&Style::penalty_on_line,
      {"penalty_on_line", "1", 0, 0, 1,
       "1: the keeper awaits a penalty kick on its line, in front of the area otherwise."}},

@@ -17,6 +17,10 @@ void avoid_few_fouls(Style& style) {
   style.dribble_gap_m = 0;
   style.hasty_share = 0;
   style.release_rad = 1.5;
+  style.release_lead_s = 0;
+  style.release_faster_mps = 0;
+  style.holder_bonus_s = 0;
+  style.indirect_shots = 1;
   style.penalty_on_line = 0;
   style.restart_least_mps = 0;
   style.restart_commit_rad = 0;

@@ -245,5 +245,13 @@ TEST(Penalty, SendsARobotToTheBallOnlyOnceThePenaltyMayBeTaken) {
   EXPECT_EQ(sent_to_ball_at_penalty(Play::kPenalty), 1);
 }
 
+TEST(ChooseForBall, LetsTheRobotThatHasTheBallGoOnWithIt) {
+  Staged stage(Play::kRunning);
+  stage.world.own(0, {-2.8, 0}).own(1, {0, 0}).own(2, {0.25, 0.05}).ball({kHeldBall_m, 0});
+  const RoleAssignment assignment(stage.look());
+  stage.book.former = 2;
+  EXPECT_EQ(choose_for_ball(stage.book, assignment), 1);
+}
+
 }  // namespace
 }  // namespace autoref::strategies

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "strategies/teams/playbooks.hpp"
 #include "tests/strategies/staged_world.hpp"
 
 namespace autoref::strategies {
@@ -196,6 +197,46 @@ TEST(BallHandler, FetchesABallAtRestAndKicksItAtTheGoal) {
   ASSERT_TRUE(stage.drive_until_kick(1, 4));
   const Vec2& ray = stage.world.view.own[1].heading;
   EXPECT_LT(std::abs(ray.y() / ray.x() * (3.025 - 0.5)), 0.35);
+}
+
+// Robot 1 drives towards the goal with the ball, at this speed, under the Laws of 2014, until it
+// has dribbled it that far.
+StagedHandling dribbled(double speed_mps, double path_m) {
+  StagedHandling stage(Play::kRunning, false, team_context_of("2014"), cobalt_playbook().style);
+  stage.world.own(0, {-2.8, 0}).own(1, {-1.5, 0}).opponent(0, {2.8, 0}).opponent(1, {1, 0.2});
+  TrackedRobot& robot = stage.world.view.own[1];
+  robot.velocity_mps = {speed_mps, 0};
+  const double start_x = robot.position_m.x();
+  while (robot.position_m.x() - start_x <= path_m) {
+    stage.world.view.ball = {ball_held_by(robot.position_m), robot.velocity_mps};
+    stage.play(1, 1);
+    robot.position_m.x() += speed_mps * kStagedFrame_s;
+  }
+  return stage;
+}
+
+TEST(BallHandler, StopsCarryingEarlierTheFasterItIs) {
+  EXPECT_EQ(dribbled(0.3, 0.1).handler.choice().kind, Choice::Kind::kCarry);
+  EXPECT_NE(dribbled(2.4, 0.1).handler.choice().kind, Choice::Kind::kCarry);
+}
+
+TEST(BallHandler, KicksABallThatItMustReleaseFasterThanItDrives) {
+  StagedHandling stage = dribbled(2.4, 0.3);
+  stage.world.view.ball.position_m = ball_held_by(stage.world.view.own[1].position_m);
+  EXPECT_GE(stage.play(1, 1).kick_mps, 3.3);
+}
+
+// What the taker of an indirect free kick before an open goal does.
+Choice::Kind indirect_kick_under(const char* rules) {
+  StagedHandling stage(Play::kIndirectFree, true, team_context_of(rules));
+  stage.world.own(0, {-2.8, 0}).own(1, {1.4, 0}).own(2, {1, 1}).ball(ball_held_by({1.4, 0}));
+  stage.play(1);
+  return stage.handler.choice().kind;
+}
+
+TEST(BallHandler, ShootsFromAnIndirectFreeKickOnlyIfTheGoalCounts) {
+  EXPECT_NE(indirect_kick_under("2014"), Choice::Kind::kShot);
+  EXPECT_EQ(indirect_kick_under("paper"), Choice::Kind::kShot);
 }
 
 }  // namespace
