@@ -1,8 +1,6 @@
 // What a robot can do.
 #pragma once
 
-#include "soccer/units.hpp"
-
 namespace autoref {
 
 // What one of a team's robots can do, including its handicap. The defaults are the paper's robots.
@@ -12,9 +10,6 @@ struct Abilities {
   double braking_mps2 = 5.0;
   double kick_mps = 8.0;
   double chip_mps = 5.5;
-  // Standard deviations of a kick: of its direction, and of its speed as a fraction.
-  double kick_error_rad = 1.5_deg;
-  double kick_speed_error = 0.025;
 };
 
 }  // namespace autoref

@@ -17,8 +17,15 @@
 #include "soccer/side.hpp"
 #include "soccer/team_requests.hpp"
 #include "soccer/team_view.hpp"
+#include "soccer/units.hpp"
 
 namespace autoref::strategies {
+
+// Standard deviations of a kick: of its direction, and of its speed as a fraction.
+struct KickScatter {
+  double direction_rad = 1.5_deg;
+  double speed = 0.025;
+};
 
 // What a team knows before the game.
 struct TeamContext {
@@ -33,6 +40,7 @@ struct TeamContext {
   double latency_s = 0;           // from a frame until a command based on it moves a robot
   std::uint64_t random_seed = 0;  // RandomStream(random_seed) is `random`
   RuleSet enforced = {};          // the rules in force in the match
+  KickScatter kicks = {};         // of the least exact of its robots
 };
 
 // What cameras and robots report about the moment of a view.

@@ -23,13 +23,19 @@ std::array<Abilities, kMaxRobots> abilities_of(const GameConfiguration& c, Side 
     const sim::RobotSpec& robot = robots[i];
     all[i] = {robot.body.speed_mps * robot.speed_factor,
               robot.body.acceleration_mps2 * robot.acceleration_factor,
-              robot.body.braking_mps2 * robot.acceleration_factor,
-              robot.kicker.speed_limit_mps,
-              robot.kicker.chip_limit_mps,
-              to_radians(robot.kicker.direction_noise_deg),
-              robot.kicker.speed_noise};
+              robot.body.braking_mps2 * robot.acceleration_factor, robot.kicker.speed_limit_mps,
+              robot.kicker.chip_limit_mps};
   }
   return all;
+}
+
+strategies::KickScatter kick_scatter_of(const TeamConfiguration& team) {
+  strategies::KickScatter most{0, 0};
+  for (const sim::RobotSpec& robot : team.robots) {
+    most.direction_rad = std::max(most.direction_rad, to_radians(robot.kicker.direction_noise_deg));
+    most.speed = std::max(most.speed, robot.kicker.speed_noise);
+  }
+  return most;
 }
 
 // Time from a frame until the commands based on it move a robot.
@@ -78,6 +84,7 @@ std::unique_ptr<strategies::Strategy> make_team_on(const GameConfiguration& c, S
   context.latency_s = believed_latency_s(c, side);
   context.random_seed = RandomStream::stream_seed(c.seed, RandomPurpose::kStrategy, side);
   context.enforced = c.match.rules.in_force;
+  context.kicks = kick_scatter_of(team);
   return make_team(team, context);
 }
 

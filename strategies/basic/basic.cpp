@@ -18,9 +18,9 @@ constexpr int kSidesteps = 12;         // limit on sidesteps from the ball's pat
 
 // If kicks above the limit are fouls, the team's kicks stay below it by more than the kickers'
 // error.
-Style within_the_rules(Style style, const RuleBook& rules, const Abilities& robot) {
+Style within_the_rules(Style style, const RuleBook& rules, const KickScatter& kicks) {
   const double share = rules.has(RuleId::kBotKickedBallTooFast)
-                           ? std::min(style.kick_caution, share_below_limit(robot.kick_speed_error))
+                           ? std::min(style.kick_caution, share_below_limit(kicks.speed))
                            : 1.0;
   style.shot_mps = std::min(style.shot_mps, rules.kick_limit_mps * share);
   style.pass_mps = std::min(style.pass_mps, rules.kick_limit_mps * share);
@@ -31,7 +31,7 @@ Style within_the_rules(Style style, const RuleBook& rules, const Abilities& robo
 
 Basic::Basic(const TeamContext& context)
     : context_(context),
-      style_(within_the_rules(tuned(context.params), context.rules, context.robots[0])),
+      style_(within_the_rules(tuned(context.params), context.rules, context.kicks)),
       look_ahead_(context.robots, context.frame_rate_hz) {}
 
 // The distance from a hull to the ball's centre required at restarts. If the rule is in force,

@@ -1,9 +1,9 @@
 // Estimates how open the goal is for a shot, and how safe a pass is.
 #pragma once
 
-#include "soccer/abilities.hpp"
 #include "soccer/field.hpp"
 #include "soccer/tracks.hpp"
+#include "strategies/strategy.hpp"
 
 namespace autoref::strategies {
 
@@ -18,7 +18,7 @@ struct Opening {
 struct ShotTerms {
   double kick_mps = 8.0;
   int but_mate = -1;  // number of the team's robot that shoots
-  double kick_error_rad = Abilities{}.kick_error_rad;
+  double kick_error_rad = KickScatter{}.direction_rad;
 };
 
 // Finds the widest opening. Opponents cover what they can reach while the ball is moving; the

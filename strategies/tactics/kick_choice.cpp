@@ -68,7 +68,7 @@ Choice shot_from(const PredictedState& predicted, int number, const Vec2& from_m
   shot.strike.kick_mps = predicted.allowed_kick_mps(predicted.style().shot_mps);
   const Opening opening =
       widest_opening(predicted.field(), from_m, now.opponents, now.own,
-                     {shot.strike.kick_mps, number, predicted.abilities(0).kick_error_rad});
+                     {shot.strike.kick_mps, number, predicted.context().kicks.direction_rad});
   const double distance_m = (opening.target_m - from_m).norm();
   shot.strike.target_m = opening.target_m;
   shot.strike.tolerance_rad =

@@ -16,7 +16,7 @@ constexpr int kSweep_frames = PassField::kCells / kPerFrame;
 
 double chance_at(const PredictedState& predicted, const Vec2& point_m, int mate) {
   const TeamView& now = predicted.now();
-  const ShotTerms terms{predicted.style().shot_mps, mate, predicted.abilities(0).kick_error_rad};
+  const ShotTerms terms{predicted.style().shot_mps, mate, predicted.context().kicks.direction_rad};
   return widest_opening(predicted.field(), point_m, now.opponents, now.own, terms).chance;
 }
 

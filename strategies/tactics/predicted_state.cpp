@@ -144,8 +144,7 @@ bool PredictedState::may_touch_at(const Vec2& ball_m) const {
 double PredictedState::allowed_kick_mps(double wanted_mps) const {
   if (!rules().has(RuleId::kBotKickedBallTooFast))
     return std::min(wanted_mps, rules().kick_limit_mps);
-  const double share =
-      std::min(style_.kick_caution, share_below_limit(context_.robots[0].kick_speed_error));
+  const double share = std::min(style_.kick_caution, share_below_limit(context_.kicks.speed));
   return std::min(wanted_mps, share * rules().kick_limit_mps);
 }
 

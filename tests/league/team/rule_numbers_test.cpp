@@ -92,14 +92,12 @@ TEST(RuleNumbers, ContainTheDistanceToTheWallBehindTheGoalLines) {
 
 TEST(RuleNumbers, SayWhetherTheGoalsSideWallsReachTheWall) {
   for (const bool reach : {false, true}) {
-    Field field;
-    field.goal_sides_reach_wall = reach;
-    RuleBook rules;
-    Field read;
-    visit_start_numbers({}, field, [&](std::string_view name, double value) {
-      set_start_number(rules, read, name, value);
-    });
-    EXPECT_EQ(read.goal_sides_reach_wall, reach);
+    TeamStart start;
+    start.field.goal_sides_reach_wall = reach;
+    TeamStart read;
+    visit_start_numbers(
+        start, [&](std::string_view name, double value) { set_start_number(read, name, value); });
+    EXPECT_EQ(read.field.goal_sides_reach_wall, reach);
   }
 }
 

@@ -71,7 +71,7 @@ TEST(EventCards, HaveAReason) {
 }
 
 TEST(EventCards, NameTheFoulAndTheActiveCardThatCauseARedCard) {
-  const PlayedEvents events = played_events(foul_game("2026-b", 2, 300));
+  const PlayedEvents events = played_events(foul_game("2026-b", 3, 600));
   const auto yellow = events.of("multiple_fouls");
   const auto red = events.of("multiple_cards");
   ASSERT_FALSE(yellow.empty());
