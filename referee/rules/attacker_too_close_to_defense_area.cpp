@@ -67,10 +67,14 @@ std::optional<Finding> find_attacker_too_close_to_defense_area(RefereeState& sta
   return finding;
 }
 
-// Kick-offs and penalty kicks have their own position rules.
+// Kick-offs and penalty kicks have their own position rules. Before a kick-off, all robots return
+// to their own half; after half-time, from the far end of the field.
 bool is_in_force(const RefereeState& state) {
-  if (state.machine_state == State::kWaitStop)
-    return state.signal.command.kind == CommandKind::kStop;
+  if (state.machine_state == State::kWaitStop) {
+    const std::optional<Command>& next = state.signal.next_command;
+    return state.signal.command.kind == CommandKind::kStop &&
+           !(next && next->kind == CommandKind::kPrepareKickoff);
+  }
   const PlayState& play = state.play;
   return !play.in_play && play.kicker && !play.is_kickoff() && !play.is_penalty();
 }

@@ -111,8 +111,8 @@ TEST_P(CameraKind, SetsRadioAndLatencyAndIsIdentifiedByItsParameters) {
 
 // The realism levels of ER-Force's simulator, and the vision measured in 2026.
 INSTANTIATE_TEST_SUITE_P(Presets, CameraKind,
-                         testing::Values(Kind{.name = "paper", .latency_s = 0.040},
-                                         Kind{.name = "none", .latency_s = 0.040},
+                         testing::Values(Kind{.name = "paper", .latency_s = 5 / 60.0},
+                                         Kind{.name = "none", .latency_s = 5 / 60.0},
                                          Kind{.name = "friendly",
                                               .ball_m = 0.0004,
                                               .robot_m = 0.0003,

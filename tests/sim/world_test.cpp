@@ -148,8 +148,16 @@ TEST(LineUp, HasTheBallAtTheCentre) {
   EXPECT_EQ(scene.world.state().frame, 0);
 }
 
-TEST(Latency, OfFortyMillisecondsIsTwoFramesAndTwoSubsteps) {
+TEST(Latency, IsFiveFramesByDefault) {
   const LatencySplit split = split_latency(Configuration{});
+  EXPECT_EQ(split.frames, 5);
+  EXPECT_EQ(split.substeps, 0);
+}
+
+TEST(Latency, OfFortyMillisecondsIsTwoFramesAndTwoSubsteps) {
+  Configuration configuration;
+  configuration.latency_s = 40_ms;
+  const LatencySplit split = split_latency(configuration);
   EXPECT_EQ(split.frames, 2);
   EXPECT_EQ(split.substeps, 2);
 }

@@ -17,7 +17,7 @@ YEAR_2020_US, YEAR_2100_US = 1_577_836_800_000_000, 4_102_444_800_000_000
 class RefereeChecks:
     """The packets of one game, one after the other."""
 
-    def __init__(self, findings, field_mm=(4500, 3000, 700)):
+    def __init__(self, findings, field_mm=(4500, 3000, 300)):
         self.findings = findings
         self.expect, self.expect_within = findings.expect, findings.expect_within
         self.field_mm, self.previous, self.announced = field_mm, None, None

@@ -29,7 +29,7 @@ SIZES = {
     "field_width": 6000,
     "goal_width": 1000,
     "goal_depth": 180,
-    "boundary_width": 700,
+    "boundary_width": 300,
     "penalty_area_depth": 1000,
     "penalty_area_width": 2000,
     "center_circle_radius": 500,

@@ -322,7 +322,7 @@ TEST(JudgedRow, IsVoidIfItsEvaluationIsTooLong) {
 // In 40 games of 600 s with the camera `none`, only a few calls per thousand are wrong.
 TEST(Judging, FindsThePapersRefereeMostlyRightWithExactVision) {
   GameConfiguration game;
-  game.match.half_s = 120;
+  game.match.half_s = 240;
   game.seed = 11;
   CameraTally tally;
   const JudgedGame judged = evaluate_calls(game);

@@ -192,8 +192,9 @@ double kick_on_the_run_deg(const LabRecord& record) {
   const std::size_t f = first_frame(record, [](const WorldState&, const WorldState& now) {
     return now.ball.velocity_mps.x() > 1.0;
   });
-  const Vec2& kicked_mps = record.states[f].ball.velocity_mps;
-  return angle_of(kicked_mps) * 180.0 / kPi;
+  const WorldState& kicked = record.states[f];
+  const Vec2& heading = kicked.robots[Side::kWest][0].heading;
+  return angle_between(heading, kicked.ball.velocity_mps) * 180.0 / kPi;
 }
 
 // In the last frame before the ball is within reach of the receiver's dribbler.

@@ -69,7 +69,7 @@ TEST_F(LoggedStateTest, HasYellowInTheWestAfterHalfTime) {
 
 TEST_F(LoggedStateTest, HasTheVelocitiesOfTheTracks) {
   double largest_mps = 0;
-  for (const double share : {0.25, 0.3, 0.35, 0.4}) {
+  for (const double share : {0.2, 0.23, 0.26, 0.29}) {
     const auto number = static_cast<std::size_t>(share * static_cast<double>(whole_.frames.size()));
     const Frame& before = whole_.frames[number - 6];
     const Frame& frame = whole_.frames[number];

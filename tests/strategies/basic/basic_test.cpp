@@ -123,7 +123,7 @@ TEST(Basic, KeeperStandsWhereTheBallWillCrossTheLine) {
   StagedWorld world(Play::kRunning);
   world.own(0, {-2.9, 0}).own(1, {2, 0});
   world.view.ball = {{-1, 0}, {-2, 0.25}, 0};  // crosses the line at y = 0.24
-  world.run(team, 2);
+  world.run(team, 1);  // not yet long enough for the attacker to take the ball
   EXPECT_NEAR(world.robot(0).position_m.y(), 0.24, 0.03);
 }
 

@@ -92,13 +92,35 @@ TEST_P(OpenPlayAsRobotsLeave, KeepsTheKeeperAndTheRobotAtTheBall) {
 INSTANTIATE_TEST_SUITE_P(Robots, OpenPlayAsRobotsLeave, testing::Range(2, 7),
                          testing::PrintToStringParamName());
 
-TEST(OpenPlay, SendsALoneRobotToTheBallOnlyIfItIsThereFirst) {
+TEST(OpenPlay, SendsALoneRobotToABallInItsHalfOnlyIfItIsThereFirst) {
   Staged ours(Play::kRunning);
-  ours.world.own(3, {0, 0}).opponent(0, {2.5, 1}).ball({0.4, 0});
+  ours.world.own(3, {-1.5, 0}).opponent(0, {2.5, 1}).ball({-1.1, 0});
   EXPECT_EQ(ours.assignment(open_play).task(0).role, Role::kBall);
+  Staged far(Play::kRunning);
+  far.world.own(3, {0, 0}).opponent(0, {2.5, 1}).ball({0.4, 0});
+  EXPECT_EQ(far.assignment(open_play).task(0).role, Role::kKeeper);
   Staged theirs(Play::kRunning);
   theirs.world.own(3, {-2.5, 0}).opponent(0, {1.2, 0}).ball({1, 0});
   EXPECT_EQ(theirs.assignment(open_play).task(0).role, Role::kKeeper);
+}
+
+TEST(OpenPlay, EverybodyAttacksWithoutOpponents) {
+  Staged stage(Play::kRunning);
+  stage.robots(4);
+  stage.world.ball({1, 0});
+  const RoleAssignment assignment = stage.assignment(open_play);
+  EXPECT_EQ(count_of(stage, assignment, Role::kKeeper), 0);
+  EXPECT_EQ(count_of(stage, assignment, Role::kBall), 1);
+  EXPECT_EQ(count_of(stage, assignment, Role::kReceiver), 3);
+}
+
+// A single opponent keeps its goal, so nobody has to stand in a wall.
+TEST(OpenPlay, NeedsNoWallAgainstASingleOpponent) {
+  Staged stage(Play::kRunning);
+  stage.robots(6);
+  stage.world.opponent(0, {2.8, 0}).ball({1, 0});
+  const RoleAssignment assignment = stage.assignment(open_play);
+  EXPECT_EQ(count_of(stage, assignment, Role::kReceiver), 4);
 }
 
 TEST(OpenPlay, SendsTheKeeperToASlowBallInItsArea) {

@@ -150,7 +150,8 @@ TEST(BallHandler, ForgetsTheReceiverOnceThePassMustHaveArrived) {
 TEST(BallHandler, ClearsTheBallUnderPressureWithNobodyToPassTo) {
   StagedHandling stage(Play::kRunning);
   const Vec2 robot_m(-2.2, 0.2);
-  stage.world.own(3, robot_m).ball(ball_held_by(robot_m));
+  // The team-mate is too near for a pass.
+  stage.world.own(3, robot_m).own(4, robot_m - Vec2(0.2, 0.1)).ball(ball_held_by(robot_m));
   const Vec2 presser_m = ball_held_by(robot_m) + Vec2(0.1, 0.14);
   stage.world.opponent(0, {2.9, 0}).opponent(1, presser_m);
   stage.play(0);
@@ -160,9 +161,20 @@ TEST(BallHandler, ClearsTheBallUnderPressureWithNobodyToPassTo) {
   EXPECT_GT(choice.strike.kick_mps, 1);
 }
 
+// Its goal is empty meanwhile, so it neither carries the ball nor touches it gently.
+TEST(BallHandler, ARobotWithoutTeamMatesKicksTheBallFarAway) {
+  StagedHandling stage(Play::kRunning);
+  stage.world.own(1, {-2, 0.5}).ball(ball_held_by({-2, 0.5}));
+  stage.world.opponent(0, {2.9, 0}).opponent(1, {1, 1.5});
+  stage.play(0);
+  EXPECT_EQ(stage.handler.choice().kind, Choice::Kind::kShot);
+  EXPECT_GT(stage.handler.choice().strike.kick_mps, 5);
+}
+
 TEST(BallHandler, CarriesTheBallIfItIsFreeButCannotShootOrPass) {
   StagedHandling stage(Play::kRunning);
-  stage.world.own(1, {-1, 0.5}).ball(ball_held_by({-1, 0.5}));
+  // The team-mate is too near for a pass.
+  stage.world.own(1, {-1, 0.5}).own(2, {-1.2, 0.6}).ball(ball_held_by({-1, 0.5}));
   stage.world.opponent(0, {2.9, -0.1}).opponent(1, {2.9, 0.1}).opponent(2, {1, 1.5});
   const RobotCommand command = stage.play(0);
   EXPECT_EQ(stage.handler.choice().kind, Choice::Kind::kCarry);
