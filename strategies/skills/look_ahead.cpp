@@ -28,7 +28,8 @@ void obey(const RobotCommand& command, const Abilities& abilities, double durati
   // Constant acceleration: the mean of the velocities before and after.
   robot.position_m += (robot.velocity_mps + change_mps / 2) * duration_s;
   const double turn_rad = (robot.angular_velocity_radps + change_radps / 2) * duration_s;
-  robot.heading = direction_of(robot.heading + left_of(robot.heading) * turn_rad, robot.heading);
+  // To second order in the angle; the length is corrected at the end.
+  robot.heading = robot.heading * (1 - turn_rad * turn_rad / 2) + left_of(robot.heading) * turn_rad;
   robot.velocity_mps += change_mps;
   robot.angular_velocity_radps += change_radps;
 }
@@ -39,40 +40,50 @@ LookAhead::LookAhead(const TeamAbilities& abilities, double frame_rate_hz)
     : abilities_(abilities), frame_s_(1 / frame_rate_hz) {}
 
 void LookAhead::note(std::int64_t frame, const TeamCommands& commands) {
-  Sent& sent = sent_[static_cast<std::size_t>(frame) % kKept];
+  Sent& sent = sent_[static_cast<std::size_t>(frame) % sent_.size()];
   sent.frame = frame;
   sent.commands = commands;
 }
 
 const TeamCommands* LookAhead::sent_for(std::int64_t frame) const {
   if (frame < 0) return nullptr;
-  const Sent& sent = sent_[static_cast<std::size_t>(frame) % kKept];
+  const Sent& sent = sent_[static_cast<std::size_t>(frame) % sent_.size()];
   return sent.frame == frame ? &sent.commands : nullptr;
 }
 
 // The commands of a frame move the robots from `delay` frames after it, for a frame. So those of
 // the last `delay` frames are still to come, the first of them in part.
-void LookAhead::follow_commands(const TeamView& view, TrackedRobot& robot) const {
+LookAhead::Pending LookAhead::pending(const TeamView& view) const {
+  Pending all;
   const double delay = view.latency_s / frame_s_;
-  const int pending = static_cast<int>(std::ceil(delay - kWholeFrame));
+  const int frames = std::min(static_cast<int>(std::ceil(delay - kWholeFrame)), kKept);
+  for (int age = frames; age >= 1; --age) {
+    const double share = age == frames ? delay - (frames - 1) : 1.0;
+    all.push_back({sent_for(view.frame - age), share * frame_s_});
+  }
+  return all;
+}
+
+void LookAhead::follow(const Pending& pending, TrackedRobot& robot) const {
   const auto number = static_cast<std::size_t>(robot.number);
-  RobotCommand command;
+  RobotCommand command;  // goes on as it moves
   command.velocity_mps = to_local(robot.velocity_mps, robot.heading);
   command.angular_velocity_radps = robot.angular_velocity_radps;
-  for (int age = pending; age >= 1; --age) {
-    if (const TeamCommands* sent = sent_for(view.frame - age)) command = (*sent)[number];
-    const double share = age == pending ? delay - (pending - 1) : 1.0;
-    obey(command, abilities_[number], share * frame_s_, robot);
+  for (const auto& [sent, duration_s] : pending) {
+    if (sent != nullptr) command = (*sent)[number];
+    obey(command, abilities_[number], duration_s, robot);
   }
+  robot.heading = direction_of(robot.heading, Vec2(1, 0));
 }
 
 bool LookAhead::look(const TeamView& view, TeamView& ahead) const {
   look_ahead(view, ahead);
+  const Pending commands = pending(view);
+  const TeamCommands* last = sent_for(view.frame - 1);
   bool is_held = false;
   for (std::size_t i = 0; i < view.own.size(); ++i) {
     ahead.own[i] = view.own[i];
-    follow_commands(view, ahead.own[i]);
-    const TeamCommands* last = sent_for(view.frame - 1);
+    follow(commands, ahead.own[i]);
     if (is_held || !last || !(*last)[static_cast<std::size_t>(view.own[i].number)].dribble)
       continue;
     if (!has_ball(view.own[i], view.ball.position_m)) continue;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <boost/container/static_vector.hpp>
 #include <cstdint>
 
 #include "soccer/abilities.hpp"
@@ -27,14 +28,22 @@ class LookAhead {
 
  private:
   // The latest commands; with more frames between view and motion, the oldest ones are missing.
-  static constexpr std::size_t kKept = 32;
+  static constexpr int kKept = 32;
   struct Sent {
     std::int64_t frame = -1;
     TeamCommands commands{};
   };
 
+  // Commands on their way, if the team gave any, and for how long they will last.
+  struct PendingCommands {
+    const TeamCommands* sent;
+    double duration_s;
+  };
+  using Pending = boost::container::static_vector<PendingCommands, kKept>;
+
   const TeamCommands* sent_for(std::int64_t frame) const;
-  void follow_commands(const TeamView& view, TrackedRobot& robot) const;
+  Pending pending(const TeamView& view) const;
+  void follow(const Pending& pending, TrackedRobot& robot) const;
 
   TeamAbilities abilities_;
   double frame_s_;

@@ -38,7 +38,7 @@ TEST(DivisionA, PlaysElevenAgainstEleven) {
 }
 
 TEST(TeamCobalt, ScoresMoreThanThePreviousVersionIfItMayDribble) {
-  GameConfiguration game = short_game_by("paper", 120, 1);
+  GameConfiguration game = short_game_by("paper", 400, 1);
   game.a.strategy = "cobalt";
   game.b.strategy = "cobalt1";
   for (TeamConfiguration* team : {&game.a, &game.b}) team->laws.reset();

@@ -161,7 +161,7 @@ void expect_no_exit_in(const fs::path& clip) {
 TEST(SplicedExits, IntoAClipOfOurOwnAreCalled) {
   const TemporaryFolder folder;
   const fs::path clip = folder / "clip.log";
-  write_game("2026-a", "200", 1, clip);
+  write_game("2026-a", "200", 2, clip);
   // How often the last touch is known in such games is measured by autoref judge.
   EXPECT_EQ(expect_exits_called_in(clip, folder, 6).size(), kExitLines.size());
 }
