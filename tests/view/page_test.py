@@ -76,7 +76,7 @@ return found;
 class PageTest(GamePage):
     """A game in which cobalt scores several goals."""
 
-    settings = {"a__strategy": "cobalt1", "b__strategy": "chaser", "match__half_s": 120}
+    settings = {"a__strategy": "cobalt1", "b__strategy": "chaser", "match__half_s": 150, "seed": 12}
 
     def test_loads_without_complaints(self):
         self.assertEqual(self.browser.get_log("browser"), [])

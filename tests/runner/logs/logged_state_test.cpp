@@ -58,7 +58,7 @@ void expect_near(const Frame& frame, const StartState& start, bool is_turned) {
 }
 
 TEST_F(LoggedStateTest, HasTheRobotsAndTheBallOfTheLog) {
-  const Frame& frame = frame_at(0.3);
+  const Frame& frame = frame_at(0.25);
   expect_near(frame, logged_state(log_, frame.time_s).start, false);
 }
 
