@@ -26,7 +26,8 @@ struct KickerPreset {
 
 // Ten games of 2026, measured by the team Immortals: of 231 kicks at a ball at rest, the core
 // scattered by 2.9 degrees, and the elevation of 273 chips by 6.4 degrees. The speed's scatter
-// cannot be told from logs; 10 % is that of their simulator, below the 14 % that the logs allow.
+// cannot be measured from logs; 10 % is that of their simulator, below the 14 % that the logs
+// allow.
 constexpr KickerParameters kicker_of_2026() {
   KickerParameters kicker;
   kicker.speed_noise = 0.10;

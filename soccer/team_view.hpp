@@ -15,7 +15,7 @@ namespace autoref {
 struct TeamView {
   std::int64_t frame = 0;  // number of the camera frame behind this view
   double time_s = 0;       // capture time of that frame
-  double latency_s = 0;    // from the frame until a command sent now moves a robot
+  double latency_s = 0;    // from the frame until a command moves a robot, as the team believes
   TrackedRobots own;
   TrackedRobots opponents;
   TrackedBall ball;

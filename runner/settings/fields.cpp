@@ -79,8 +79,10 @@ void list_team(TeamSettings& team, const RobotTypes& types, Branch to) {
 void list_match(GameSettings& game, Branch to) {
   MatchSettings& match = game.match;
   const std::vector<std::string> sides = {"west", "east"};
-  to.preset("rules", RulesChoice{&game}, rule_book_names(),
-            "rule book; also sets switch, half_s, extra_half_s, change_ends, field and robots");
+  to.preset(
+      "rules", RulesChoice{&game}, rule_book_names(),
+      "rule book; also sets switch, half_s, extra_half_s, change_ends, field, robots, kickers, "
+      "dribblers and latency_error_s");
   to.number("half_s", match.half_s, positive(36000), "s", "length of a half");
   to.number("halves", match.halves, {1, 2}, "", "number of halves");
   to.number("break_s", match.break_s, {0, 3600}, "s", "break between halves");

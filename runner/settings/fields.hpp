@@ -39,8 +39,8 @@ struct KickerPreset {
   sim::KickerParameters* kicker = nullptr;
 };
 
-// `match.rules`: the name of a rule book, which also sets its rules, field, robots and length of a
-// half.
+// `match.rules`: the name of a rule book, which also sets its rules, field, robots with their
+// kickers and dribblers, the error of the teams' latency and the length of a half.
 struct RulesChoice {
   GameSettings* game = nullptr;
 };

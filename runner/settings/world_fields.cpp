@@ -87,7 +87,7 @@ void list_line_up(sim::LineUpParameters& line_up, Branch to) {
 
 void list_kicker(sim::KickerParameters& kicker, Branch to) {
   to.preset("preset", KickerPreset{&kicker}, sim::kicker_preset_names(),
-            "sets how the kicker scatters, and all else of it");
+            "sets all parameters of the kicker");
   to.number("reach_m", kicker.reach_m, {0, 0.1}, "m", "maximum gap between plate and ball");
   to.number("speed_limit_mps", kicker.speed_limit_mps, {0.1, 20}, "m/s",
             "top speed of straight kicks");

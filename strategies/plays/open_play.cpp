@@ -24,7 +24,8 @@ bool can_clear_alone(const PredictedState& predicted) {
 // The robot with the lowest number keeps the goal, unless nobody can shoot at it. Without
 // team-mates, it leaves the goal only to clear the ball.
 void give_goal(const PredictedState& predicted, RoleAssignment& assignment) {
-  if (predicted.robots() == 0 || predicted.now().opponents.empty()) return;
+  if (predicted.robots() == 0) return;
+  if (predicted.now().opponents.empty() && !is_keepers_ball(predicted)) return;
   const bool is_keepers =
       is_keepers_ball(predicted) || (predicted.robots() == 1 && can_clear_alone(predicted));
   assignment.give(0, is_keepers ? Role::kBall : Role::kKeeper);

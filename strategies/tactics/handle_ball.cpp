@@ -210,8 +210,9 @@ RobotCommand BallHandler::strike(int index) const {
   if (is_hasty()) {
     now.tolerance_rad = predicted_.style().release_rad;
     if (predicted_.style().release_faster_mps > 0)
-      now.kick_mps = std::max(now.kick_mps, robot.velocity_mps.dot(robot.heading) +
-                                                predicted_.style().release_faster_mps);
+      now.kick_mps = predicted_.allowed_kick_mps(
+          std::max(now.kick_mps,
+                   robot.velocity_mps.dot(robot.heading) + predicted_.style().release_faster_mps));
   }
   return strike_ball(robot, path, interception, now, obstacles, style);
 }

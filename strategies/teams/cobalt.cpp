@@ -1,5 +1,5 @@
-// The strong team. It dribbles at the goal at once, passes only where that is better, and covers
-// the goal with wall and keeper together.
+// The strong team. It dribbles at the goal as far as it may, passes only where that is better, and
+// covers the goal with wall and keeper together.
 #include "strategies/skills/ease_off.hpp"
 #include "strategies/teams/playbooks.hpp"
 

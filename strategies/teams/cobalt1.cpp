@@ -1,4 +1,4 @@
-// The previous cobalt: a yardstick, whose numbers must not change.
+// The previous cobalt, kept for comparison: its numbers must not change.
 #include "strategies/teams/playbooks.hpp"
 
 namespace autoref::strategies {

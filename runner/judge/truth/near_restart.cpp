@@ -22,6 +22,7 @@ class AttackersNearArea final : public GroundTruthRule {
     const bool is_free_kick =
         play.is_on && !play.in_play && play.taker && !play.is_kickoff() && !play.is_penalty();
     if (!play.is_stop && !is_free_kick) return;
+    if (play.is_stop && awaits_kickoff(scene.signal)) return;
     if (play.stop_count != stop_) begin(play);
     for (const Side side : kSides) {
       if (fouls_[side] == kMostNearArea) continue;
@@ -30,6 +31,10 @@ class AttackersNearArea final : public GroundTruthRule {
   }
 
  private:
+  static bool awaits_kickoff(const RefereeSignal& signal) {
+    return signal.next_command && signal.next_command->kind == CommandKind::kPrepareKickoff;
+  }
+
   void begin(const Play& play) {
     stop_ = play.stop_count;
     fouls_ = {};

@@ -34,6 +34,20 @@ TEST(ResolvedGame, HasTheRuleBookWithItsRulesSwitchedAsSet) {
   EXPECT_EQ(rules, expected);
 }
 
+TEST(ResolvedGame, HasRealRobotsUnderTheLawsAndThePapersUnderItsRules) {
+  GameSettings settings;
+  set_by_path(settings, "match.rules", "2014");
+  const GameConfiguration laws = resolved(settings);
+  EXPECT_EQ(laws.a.robots[0].kicker.direction_noise_deg, 2.9);
+  EXPECT_EQ(laws.b.robots[5].dribbler.force_n, 0.225);
+  EXPECT_EQ(laws.sim.latency_error_s, 0.01);
+  set_by_path(settings, "match.rules", "paper");
+  const GameConfiguration paper = resolved(settings);
+  EXPECT_EQ(paper.a.robots[0].kicker, sim::KickerParameters{});
+  EXPECT_EQ(paper.a.robots[0].dribbler, sim::DribblerParameters{});
+  EXPECT_EQ(paper.sim.latency_error_s, 0);
+}
+
 TEST(ResolvedGame, HasTeamsThatKnowTheLawsOf2014) {
   const GameConfiguration game = resolved(GameSettings{});
   EXPECT_EQ(game.a.laws, find_rule_book("2014"));

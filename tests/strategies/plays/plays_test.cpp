@@ -114,6 +114,14 @@ TEST(OpenPlay, EverybodyAttacksWithoutOpponents) {
   EXPECT_EQ(count_of(stage, assignment, Role::kReceiver), 3);
 }
 
+// Nobody else may touch a ball there.
+TEST(OpenPlay, TheKeeperFetchesTheBallInItsAreaWithoutOpponents) {
+  Staged stage(Play::kRunning);
+  stage.robots(4);
+  stage.world.ball({-2.8, 0});
+  EXPECT_EQ(stage.assignment(open_play).task(0).role, Role::kBall);
+}
+
 // A single opponent keeps its goal, so nobody has to stand in a wall.
 TEST(OpenPlay, NeedsNoWallAgainstASingleOpponent) {
   Staged stage(Play::kRunning);

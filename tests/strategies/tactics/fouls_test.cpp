@@ -158,7 +158,7 @@ TEST(Restarts, AreDribbledOnlyIfTheRulesAllowTheTakerASecondTouch) {
   EXPECT_FALSE(dribbles_from_restart("2026-b"));
 }
 
-TEST(AvoidingFouls, IsCommonToAllTeamsButTheYardstick) {
+TEST(AvoidingFouls, IsCommonToAllTeamsButThePreviousCobalt) {
   for (const TeamPlaybook& team :
        {counter_playbook(), possession_playbook(), shadow_playbook(), zone_playbook()})
     EXPECT_TRUE(lets_go_after(0.8, team.style));
