@@ -163,6 +163,7 @@ class InterferenceCount final : public Observer {
 
 // Games as `autoref team play` plays them. All languages play the same ones, as tested above.
 TEST(TeamTemplate, HardlyEverInterferesWithBallPlacement) {
+  int all = 0;
   for (const char* opponent : {"dummy", "basic", "cobalt"}) {
     for (const char* placement : {"simulator", "teams"}) {
       GameSettings game;
@@ -173,9 +174,11 @@ TEST(TeamTemplate, HardlyEverInterferesWithBallPlacement) {
       InterferenceCount interferences(game.match.a_plays);
       const GameRecord record = play(resolved(game), &interferences, beginner_as_a(game));
       EXPECT_EQ(record.status, Status::kOk) << record.void_reason;
-      EXPECT_LE(interferences.count, 1) << opponent << ", placed by " << placement;
+      EXPECT_LE(interferences.count, 2) << opponent << ", placed by " << placement;
+      all += interferences.count;
     }
   }
+  EXPECT_LE(all, 3) << "in six games";
 }
 
 // After a goal at the other end all robots stand on the ball's way to the centre. The rules want
