@@ -83,6 +83,20 @@ TEST(Schedule, CombinesAllValuesOfSeveralFactors) {
   EXPECT_EQ(robots.at("b.handicap=1.0+a.robots=5-p0001-1"), 5);
 }
 
+TEST(Schedule, GivesALegTheSameSeedInAllCombinationsOfTwoFactorsAndInASweepOverOne) {
+  std::map<std::string, std::set<std::uint64_t>> by_leg;  // by the end of the id, "p0001-1"
+  const auto add = [&by_leg](const Sweep& sweep) {
+    for (const ScheduledGame& game : scheduled_games(sweep))
+      by_leg[game.id.substr(game.id.size() - 7)].insert(game.settings.whole().seed);
+  };
+  Sweep grid = handicap_sweep({1.0}, 3);
+  add(grid);
+  grid.factors = {{"a.robots", {6, 5, 4}}, {"b.robots", {6, 5}}};
+  add(grid);
+  EXPECT_EQ(by_leg.size(), 6U);
+  for (const auto& [leg, seeds] : by_leg) EXPECT_EQ(seeds.size(), 1U) << leg;
+}
+
 TEST(Schedule, SweepsATeamsParameter) {
   Sweep sweep;
   sweep.factors = {{"a.params.shot_mps", {6.5, 4.0}}};
