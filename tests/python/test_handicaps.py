@@ -89,6 +89,11 @@ class Steps(unittest.TestCase):
         self.assertTrue(step.is_wrong)
         self.assertFalse(step.is_wrong_beyond_interval)
 
+    def test_wrong_one_within_its_interval_is_not_beyond_it(self):
+        step = steps.steps_of(_results(["a.robots"], {(1,): [2, 2, 2], (2,): [0, 1, 3]}))[0]
+        self.assertTrue(step.is_wrong)
+        self.assertFalse(step.is_wrong_beyond_interval)
+
     def test_pairs_with_a_void_leg_do_not_count(self):
         with self.assertRaisesRegex(ResultsError, "no two neighbouring values"):
             steps.report(_results(["a.robots"], {(1,): [2], (2,): [1]}, status="void"))
@@ -156,6 +161,12 @@ class Handicaps(unittest.TestCase):
             answer = _run("handicaps", *arguments)
             self.assertEqual(answer.returncode, 2, arguments)
             self.assertIn(words, answer.stderr)
+
+    def test_cameras_keep_the_delay_of_the_base(self):
+        script = (_CHECKOUT / "scripts" / "handicaps").read_text(encoding="utf-8")
+        settings = (_CHECKOUT / "docs" / "reference" / "settings.md").read_text(encoding="utf-8")
+        default = re.search(r"\| `latency_s` \| `([^`]+)` \|", settings).group(1)
+        self.assertEqual(re.search(r"^base_delay_s=(\S+)", script, re.MULTILINE).group(1), default)
 
 
 if __name__ == "__main__":
