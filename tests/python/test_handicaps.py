@@ -72,6 +72,12 @@ class Steps(unittest.TestCase):
         self.assertEqual(len(found), 60)
         self.assertFalse([step for step in found if step.is_wrong])
 
+    def test_chance_alone_would_put_half_in_the_wrong_direction_and_a_fortieth_beyond_the_interval(self):
+        cells = {(a, b): [a - b, 2 * (a - b)] for a in range(1, 7) for b in range(1, 7)}
+        text = steps.report(_results(["a.robots", "b.robots"], cells))
+        self.assertIn("60 steps to the next larger value; 0 hurt", text)
+        self.assertIn("chance would give about 30, and 1.5 beyond", text)
+
     def test_lead_to_the_next_value_whatever_the_order_of_the_rows(self):
         results = _results(["b.handicap"], {(0.8,): [1, 1], (1.0,): [0, 0], (0.6,): [3, 3]})
         self.assertEqual([(step.low, step.high) for step in steps.steps_of(results)], [(0.6, 0.8), (0.8, 1.0)])
