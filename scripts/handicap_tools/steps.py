@@ -2,9 +2,14 @@
 
 Pairs with the same number have the same seeds in all cells, so a step is measured pair by pair, as the program's
 column "from the first": mean difference, Student's interval.
+
+A grid has the same factor of both teams, such as a.robots and b.robots. If both have the same strategy, a cell and its
+mirror image measure the same, and are taken together. That halves the noise, so that also values farther apart are
+compared: two steps that each hurt by less than their interval can together hurt by more.
 """
 
 from dataclasses import dataclass
+from itertools import combinations
 from statistics import mean
 
 from student import LEVEL, holm, interval_of_mean, p_of_no_harm, text_of
@@ -61,6 +66,34 @@ def steps_of(results):
     return [step for position in range(len(results.factors)) for step in _steps_along(results, position)]
 
 
+def _leads_by_numbers(results):
+    """Of a grid, by (own value, opponents' value): the lead by pair number, the mean of both teams' cells."""
+    leads = {}
+    for own, other in results.differences:
+        mirrored = results.differences.get((other, own), {})
+        leads[own, other] = {
+            pair: (lead - mirrored[pair]) / 2
+            for pair, lead in results.differences[own, other].items()
+            if pair in mirrored
+        }
+    return leads
+
+
+def larger_values_of(results):
+    """Every smaller value compared with every larger one, against the same opponents; empty unless it is a grid."""
+    names = [factor.partition(".")[2] for factor in results.factors]
+    if results.factors != [f"a.{names[0]}", f"b.{names[0]}"]:
+        return []
+    leads = _leads_by_numbers(results)
+    compared = []
+    for other in sorted({other for _, other in leads}):
+        for low, high in combinations(sorted(own for own, against in leads if against == other), 2):
+            gains = changes(leads[low, other], leads[high, other])
+            if gains:
+                compared.append(Step(names[0], low, high, {"against": other}, gains))
+    return compared
+
+
 def _wrong_after_correction(steps):
     p_values = [p_of_no_harm(step.gains) for step in steps]
     return sum(p <= SIGNIFICANT for p in holm([p for p in p_values if p is not None]))
@@ -87,15 +120,36 @@ def _summary_of(steps):
     )
 
 
+def _table_of(steps):
+    rows = [("step", "at", "goals gained per game [95 %]", "")] + [_row_of(step) for step in steps]
+    widths = [max(len(row[column]) for row in rows) for column in range(4)]
+    return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(row, widths) if width).rstrip() for row in rows)
+
+
+def _worst_first(steps):
+    return sorted(steps, key=lambda step: mean(step.gains))
+
+
+def _report_of_larger_values(compared):
+    """Of a grid: the larger values that hurt, of both teams' cells together."""
+    beyond = [step for step in compared if step.is_wrong_beyond_interval]
+    wrong = sum(step.is_wrong for step in compared)
+    text = (
+        f"\nBoth teams' cells together, each smaller value compared with each larger one: {len(compared)} comparisons; "
+        f"in {wrong}\nthe larger one hurts, in {len(beyond)} of them beyond the 95 % interval, "
+        f"in {_wrong_after_correction(compared)} beyond chance (Holm).\n"
+    )
+    return text + ("\n" + _table_of(_worst_first(beyond)) + "\n" if beyond else "")
+
+
 def report(results):
     """The text that says which steps go in the wrong direction, worst first, and how many chance alone would give."""
     steps = steps_of(results)
     if not steps:
         raise ResultsError("no two neighbouring values have complete pairs of games")
-    wrong = sorted((step for step in steps if step.is_wrong), key=lambda step: mean(step.gains))
-    if not wrong:
-        return _summary_of(steps)
-    rows = [("step", "at", "goals gained per game [95 %]", "")] + [_row_of(step) for step in wrong]
-    widths = [max(len(row[column]) for row in rows) for column in range(4)]
-    lines = ["  ".join(cell.ljust(width) for cell, width in zip(row, widths) if width).rstrip() for row in rows]
-    return _summary_of(steps) + "\n" + "\n".join(lines) + "\n"
+    wrong = _worst_first(step for step in steps if step.is_wrong)
+    text = _summary_of(steps)
+    if wrong:
+        text += "\n" + _table_of(wrong) + "\n"
+    compared = larger_values_of(results)
+    return text + (_report_of_larger_values(compared) if compared else "")

@@ -78,6 +78,21 @@ class Steps(unittest.TestCase):
         self.assertIn("60 steps to the next larger value; 0 hurt", text)
         self.assertIn("chance would give about 30, and 1.5 beyond", text)
 
+    def test_of_a_grid_are_also_compared_with_both_teams_cells_together(self):
+        cells = {(a, b): [a - b, 2 * (a - b)] for a in (1, 2, 3) for b in (1, 2, 3)}
+        cells[3, 1] = [0, -1]  # the mirror image stays at -2 and -4
+        compared = steps.larger_values_of(_results(["a.robots", "b.robots"], cells))
+        self.assertEqual(len(compared), 9)
+        gains = {(step.low, step.high, step.others["against"]): step.gains for step in compared}
+        self.assertEqual(gains[1, 3, 1], [1, 1.5])  # from the mean of 0 and 2, and of -1 and 4
+        self.assertEqual(gains[1, 2, 3], [0, -0.5])  # from -1 and -1.5 to -1 and -2
+        self.assertEqual(gains[2, 3, 2], [1, 2])
+
+    def test_of_other_sweeps_are_compared_with_the_next_value_only(self):
+        cells = {(6, 1): [1, 2], (6, 2): [1, 1], (5, 1): [0, 1], (5, 2): [0, 0]}
+        self.assertEqual(steps.larger_values_of(_results(["a.robots", "b.handicap"], cells)), [])
+        self.assertEqual(steps.larger_values_of(_results(["b.robots"], {(6,): [1, 2], (5,): [2, 3]})), [])
+
     def test_lead_to_the_next_value_whatever_the_order_of_the_rows(self):
         results = _results(["b.handicap"], {(0.8,): [1, 1], (1.0,): [0, 0], (0.6,): [3, 3]})
         self.assertEqual([(step.low, step.high) for step in steps.steps_of(results)], [(0.6, 0.8), (0.8, 1.0)])
