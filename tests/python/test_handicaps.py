@@ -169,6 +169,25 @@ class Instrument(unittest.TestCase):
             instrument.report([base, other])
 
 
+class QuotedTables(unittest.TestCase):
+    """A block after <!-- from: FILE --> in a README of results/ is in that file, beside the README."""
+
+    def test_are_in_their_files(self):
+        pattern = re.compile(r"<!-- from: (\S+) -->\n```\n(.*?)```", re.DOTALL)
+        for readme in sorted((_CHECKOUT / "results").glob("*/README.md")):
+            text = readme.read_text(encoding="utf-8")
+            quotes = pattern.findall(text)
+            self.assertEqual(len(quotes), text.count("<!-- from: "), readme)
+            for file, quote in quotes:
+                with self.subTest(readme=readme.parent.name, file=file):
+                    self.assertIn(quote, (readme.parent / file).read_text(encoding="utf-8"))
+
+    def test_exist_where_tables_are_committed(self):
+        readme = (_FIGURE5 / "README.md").read_text(encoding="utf-8")
+        for panel in ("speed", "robots"):
+            self.assertIn(f"<!-- from: {panel}/table.txt -->", readme)
+
+
 class Handicaps(unittest.TestCase):
     """The command, without games."""
 
