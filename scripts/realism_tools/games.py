@@ -26,9 +26,10 @@ def _autoref(program, *arguments, limit_s):
         raise GamesError(f"playing games failed: {error}") from error
 
 
-def play(program, book, games, runs, to):
-    """Plays the missing games of this book in the folder `runs`, and copies their results.csv to the folder `to`."""
-    options = ["--set", f"match.rules={book}", "--pairs", str(games // 2), "-o", str(runs), "--quiet"]
+def play(program, settings, games, runs, to):
+    """Plays the missing games in the folder `runs`, with these KEY=VALUE, and copies their results.csv to `to`."""
+    options = [word for setting in settings for word in ("--set", setting)]
+    options += ["--pairs", str(games // 2), "-o", str(runs), "--quiet"]
     _autoref(program, "run", SCENARIO, *options, limit_s=LONGEST_RUN_S)
     to.mkdir(parents=True, exist_ok=True)
     shutil.copyfile(runs / "results.csv", to / "results.csv")

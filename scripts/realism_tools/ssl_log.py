@@ -108,6 +108,13 @@ def positions_in(data):
     """The positions in a log, as bytes. Of cameras that see the same robot, the last one counts."""
     if not data.startswith(_MAGIC):
         raise LogError("not an uncompressed SSL log of version 1")
+    try:
+        return _read(data)
+    except (IndexError, struct.error) as error:
+        raise LogError("the log is damaged") from error
+
+
+def _read(data):
     positions = Positions()
     at = len(_MAGIC)
     while at + _RECORD.size <= len(data):

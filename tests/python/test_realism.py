@@ -226,6 +226,11 @@ class Logs(unittest.TestCase):
         with self.assertRaisesRegex(ssl_log.LogError, "not an uncompressed SSL log"):
             ssl_log.positions_in(b"\x1f\x8b")
 
+    def test_damaged_ones_are_refused(self):
+        ball = ((0x0D, 1.0), (0x1D, 0.0), (0x25, 0.0), (0x2D, 0.0), (0x35, 0.0), (0x3D, 0.0))
+        with self.assertRaisesRegex(ssl_log.LogError, "damaged"):
+            ssl_log.positions_in(self._log(ball)[:-60])
+
     def test_a_game_without_a_kick_has_no_kick_speeds(self):
         positions = _positions(101, lambda frame: (0.0, 0.0, 0.0), yellow=_stands(1.0))
         columns = logged_game.columns_of(positions, Spells.DECISIONS[:2])
@@ -268,6 +273,14 @@ class CommittedResults(unittest.TestCase):
         page = (_CHECKOUT / "docs" / "realism.md").read_text(encoding="utf-8")
         self.assertIn((_RESULTS / "table.md").read_text(encoding="utf-8"), page)
 
+    def test_page_discusses_every_row_outside(self):
+        page = (_CHECKOUT / "docs" / "realism.md").read_text(encoding="utf-8").lower()
+        section = page.split("## where we are outside\n")[1].split("\nnot outside")[0]
+        lines = [line for line in (_RESULTS / "table.md").read_text(encoding="utf-8").splitlines() if "**" in line]
+        self.assertTrue(lines)
+        for line in lines:
+            self.assertIn(line.split("|")[1].split(",")[0].strip(), section)
+
     def test_possessions_last_as_long_as_by_the_ground_truth(self):
         for folder in filter(Path.is_dir, _RESULTS.iterdir()):
             truth = {row["game_id"]: row for row in games.rows_of(folder / "results.csv")}
@@ -286,6 +299,7 @@ class Command(unittest.TestCase):
     def test_refuses_what_it_cannot_do(self):
         self.assertIn("expected an even number of 2 or more", self._refusal("--games", "3"))
         self.assertIn("invalid", self._refusal("--games", "many"))
+        self.assertIn("--set needs --output", self._refusal("--set", "match.half_s=60"))
         self.assertIn("nowhere is missing; build it", self._refusal("--autoref", "nowhere"))
         self.assertIn("leave out 'draw' to play the games", self._refusal("draw", "--output", "nowhere"))
 
