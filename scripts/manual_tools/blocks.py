@@ -39,6 +39,7 @@ KINDS = {
     "first": "sh",  # a command that is run before, and not shown
     "file": "",  # the block is a file of this name, for the commands that follow
     "output": "",  # the block is what the commands before it print
+    "from": "",  # the block is part of this committed file, beside the page: tests/python/test_handicaps.py
 }
 
 

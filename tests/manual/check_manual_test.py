@@ -158,6 +158,8 @@ class Pages(Case):
     def test_with_unknown_marks_are_refused(self):
         self.assert_fails("unknown mark 'skip'", "<!-- skip -->", "```sh", "true", "```")
         self.assert_fails("needs a value", "<!-- not run: -->", "```sh", "true", "```")
+        self.assert_fails("needs a value", "<!-- from: -->", "```", "a table", "```")
+        self.assert_passes("<!-- from: games/table.txt -->", "```", "a table", "```")
 
     def test_with_hidden_or_open_blocks_are_refused(self):
         self.assert_fails("must not be indented", "- item", "  ```sh", "  true", "  ```")
