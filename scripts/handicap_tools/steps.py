@@ -4,7 +4,7 @@ Pairs with the same number have the same seeds in all cells, so a step is measur
 column "from the first": mean difference, Student's interval.
 
 A grid has the same factor of both teams, such as a.robots and b.robots. If both have the same strategy, a cell and its
-mirror image measure the same, and are taken together. That halves the noise, so that also values farther apart are
+mirror image measure the same, and are taken together. That halves the variance, so that also values farther apart are
 compared: two steps that each hurt by less than their interval can together hurt by more.
 """
 
@@ -80,7 +80,11 @@ def _leads_by_numbers(results):
 
 
 def larger_values_of(results):
-    """Every smaller value compared with every larger one, against the same opponents; empty unless it is a grid."""
+    """Every smaller value compared with every larger one, against the same opponents; empty unless it is a grid.
+
+    A team and its mirror image draw by definition. So 3 to 4 against 4 would be the same number as 3 to 4 against 3,
+    and is left out.
+    """
     names = [factor.partition(".")[2] for factor in results.factors]
     if results.factors != [f"a.{names[0]}", f"b.{names[0]}"]:
         return []
@@ -88,6 +92,8 @@ def larger_values_of(results):
     compared = []
     for other in sorted({other for _, other in leads}):
         for low, high in combinations(sorted(own for own, against in leads if against == other), 2):
+            if high == other:
+                continue
             gains = changes(leads[low, other], leads[high, other])
             if gains:
                 compared.append(Step(names[0], low, high, {"against": other}, gains))

@@ -43,7 +43,7 @@ def interval_of_mean(sample):
 
 
 def p_of_zero_mean(sample):
-    """The two-sided p value of the t test of "the mean is 0"; None where there is no interval."""
+    """The two-sided p value of the t test of "the mean is 0"; None without an interval."""
     if interval_of_mean(sample) is None:
         return None
     t = mean(sample) / (stdev(sample) / sqrt(len(sample)))
@@ -51,7 +51,7 @@ def p_of_zero_mean(sample):
 
 
 def p_of_no_harm(sample):
-    """The one-sided p value of the t test of "the mean is not below 0"; None where there is no interval."""
+    """The one-sided p value of the t test of "the mean is not below 0"; None without an interval."""
     two_sided = p_of_zero_mean(sample)
     if two_sided is None:
         return None

@@ -7,7 +7,7 @@ from motion import percentile
 from play_spells import length_s, number_of_stops, periods_without_halt, spells_of_play
 from ssl_log import positions_in
 
-FAST = 0.9999  # the "maximum" of the published analysis
+MAXIMUM_SHARE = 0.9999  # the "maximum" of the published analysis
 
 
 def _kick_columns(kicks):
@@ -32,7 +32,7 @@ def _robot_columns(all_but_halt, in_play):
     return {
         "robot_p95_mps": percentile(all_but_halt.speeds_mps, 0.95),
         "robot_p99_mps": percentile(all_but_halt.speeds_mps, 0.99),
-        "robot_max_mps": percentile(all_but_halt.speeds_mps, FAST),
+        "robot_max_mps": percentile(all_but_halt.speeds_mps, MAXIMUM_SHARE),
         "robot_in_play_p95_mps": percentile(in_play.speeds_mps, 0.95),
         "robot_in_play_p99_mps": percentile(in_play.speeds_mps, 0.99),
         "speed_up_p95_mps2": percentile(all_but_halt.speed_ups_mps2, 0.95),
