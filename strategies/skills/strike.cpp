@@ -28,8 +28,6 @@ constexpr double kCarefulFrom_m = 0.35;  // slow down near a ball that must not 
 constexpr double kCareful_mps = 1.2;
 constexpr double kRun_mps = 0.7;  // speed into the ball
 constexpr double kRunBraking_mps2 = 3.0;
-constexpr double kWideFirstTouch =
-    0.45;  // minimum cosine between the kick and the direction back along the ball's path
 
 // Follows a time-optimal braking curve, limited near the target and by the rate at which the
 // dribbler can hold the ball.

@@ -23,6 +23,11 @@ struct Strike {
   double turn_braking_radps2 = 16.0;  // planned for it
 };
 
+// The widest angle between a first-touch kick and the direction back along the ball's path, and its
+// cosine.
+inline constexpr double kWideFirstTouch = 0.45;
+inline constexpr double kWideFirstTouch_rad = 1.1040309877;
+
 // The velocity of a ball at the middle of the robot's plate, which moves with it.
 Vec2 plate_mps(const TrackedRobot& robot);
 

@@ -15,6 +15,7 @@ constexpr double kBackwards = -0.3;  // a heading's x from which a kick goes bac
 constexpr double kLetGo_mps = 1.5;
 constexpr double kCommitted_m = 125_mm;  // from the taker's centre to the ball
 constexpr double kMoves_mps = 0.3;       // a faster ball moves
+constexpr double kLong_s = 10;           // as good as unlimited
 
 // A unit vector out of the field if the ball is so close to a line that a push could move it out;
 // otherwise zero.
@@ -73,7 +74,15 @@ Choice BallHandler::choose(int index, const Vec2& from_m) const {
   // Without team-mates, a robot gains time to return to its goal.
   if (predicted_.robots() == 1 && !predicted_.now().opponents.empty())
     return shot_from(predicted_, robot.number, from_m);
-  Choice best = may_score() ? shot_from(predicted_, robot.number, from_m) : Choice{};
+  const std::optional<Hold> hold = hold_of(index, from_m);
+  const auto in_time = [&](Choice option) {
+    if (!hold || option.strike.kick_mps <= 0) return option;
+    const Vec2 aim = direction_of(option.strike.target_m - from_m, robot.heading);
+    const double chance = chance_to_turn(predicted_.style(), *hold, aim);
+    option.worth -= (1 - chance) * (std::max(0.0, option.worth) + predicted_.style().late_cost);
+    return option;
+  };
+  Choice best = may_score() ? in_time(shot_from(predicted_, robot.number, from_m)) : Choice{};
   const bool is_shooting = choice_.kind == Choice::Kind::kShot;
   if (best.worth >=
       predicted_.style().shot_threshold * (is_shooting ? predicted_.style().still_shoots : 1.0))
@@ -85,7 +94,7 @@ Choice BallHandler::choose(int index, const Vec2& from_m) const {
     if (option.kind == choice_.kind && option.receiver == choice_.receiver)
       option.worth += predicted_.style().choice_loyalty;
     if (option.worth < best.worth - kTurnGain) return;
-    option = less_turning(option);
+    option = in_time(less_turning(option));
     if (option.worth > best.worth) best = option;
   };
   for (int mate = 0; mate < predicted_.robots(); ++mate) {
@@ -105,6 +114,39 @@ Choice BallHandler::choose(int index, const Vec2& from_m) const {
   if (best.kind == Choice::Kind::kClear && pressure > predicted_.style().pressed)
     best.strike.tolerance_rad = predicted_.style().rough_clear_rad;
   return best;
+}
+
+// How the robot holds the ball, or will meet it: head-on in the path of a ball that comes towards
+// it, else from a side that needs little turning (strike_ball()). Unset if it has time.
+std::optional<Hold> BallHandler::hold_of(int index, const Vec2& from_m) const {
+  const Style& style = predicted_.style();
+  if (style.late_cost <= 0 || predicted_.now().play != Play::kRunning) return std::nullopt;
+  const TrackedRobot& robot = predicted_.robot(index);
+  const BallPath& path = predicted_.path();
+  const bool holds = has_ball(robot, path.now_m());
+  const double own_s = holds ? 0.0 : predicted_.interception(index).time_s;
+  const double alone_s = std::max(0.0, predicted_.theirs().time_s - own_s) + style.contested_hold_s;
+  Hold hold{robot.heading, 0, std::min(alone_s, dribble_left_s(robot, holds))};
+  if (holds) return hold;
+  if (comes_towards(robot, path)) {
+    hold.heading = -path.direction();
+    hold.free_rad = kWideFirstTouch_rad;
+    return hold;
+  }
+  hold.heading = direction_of(from_m - robot.position_m, robot.heading);
+  hold.free_rad = is_hurried(index) ? style.pressed_bend_rad : style.free_bend_rad;
+  return hold;
+}
+
+// How long the robot can turn with the ball before it has dribbled it nearly too far.
+double BallHandler::dribble_left_s(const TrackedRobot& robot, bool holds) const {
+  const Style& style = predicted_.style();
+  if (!predicted_.rules().has(RuleId::kBotDribbledBallTooFar)) return kLong_s;
+  const double share = std::max(style.dribbling_share, style.hasty_share);
+  double left_m = share * predicted_.rules().dribbling_m;
+  const auto& contact_m = contact_from_m_[static_cast<std::size_t>(robot.number)];
+  if (holds) left_m -= dribbled_m(contact_m.value_or(taken_from_m_));
+  return std::max(0.0, left_m) / style.turning_ball_mps;
 }
 
 // Potential field: the opponents' goal attracts, opponents and lines repel with a force that grows
@@ -170,10 +212,8 @@ RobotCommand BallHandler::play(int index) {
   const bool holds = has_ball(robot, ball_m);
   if (!is_committed(robot)) choice_ = choose(index, holds ? ball_m : interception.point_m);
   restart_taker_ = is_restart(predicted_.now().play) ? robot.number : -1;
-  const bool hurried =
-      predicted_.theirs().time_s < interception.time_s + predicted_.style().hurry_s;
   choice_.strike.bend_rad =
-      hurried ? predicted_.style().pressed_bend_rad : predicted_.style().free_bend_rad;
+      is_hurried(index) ? predicted_.style().pressed_bend_rad : predicted_.style().free_bend_rad;
   note_hold(robot, holds);
   if (predicted_.now().play == Play::kRunning && opponent_has_ball(predicted_) && !must_release())
     return holds ? face_off_.break_away(predicted_.now().time_s) : block_ball(predicted_, index);
@@ -215,6 +255,12 @@ RobotCommand BallHandler::strike(int index) const {
                    robot.velocity_mps.dot(robot.heading) + predicted_.style().release_faster_mps));
   }
   return strike_ball(robot, path, interception, now, obstacles, style);
+}
+
+// Whether an opponent will be at the ball soon after this robot, or before it.
+bool BallHandler::is_hurried(int index) const {
+  return predicted_.theirs().time_s <
+         predicted_.interception(index).time_s + predicted_.style().hurry_s;
 }
 
 // Whether a goal straight from the kick would count.

@@ -7,6 +7,7 @@
 #include "strategies/tactics/duel.hpp"
 #include "strategies/tactics/kick_choice.hpp"
 #include "strategies/tactics/predicted_state.hpp"
+#include "strategies/tactics/turn_time.hpp"
 
 namespace autoref::strategies {
 
@@ -32,6 +33,7 @@ class BallHandler {
 
  private:
   Choice choose(int index, const Vec2& from_m) const;
+  std::optional<Hold> hold_of(int index, const Vec2& from_m) const;
   void note_hold(const TrackedRobot& robot, bool holds);
   void note_contacts();
   bool is_committed(const TrackedRobot& robot) const;
@@ -41,8 +43,10 @@ class BallHandler {
                             const DrivingStyle& style) const;
   bool has_dribbled(double share) const;
   double dribbled_m(const Vec2& from_m) const;
+  double dribble_left_s(const TrackedRobot& robot, bool holds) const;
   bool must_release() const;
   bool is_hasty() const;
+  bool is_hurried(int index) const;
   bool may_score() const;
   bool may_dribble_restart() const;
 

@@ -77,6 +77,10 @@ struct Style {
   double choice_loyalty = 0.06;
   double still_shoots = 0.5;
   double turn_nll = 0.3;
+  double late_cost = 0;
+  double late_spread_s = 0.07;
+  double contested_hold_s = 0.2;
+  double turning_ball_mps = 0.7;
   double worthless = 0.04;
   double pressed = 0.5;
   double rough_clear_rad = 0.6;

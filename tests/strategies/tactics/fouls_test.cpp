@@ -126,8 +126,8 @@ bool lets_go_after(double path_m, const Style& style) {
 
 TEST(AvoidingFouls, ARobotLetsGoOfABallThatItHasDribbledFarTogetherWithAnOpponent) {
   EXPECT_FALSE(lets_go_after(0.3, careful()));
-  EXPECT_TRUE(lets_go_after(0.8, careful()));
-  EXPECT_FALSE(lets_go_after(0.8, cobalt1_playbook().style));
+  EXPECT_TRUE(lets_go_after(0.9, careful()));
+  EXPECT_FALSE(lets_go_after(0.9, cobalt1_playbook().style));
 }
 
 TEST(AvoidingFouls, RobotsClearThePathOfABallThatTheRefereePlacesForTheOpponents) {

@@ -90,6 +90,32 @@ TEST(BallHandler, PassesToAFreeMateIfTheGoalIsBlocked) {
   EXPECT_GT(command.kick_mps, 1);
 }
 
+// Robot 1 has the ball and faces robot 2; behind it, robot 3 stands nearer to the goal. Opponents
+// block its own shot, and one is `away_m` from the ball.
+int receiver_of_pressed(double late_cost, double away_m) {
+  Style style;
+  style.carry = 0;
+  style.turn_nll = 0;
+  style.stopped_share = 1;
+  style.contested_hold_s = 0;
+  style.late_cost = late_cost;
+  StagedHandling stage(Play::kRunning, false, {}, style);
+  const Vec2 robot_m(1, 0);
+  const Vec2 ball_m = robot_m + Vec2(0, kHeldBall_m);
+  stage.world.own(0, {-2.8, 0}).own(1, robot_m).own(2, {0.7, 1.5}).own(3, {2, -1.2});
+  stage.world.view.own[1].heading = {0, 1};
+  stage.world.ball(ball_m).opponent(0, {2.8, 0.15}).opponent(1, {1.6, 0.05});
+  stage.world.opponent(2, ball_m + Vec2(away_m, 0));
+  stage.play(1);
+  return stage.handler.choice().receiver;
+}
+
+TEST(BallHandler, PassesWhereItFacesIfThereIsNoTimeToTurn) {
+  EXPECT_EQ(receiver_of_pressed(0.2, 0.25), 2);
+  EXPECT_EQ(receiver_of_pressed(0.2, 1.5), 3);
+  EXPECT_EQ(receiver_of_pressed(0, 0.25), 3);
+}
+
 // Opponents press robot 1 and block the goal and the lane to its only team-mate.
 void stage_a_chip(StagedWorld& world) {
   const Vec2 lane(0.96, 0.28);
@@ -228,8 +254,8 @@ StagedHandling dribbled(double speed_mps, double path_m) {
 }
 
 TEST(BallHandler, StopsCarryingEarlierTheFasterItIs) {
-  EXPECT_EQ(dribbled(0.3, 0.1).handler.choice().kind, Choice::Kind::kCarry);
-  EXPECT_NE(dribbled(2.4, 0.1).handler.choice().kind, Choice::Kind::kCarry);
+  EXPECT_EQ(dribbled(0.3, 0.25).handler.choice().kind, Choice::Kind::kCarry);
+  EXPECT_NE(dribbled(2.4, 0.25).handler.choice().kind, Choice::Kind::kCarry);
 }
 
 TEST(BallHandler, KicksABallThatItMustReleaseFasterThanItDrives) {
