@@ -23,8 +23,8 @@ struct Strike {
   double turn_braking_radps2 = 16.0;  // planned for it
 };
 
-// The widest angle between a first-touch kick and the direction back along the ball's path, and its
-// cosine.
+// The least cosine between a first-touch kick and the direction back along the ball's path, and the
+// angle of that cosine.
 inline constexpr double kWideFirstTouch = 0.45;
 inline constexpr double kWideFirstTouch_rad = 1.1040309877;
 
