@@ -67,7 +67,7 @@ class DisturbedLog : public testing::Test {
     const Answer played =
         answer_to({"play", game.c_str(), "--set", "match.rules=2026-b", "--set",
                    "sim.camera=realistic", "--set", "match.half_s=60", "--set", "a.strategy=cobalt",
-                   "--set", "b.strategy=counter", "--seed", "7", "--log", log.c_str()});
+                   "--set", "b.strategy=counter", "--seed", "9", "--log", log.c_str()});
     ASSERT_EQ(played.code, kDone) << played.err;
     league::LogReader reader(log);
     LogRecord record;
