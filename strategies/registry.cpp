@@ -62,9 +62,8 @@ const std::vector<Entry>& all_strategies() {
        make_chaser,
        {}},
       {"cobalt",
-       "Dribbles straight at the goal, passes where that is better, and covers its goal with wall "
-       "and "
-       "keeper together.",
+       "Takes the clearest shot, otherwise what is worth most of pass, dribble and clearance, and "
+       "covers its goal with wall and keeper together.",
        make_squad<cobalt_playbook>, parameters_of(cobalt_playbook().style)},
       {"cobalt1", "The previous version of cobalt, kept for comparison.",
        make_squad<cobalt1_playbook>, parameters_of(cobalt1_playbook().style)},

@@ -142,8 +142,7 @@ std::optional<Hold> BallHandler::hold_of(int index, const Vec2& from_m) const {
 double BallHandler::dribble_left_s(const TrackedRobot& robot, bool holds) const {
   const Style& style = predicted_.style();
   if (!predicted_.rules().has(RuleId::kBotDribbledBallTooFar)) return kLong_s;
-  const double share = std::max(style.dribbling_share, style.hasty_share);
-  double left_m = share * predicted_.rules().dribbling_m;
+  double left_m = hasty_share() * predicted_.rules().dribbling_m;
   const auto& contact_m = contact_from_m_[static_cast<std::size_t>(robot.number)];
   if (holds) left_m -= dribbled_m(contact_m.value_or(taken_from_m_));
   return std::max(0.0, left_m) / style.turning_ball_mps;
@@ -283,8 +282,7 @@ bool BallHandler::must_let_go(int index) const {
   const auto& from_m = contact_from_m_[static_cast<std::size_t>(robot.number)];
   if (!from_m || predicted_.now().play != Play::kRunning) return false;
   const Vec2& ball_m = predicted_.path().now_m();
-  const double share = std::max(predicted_.style().dribbling_share, predicted_.style().hasty_share);
-  if (dribbled_m(*from_m) < share * predicted_.rules().dribbling_m) return false;
+  if (dribbled_m(*from_m) < hasty_share() * predicted_.rules().dribbling_m) return false;
   return !has_ball(robot, ball_m) || opponent_has_ball(predicted_) ||
          robot.heading.x() < kBackwards;
 }
@@ -302,11 +300,14 @@ RobotCommand BallHandler::let_go(int index) const {
   return command;
 }
 
+// The fraction of the allowed distance after which the ball must be passed on at once.
+double BallHandler::hasty_share() const {
+  return std::max(predicted_.style().dribbling_share, predicted_.style().hasty_share);
+}
+
 // Whether the ball has been dribbled so far that it must be passed on now, or at once.
 bool BallHandler::must_release() const { return has_dribbled(predicted_.style().dribbling_share); }
-bool BallHandler::is_hasty() const {
-  return has_dribbled(std::max(predicted_.style().dribbling_share, predicted_.style().hasty_share));
-}
+bool BallHandler::is_hasty() const { return has_dribbled(hasty_share()); }
 
 // Whether the ball has been dribbled over this fraction of the allowed distance.
 bool BallHandler::has_dribbled(double share) const {

@@ -41,6 +41,7 @@ class BallHandler {
   RobotCommand strike(int index) const;
   RobotCommand take_restart(const TrackedRobot& robot, const Obstacles& obstacles,
                             const DrivingStyle& style) const;
+  double hasty_share() const;
   bool has_dribbled(double share) const;
   double dribbled_m(const Vec2& from_m) const;
   double dribble_left_s(const TrackedRobot& robot, bool holds) const;
