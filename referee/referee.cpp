@@ -29,34 +29,9 @@
 namespace autoref::referee {
 namespace {
 
-void require(bool is_right, const char* what, double value) {
-  if (!is_right) throw std::invalid_argument(std::string(what) + ", not " + std::to_string(value));
-}
-
-void validate(const Configuration& c) {
-  require(c.field.length_m > 0, "field length must be positive", c.field.length_m);
-  require(c.field.width_m > 0, "field width must be positive", c.field.width_m);
-  require(c.field.goal_width_m > 0, "goal width must be positive", c.field.goal_width_m);
-  require(c.half_s > 0, "half_s must be positive", c.half_s);
-  require(c.break_s >= 0, "break_s must be 0 or more", c.break_s);
-  require(c.halves >= 1 && c.halves <= kMaxHalves, "halves must be from 1 to 4", c.halves);
-  require(!c.knockout || c.halves <= kFirstExtraHalf, "a knockout game has one half or two",
-          c.halves);
-  const RuleBook& rules = c.rules;
-  require(rules.extra_half_s > 0, "extra_half_s must be positive", rules.extra_half_s);
-  require(rules.stillness_m > 0, "stillness_m must be positive", rules.stillness_m);
-  require(rules.readiness_period_s > 0, "readiness_period_s must be positive",
-          rules.readiness_period_s);
-  require(rules.ready_timeout_s > 0, "ready_timeout_s must be positive", rules.ready_timeout_s);
-  require(rules.start_timeout_s > 0, "start_timeout_s must be positive", rules.start_timeout_s);
-  require(rules.ball_at_rest_mps > 0, "ball_at_rest_mps must be positive", rules.ball_at_rest_mps);
-  require(rules.ball_in_position_m > 0, "ball_in_position_m must be positive",
-          rules.ball_in_position_m);
-  require(rules.in_play_m > 0, "in_play_m must be positive", rules.in_play_m);
-  require(rules.restart_timeout_s > 0, "restart_timeout_s must be positive",
-          rules.restart_timeout_s);
-  require(rules.stuck_time_s > 0, "stuck_time_s must be positive", rules.stuck_time_s);
-  require(rules.stuck_distance_m > 0, "stuck_distance_m must be positive", rules.stuck_distance_m);
+void validate(const Configuration& configuration) {
+  check_ranges<Match>(configuration);
+  check_ranges(configuration.field, "field.");
 }
 
 // After a longer gap in vision, nothing is inferred across it.

@@ -2,10 +2,9 @@
 #pragma once
 
 #include <boost/container/static_vector.hpp>
-#include <stdexcept>
-#include <string>
 
 #include "soccer/field.hpp"
+#include "soccer/parameters.hpp"
 #include "soccer/side.hpp"
 #include "soccer/units.hpp"
 
@@ -13,150 +12,323 @@ namespace autoref::sim {
 
 // Two-phase ball model on carpet: the ball slides after a kick, then rolls.
 struct BallParameters {
-  double slide_mps2 = 3.4;     // deceleration while sliding
-  double roll_mps2 = 0.30;     // deceleration while rolling, at low speed
-  double roll_per_s = 0.0;     // additional deceleration while rolling, per m/s of speed
-  double switch_ratio = 0.67;  // speed at which rolling starts, relative to the kick's speed
-  double hop_first_xy = 0.75;  // fraction of the horizontal speed kept at a chip's first landing
-  double hop_later_xy = 0.95;  // fraction kept at later landings
-  double hop_first_z = 0.5;    // fraction of the vertical speed kept at a chip's first landing
-  double hop_later_z = 0.5;    // fraction kept at later landings
-  double rest_mps = 0.010;     // below this speed the ball stops
-  double rolls_below_hop_m = 0.010;  // a lower bounce ends the flight
-  double net_mps2 = 10.0;            // deceleration by the net of a ball leaving a goal
-  double mass_kg = 0.046;            // golf ball, 46 g (Laws 2014, law 2)
-  // Friction between the ball and what it hits, which removes some of its spin; the league's
-  // simulators use 0.2 to 0.35.
-  double contact_friction = 0.22;
+  double slide_mps2 = 3.4;
+  double roll_mps2 = 0.30;
+  double roll_per_s = 0.0;
+  double switch_ratio = 0.67;
+  double hop_first_xy = 0.75;
+  double hop_later_xy = 0.95;
+  double hop_first_z = 0.5;
+  double hop_later_z = 0.5;
+  double rest_mps = 0.010;
+  double rolls_below_hop_m = 0.010;
+  double net_mps2 = 10.0;
+  double mass_kg = 0.046;          // golf ball, 46 g (Laws 2014, law 2)
+  double contact_friction = 0.22;  // the league's simulators use 0.2 to 0.35
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, const Visitor& visitor) {
+    visitor(self.slide_mps2, {"slide_mps2", positive(100), "deceleration when sliding"});
+    visitor(self.roll_mps2, {"roll_mps2", positive(100), "deceleration when rolling"});
+    visitor(self.roll_per_s,
+            {"roll_per_s", {0, 1}, "additional deceleration when rolling, per m/s of speed"});
+    visitor(self.switch_ratio,
+            {"switch_ratio", {0.05, 0.95}, "rolls below this fraction of the kick's speed"});
+    visitor(self.hop_first_xy,
+            {"hop_first_xy", kFraction, "fraction of horizontal speed kept at the first landing"});
+    visitor(self.hop_later_xy,
+            {"hop_later_xy", kFraction, "fraction of horizontal speed kept at later landings"});
+    visitor(self.hop_first_z,
+            {"hop_first_z", {0, 0.95}, "fraction of vertical speed kept at the first landing"});
+    visitor(self.hop_later_z,
+            {"hop_later_z", {0, 0.95}, "fraction of vertical speed kept at later landings"});
+    visitor(self.rest_mps, {"rest_mps", {0, 1}, "at rest below this speed"});
+    visitor(self.rolls_below_hop_m,
+            {"rolls_below_hop_m", positive(1), "a lower hop ends the flight"});
+    visitor(self.net_mps2, {"net_mps2", {0, 1000}, "deceleration in the goal's net"});
+    visitor(self.mass_kg, {"mass_kg", {0.001, 1}, "mass of the ball"});
+    visitor(self.contact_friction,
+            {"contact_friction",
+             {0, 2},
+             "friction against anything that the ball hits; changes its spin"});
+  }
 };
 
 // Contacts between bodies. A restitution is the ratio of separation to closing speed; Box2D uses
 // the greater one of a pair. Sources: ER-Force's and grSim's models, and measurements of the
 // league's robots.
 struct ContactParameters {
-  double body_restitution = 0.55;      // ball against a robot's round hull
-  double plate_restitution = 0.4;      // ball against a front plate
-  double dribbling_restitution = 0.2;  // ball against a front plate with its dribbler running
-  double robot_restitution = 0.2;      // robot against robot
-  double wall_restitution = 0.3;       // outer walls and sides of the goals
-  double net_restitution = 0.1;        // a goal's back
-  double bar_restitution = 0.3;        // ball against the crossbar, as for the goal's sides
-  // Fraction of the vertical speed that a ball keeps when it lands on a robot or on a goal's net,
-  // as on the carpet.
-  double top_restitution = 0.5;
+  double body_restitution = 0.55;
+  double plate_restitution = 0.4;
+  double dribbling_restitution = 0.2;
+  double robot_restitution = 0.2;
+  double wall_restitution = 0.3;
+  double net_restitution = 0.1;
+  double bar_restitution = 0.3;  // as for the goal's sides
+  double top_restitution = 0.5;  // as on the carpet
   // Minimum speed, upwards and outwards, at which a ball leaves a robot or a net that it landed on,
   // so that no ball stays up there.
   double top_leaving_mps = 0.5;
-  double friction = 0.22;  // between bodies sliding along each other (grSim)
-  // Slower impacts do not bounce, so that a ball can come to rest against a plate.
+  double friction = 0.22;  // grSim
+  // So that a ball can come to rest against a plate.
   double least_bounce_mps = 0.03;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, const Visitor& visitor) {
+    visitor(self.body_restitution, {"body_restitution", kFraction, "ball and a robot's hull"});
+    visitor(self.plate_restitution, {"plate_restitution", kFraction, "ball and front plate"});
+    visitor(self.dribbling_restitution,
+            {"dribbling_restitution", kFraction, "ball and front plate with the dribbler on"});
+    visitor(self.robot_restitution, {"robot_restitution", kFraction, "two robots"});
+    visitor(self.wall_restitution,
+            {"wall_restitution", kFraction, "walls around the field and goal sides"});
+    visitor(self.net_restitution, {"net_restitution", kFraction, "back wall of a goal"});
+    visitor(self.bar_restitution, {"bar_restitution", kFraction, "ball and goal bar"});
+    visitor(self.top_restitution, {"top_restitution",
+                                   {0, 0.95},
+                                   "fraction of vertical speed kept on top of a robot or goal"});
+    visitor(self.top_leaving_mps, {"top_leaving_mps",
+                                   {0.05, 5},
+                                   "minimum speed of a ball leaving the top of a robot or goal"});
+    visitor(self.friction, {"friction", {0, 2}, "between bodies"});
+    visitor(self.least_bounce_mps, {"least_bounce_mps", {0, 1}, "slower impacts do not bounce"});
+  }
 };
 
 // One robot's body and its drive with four omni wheels; limits are per wheel and overall.
 struct RobotParameters {
   double mass_kg = 2.5;
-  double speed_mps = 3.0;                // top speed (paper, section 3: up to 3 m/s)
-  double acceleration_mps2 = 3.0;        // overall limit when accelerating
-  double braking_mps2 = 5.0;             // overall limit when braking
-  double wheel_acceleration_mps2 = 4.5;  // tangential limit of each wheel
+  double speed_mps = 3.0;  // paper, section 3: up to 3 m/s
+  double acceleration_mps2 = 3.0;
+  double braking_mps2 = 5.0;
+  double wheel_acceleration_mps2 = 4.5;
   double angular_speed_radps = 15.0;
   double angular_acceleration_radps2 = 40.0;
-  double front_wheels_deg = 35.0;  // wheels at plus and minus this angle from the front
+  double front_wheels_deg = 35.0;  // wheels at plus and minus this angle
   double back_wheels_deg = 135.0;
-  double wheel_distance_m = 80_mm;  // from the centre to each wheel, inside the 90 mm hull
-  double speed_noise = 0.01;        // relative standard deviation of each commanded speed
+  double wheel_distance_m = 80_mm;  // inside the 90 mm hull
+  double speed_noise = 0.01;        // of each commanded speed
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, const Visitor& visitor) {
+    // Box2D replaces a mass of 0 by 1 kg.
+    visitor(self.mass_kg, {"mass_kg", {0.001, 100}, "mass of a robot"});
+    visitor(self.speed_mps, {"speed_mps", {0.01, 20}, "top speed"});
+    visitor(self.acceleration_mps2, {"acceleration_mps2", positive(100), "maximum acceleration"});
+    visitor(self.braking_mps2, {"braking_mps2", positive(100), "maximum deceleration"});
+    visitor(self.wheel_acceleration_mps2, {"wheel_acceleration_mps2", positive(100),
+                                           "limit on each wheel's tangential acceleration"});
+    visitor(self.angular_speed_radps, {"angular_speed_radps", {0.01, 100}, "maximum turning rate"});
+    visitor(self.angular_acceleration_radps2,
+            {"angular_acceleration_radps2", positive(1000), "maximum angular acceleration"});
+    visitor(self.front_wheels_deg,
+            {"front_wheels_deg", {5, 85}, "angle of the front wheels from the front"});
+    visitor(self.back_wheels_deg,
+            {"back_wheels_deg", {95, 175}, "angle of the back wheels from the front"});
+    visitor(self.wheel_distance_m,
+            {"wheel_distance_m", {0.01, 0.09}, "distance from the robot's centre to each wheel"});
+    visitor(self.speed_noise,
+            {"speed_noise", {0, 0.5}, "standard deviation as a fraction of the speed"});
+  }
 };
 
 struct KickerParameters {
-  double reach_m = 15_mm;        // maximum gap between ball and plate
+  double reach_m = 15_mm;
   double speed_limit_mps = 8.0;  // paper, section 3
   double chip_limit_mps = 5.5;
   double chip_angle_deg = 45.0;
-  double dead_time_s = 100_ms;        // between two kicks
-  double speed_noise = 0.025;         // relative standard deviation of the ball's speed
-  double direction_noise_deg = 1.5;   // standard deviation
-  double chip_angle_noise_deg = 0.0;  // standard deviation of a chip's elevation
+  double dead_time_s = 100_ms;
+  double speed_noise = 0.025;
+  double direction_noise_deg = 1.5;
+  double chip_angle_noise_deg = 0.0;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, const Visitor& visitor) {
+    visitor(self.reach_m, {"reach_m", {0, 0.1}, "maximum gap between plate and ball"});
+    visitor(self.speed_limit_mps, {"speed_limit_mps", {0.1, 20}, "top speed of straight kicks"});
+    visitor(self.chip_limit_mps, {"chip_limit_mps", {0.1, 20}, "top speed of chip kicks"});
+    visitor(self.chip_angle_deg, {"chip_angle_deg", {5, 85}, "elevation of chip kicks"});
+    visitor(self.dead_time_s, {"dead_time_s", {0, 60}, "minimum time between two kicks"});
+    visitor(self.speed_noise,
+            {"speed_noise", {0, 0.5}, "standard deviation as a fraction of the speed"});
+    visitor(self.direction_noise_deg, {"direction_noise_deg", {0, 45}, "standard deviation"});
+    visitor(self.chip_angle_noise_deg,
+            {"chip_angle_noise_deg", {0, 20}, "standard deviation of a chip's elevation"});
+  }
   bool operator==(const KickerParameters&) const = default;
 };
 
+// A dribbler that does not hold pulls the ball towards the plate's centre like a spring, saturating
+// at about 5 mm. The damping is near critical for a rolling ball, whose effective mass is one and a
+// half times its own.
 struct DribblerParameters {
-  double force_n = 0.45;   // maximum pull on the ball
-  double reach_m = 10_mm;  // maximum gap between ball and plate
-  bool holds = false;      // cancels all motion of the ball relative to the plate
-  // A dribbler that does not hold pulls the ball towards the plate's centre like a spring,
-  // saturating at about 5 mm. The damping is near critical for a rolling ball, whose effective mass
-  // is one and a half times its own.
+  double force_n = 0.45;
+  double reach_m = 10_mm;
+  bool holds = false;  // cancels all motion of the ball relative to the plate
   double stiffness_npm = 90.0;
   double damping_nspm = 5.0;
-  double centring_mps = 0.2;  // maximum speed at which a holding dribbler centres the ball
+  double centring_mps = 0.2;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, const Visitor& visitor) {
+    visitor(self.force_n, {"force_n", {0, 100}, "maximum pulling force"});
+    visitor(self.reach_m, {"reach_m", {0, 0.1}, "maximum gap between plate and ball"});
+    visitor(self.holds, {"holds", "keeps the ball in every motion"});
+    visitor(self.stiffness_npm,
+            {"stiffness_npm", {0, 1000}, "stiffness of the pull to the plate's middle"});
+    visitor(self.damping_nspm,
+            {"damping_nspm", {0, 100}, "damping of the ball's motion along the plate"});
+    visitor(self.centring_mps,
+            {"centring_mps", {0, 5}, "top speed of a held ball towards the plate's middle"});
+  }
   bool operator==(const DribblerParameters&) const = default;
 };
 
 // Ball placement: first stops the ball, then carries it over the robots without pushing any.
 struct PlacementParameters {
-  double speed_mps = 3.0;  // speed of the dragged ball
+  double speed_mps = 3.0;
   double acceleration_mps2 = 4.0;
-  double catch_mps2 = 20.0;  // deceleration of a moving ball before it is carried
-  // Minimum distance of the ball's centre from the goals: its radius and a margin.
-  double clearance_m = 50_mm;
+  double catch_mps2 = 20.0;
+  double clearance_m = 50_mm;  // the ball's radius and a margin
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, const Visitor& visitor) {
+    visitor(self.speed_mps, {"speed_mps", positive(100), "speed of ball placement"});
+    visitor(self.acceleration_mps2,
+            {"acceleration_mps2", positive(1000), "acceleration of ball placement"});
+    visitor(self.catch_mps2,
+            {"catch_mps2", positive(1000), "deceleration that first stops a moving ball"});
+    visitor(self.clearance_m,
+            {"clearance_m", {0.025, 0.3}, "distance from goals to the ball's centre"});
+  }
 };
 
 // Vision quality. Defaults are the preset `paper`: true positions and the ball's height, as the
 // paper's simulator reported them (section 3, "Simulator"). camera_presets.hpp has others.
 struct VisionParameters {
-  double ball_noise_m = 0.0;  // standard deviation of each coordinate
+  double ball_noise_m = 0.0;
   double robot_noise_m = 0.0;
   double robot_noise_rad = 0.0;
-  double ball_misses = 0.0;    // proportion of frames in which a visible ball is missed
-  double robot_misses = 0.0;   // likewise for each robot
-  bool reports_height = true;  // false: reports a flying ball at its projection on the carpet
+  double ball_misses = 0.0;
+  double robot_misses = 0.0;
+  bool reports_height = true;
   bool robots_hide_ball = false;
-  // 4: above the centres of the field's quarters, at a height of 4 m (Laws 2014, section on
-  // vision); 2: above the centres of its halves; 1: above its centre. Each covers its part and this
-  // overlap beyond the field's axes.
+  // Laws 2014, section on vision: four cameras at a height of 4 m.
   int cameras = 4;
   double camera_height_m = 4.0;
   double camera_overlap_m = 0.5;
   // Systematic error of each camera, root mean square over the field: a constant offset and a
-  // smooth warp, drawn once per game. Neighbouring cameras have opposite errors, so that they
-  // disagree by twice this value.
-  double camera_error_m = 0.0;     // of a position
-  double camera_error_rad = 0.0;   // of a robot's heading
-  double false_balls_per_s = 0.0;  // per robot, each in a single frame, just ahead of the robot
-  double misread_numbers = 0.0;    // proportion of detections with the number of a team-mate
+  // smooth warp. Neighbouring cameras have opposite errors, so that they disagree by twice this
+  // value.
+  double camera_error_m = 0.0;
+  double camera_error_rad = 0.0;
+  double false_balls_per_s = 0.0;  // each in a single frame
+  double misread_numbers = 0.0;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, const Visitor& visitor) {
+    visitor(self.ball_noise_m, {"ball_noise_m", {0, 0.1}, "standard deviation along x and y"});
+    visitor(self.robot_noise_m, {"robot_noise_m", {0, 0.1}, "standard deviation along x and y"});
+    visitor(self.robot_noise_rad,
+            {"robot_noise_rad", {0, 0.5}, "standard deviation of the heading"});
+    visitor(self.ball_misses, {"ball_misses", {0, 0.9}, "fraction of frames without the ball"});
+    visitor(self.robot_misses, {"robot_misses", {0, 0.9}, "fraction of frames without a robot"});
+    visitor(self.reports_height,
+            {"reports_height", "report the ball's height; otherwise it appears on the ground"});
+    visitor(self.robots_hide_ball,
+            {"robots_hide_ball", "robots can hide the ball from the cameras"});
+    visitor(self.cameras,
+            {"cameras",
+             {1, 4},
+             "4 above the field's quarters, 2 above its halves or 1 above its centre"});
+    visitor(self.camera_height_m, {"camera_height_m", {1, 20}, "height above the carpet"});
+    visitor(self.camera_overlap_m,
+            {"camera_overlap_m", {0, 5}, "how far each camera sees beyond the middle lines"});
+    visitor(self.camera_error_m,
+            {"camera_error_m",
+             {0, 0.1},
+             "systematic error of each camera's positions, drawn for each game"});
+    visitor(self.camera_error_rad,
+            {"camera_error_rad", {0, 0.5}, "systematic error of each camera's headings"});
+    visitor(self.false_balls_per_s,
+            {"false_balls_per_s", {0, 10}, "false balls ahead of each robot"});
+    visitor(
+        self.misread_numbers,
+        {"misread_numbers", {0, 0.9}, "fraction of robot detections with a team-mate's number"});
+  }
   bool operator==(const VisionParameters&) const = default;
 };
 
 struct RadioParameters {
-  double command_loss = 0.0;  // proportion of commands lost, per robot and frame
-  double hold_s = 100_ms;     // a robot that receives no command for this time stops
+  double command_loss = 0.0;  // per robot and frame
+  double hold_s = 100_ms;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, const Visitor& visitor) {
+    visitor(self.command_loss, {"command_loss", {0, 0.9}, "fraction of commands lost"});
+    visitor(self.hold_s, {"hold_s", {0, 10}, "a robot without a command for this long stops"});
+  }
 };
 
 // Where the robots stand before a game: in rows along the touch line, in their own half. Distances
-// are between robots' centres.
+// are between robots' centres. Eight robots fit in a row on the smallest field, too.
 struct LineUpParameters {
-  double gap_m = 300_mm;                // between neighbours; less on short fields
-  double from_halfway_line_m = 300_mm;  // distance of the first robot in a row
+  double gap_m = 300_mm;  // less on short fields
+  double from_halfway_line_m = 300_mm;
   double from_touch_line_m = 200_mm;
-  double from_goal_line_m = 150_mm;  // minimum distance of the last robot in a row
+  double from_goal_line_m = 150_mm;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, const Visitor& visitor) {
+    visitor(self.gap_m, {"gap_m", {0.19, 1}, "distance between robots before the game"});
+    visitor(self.from_halfway_line_m,
+            {"from_halfway_line_m", {0.1, 0.35}, "distance to the first robot"});
+    visitor(self.from_touch_line_m, {"from_touch_line_m", {0.1, 0.5}, "distance to the first row"});
+    visitor(self.from_goal_line_m,
+            {"from_goal_line_m", {0.1, 0.35}, "minimum distance to the last robot"});
+  }
 };
 
 struct Configuration {
-  int substeps = 4;               // physics steps per camera frame, 1 to 16
-  int contact_free_substeps = 2;  // of a body that can meet nothing; no effect if >= substeps
-  bool free_motion = true;        // without Box2D while a body can meet nothing; false: to compare
+  int substeps = 4;
+  int contact_free_substeps = 2;  // no effect if >= substeps
+  bool free_motion = true;
   double frame_rate_hz = 60.0;
+  double latency_s = 5 / 60.0;  // that of the preset `paper`
+  double latency_error_s = 0.0;
   VisionParameters vision;
   RadioParameters radio;
-  // From a frame until the resulting commands move the robots: that of the preset `paper`.
-  double latency_s = 5 / 60.0;
-  // Standard deviation of what a team believes the latency to be; drawn for each game and team.
-  double latency_error_s = 0.0;
   BallParameters ball;
   ContactParameters contacts;
   PlacementParameters placement;
   LineUpParameters line_up;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, const Visitor& visitor) {
+    visitor(self.substeps, {"substeps", {1, 16}, "physics steps per frame"});
+    visitor(self.contact_free_substeps,
+            {"contact_free_substeps",
+             {1, 16},
+             "physics steps per frame of a body that can meet nothing"});
+    visitor(self.free_motion,
+            {"free_motion", "bodies that can meet nothing move without Box2D; false: to compare"});
+    visitor(self.frame_rate_hz, {"frame_rate_hz", {30, 240}, "frames per second"});
+    visitor(self.latency_s, {"latency_s", {0, 0.5}, "delay from a frame to the robots' motion"});
+    visitor(self.latency_error_s,
+            {"latency_error_s",
+             {0, 0.1},
+             "standard deviation of what a team believes that delay to be, drawn for each game"});
+    visitor(self.vision, {"vision", "what the cameras report"});
+    visitor(self.radio, {"radio", "commands on their way to the robots"});
+    visitor(self.ball, {"ball", "how the ball slides, rolls and hops"});
+    visitor(self.contacts, {"contacts", "what happens when bodies meet"});
+    visitor(self.placement, {"placement", "how the simulator places the ball"});
+    visitor(self.line_up, {"line_up", "where the robots stand before the game"});
+  }
 };
+
+// What a handicap may scale a robot's top speed or acceleration by.
+inline constexpr Range kFactorRange = positive(2);
 
 // One robot and its handicap.
 struct RobotSpec {
@@ -165,28 +337,20 @@ struct RobotSpec {
   DribblerParameters dribbler;
   double speed_factor = 1.0;         // scales the top speed
   double acceleration_factor = 1.0;  // scales acceleration and braking, including the wheels' limit
+
+  // Without the factors, which belong to the robot's team.
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, const Visitor& visitor) {
+    visitor(self.body, {"robot", "the robots' bodies and drives"});
+    visitor(self.kicker, {"kicker", "how they kick"});
+    visitor(self.dribbler, {"dribbler", "how they dribble"});
+  }
 };
 
 // The robots of one side, by number.
 struct TeamSpec {
   using Robots = boost::container::static_vector<RobotSpec, kMaxRobots>;
   Robots robots;
-};
-
-// A number outside its allowed range.
-class OutOfRange : public std::invalid_argument {
- public:
-  // what() is the name followed by `text`, such as "ball.hop_later_z" and " is 2; it must be
-  // from 0 to 0.95".
-  OutOfRange(const std::string& name, const std::string& text)
-      : std::invalid_argument(name + text), name_(name), text_(text) {}
-
-  const std::string& name() const { return name_; }
-  const std::string& text() const { return text_; }
-
- private:
-  std::string name_;
-  std::string text_;
 };
 
 // Throw OutOfRange for the first invalid number. If both sides' robots are checked,

@@ -7,7 +7,8 @@
 #include <array>
 #include <compare>
 #include <cstdint>
-#include <string_view>
+
+#include "soccer/named.hpp"
 
 namespace autoref {
 
@@ -22,7 +23,9 @@ constexpr Side opponent_of(Side side) { return side == Side::kWest ? Side::kEast
 // -1 for west, +1 for east: the sign of x at the side's own goal.
 constexpr double goal_sign(Side side) { return side == Side::kWest ? -1.0 : 1.0; }
 
-constexpr std::string_view name_of(Side side) { return side == Side::kWest ? "west" : "east"; }
+constexpr auto names_of(Side /*any*/) {
+  return std::to_array<Named<Side>>({{Side::kWest, "west"}, {Side::kEast, "east"}});
+}
 
 // One value for each side.
 template <typename T>

@@ -70,7 +70,7 @@ TeamMaker measuring(const GameConfiguration& game, const TeamMaker& make_team,
 }
 
 // The time of the halves that has been played; 0 before the first kick-off.
-double played_clock_s(const MatchConfiguration& match, const RefereeSignal& signal) {
+double played_clock_s(const referee::Match& match, const RefereeSignal& signal) {
   switch (signal.stage) {
     case Stage::kFirstHalfPre:
       return 0;
@@ -89,7 +89,7 @@ double played_clock_s(const MatchConfiguration& match, const RefereeSignal& sign
 double played_share(const Game& game, double played_s) {
   const GameConfiguration& configuration = game.configuration();
   if (configuration.scene) return std::min(1.0, played_s / configuration.scene->lasts_s);
-  const MatchConfiguration& match = configuration.match;
+  const referee::Match& match = configuration.match;
   const double clock_s = played_clock_s(match, game.signal());
   return std::min(1.0, (clock_s > 0 ? clock_s : played_s) / (match.halves * match.half_s));
 }

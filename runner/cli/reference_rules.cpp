@@ -1,9 +1,6 @@
 // The reference page of rules: which rule books have them in force, thresholds, numbers, sections.
 #include <fmt/format.h>
 
-#include <map>
-
-#include "league/team/rule_numbers.hpp"
 #include "runner/cli/reference_pages.hpp"
 #include "soccer/rule_book.hpp"
 #include "soccer/rule_table.hpp"
@@ -53,33 +50,32 @@ std::string sections_section() {
   return "## Meanings and sections\n\n" + reference_table(rows);
 }
 
-// Names of a rule book's numbers in their order, without those that the other tables show.
-std::vector<std::string> number_names() {
-  std::vector<std::string> names;
-  league::visit_rule_numbers(RuleBook{}, [&names](std::string_view name, double) {
-    if (!name.starts_with("in_force.")) names.emplace_back(name);
-  });
-  return names;
+// In each book; yes or no is 1 or 0.
+std::vector<std::string> numbers_called(std::string_view name) {
+  std::vector<std::string> values;
+  for (const RuleBook& book : rule_books()) {
+    RuleBook::visit(book, [&](const auto& number, const Parameter& about) {
+      if (about.name == name) values.push_back(fmt::format("{:g}", static_cast<double>(number)));
+    });
+  }
+  return values;
 }
 
 std::string numbers_section() {
-  std::vector<std::map<std::string, double, std::less<>>> values;
-  for (const RuleBook& book : rule_books()) {
-    values.emplace_back();
-    league::visit_rule_numbers(book, [&values](std::string_view name, double value) {
-      values.back()[std::string(name)] = value;
-    });
-  }
   Rows rows = table_with_books("number");
-  for (const std::string& name : number_names()) {
-    std::vector<std::string> row = {code_span(name)};
-    for (auto& of_book : values) row.push_back(fmt::format("{:g}", of_book[name]));
+  rows.front().insert(rows.front().end(), {"meaning", "source"});
+  const RuleBook any;
+  RuleBook::visit(any, [&rows](const auto& /*number*/, const Parameter& about) {
+    std::vector<std::string> row = {code_span(std::string(about.name))};
+    for (std::string& value : numbers_called(about.name)) row.push_back(std::move(value));
+    row.emplace_back(about.about);
+    row.emplace_back(about.source);
     rows.push_back(std::move(row));
-  }
+  });
   return "## Numbers\n\nThe numbers of each rule book, as programs receive them in the message "
-         "START ([team-programs.md](../team-programs.md)); 1 is yes, 0 is no. Their meanings are "
-         "in "
-         "[rule_book.hpp](../../soccer/rule_book.hpp).\n\n" +
+         "START ([team-programs.md](../team-programs.md)); 1 is yes, 0 is no. A source names where "
+         "the first book's number comes from, then what other texts say; \"2016\" is the authors' "
+         "later public referee.\n\n" +
          reference_table(rows);
 }
 

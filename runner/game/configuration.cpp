@@ -31,7 +31,7 @@ constexpr std::array<std::string_view, 10> kInterpreters = {
 
 std::string stem_of(const std::string& path) { return std::filesystem::path(path).stem().string(); }
 
-double failed_placements_s(const MatchConfiguration& match) {
+double failed_placements_s(const referee::Match& match) {
   if (match.placement == referee::PlacedBy::kSimulator) return 0;
   const RuleBook& rules = match.rules;
   return 2 * match.halves * rules.placement_failures * 2 * rules.placement_time_s;
@@ -77,29 +77,20 @@ PerSide<std::string> shown_names(const GameConfiguration& game) {
 
 referee::Configuration referee_configuration(const GameConfiguration& game) {
   referee::Configuration configuration;
+  static_cast<referee::Match&>(configuration) = game.match;
+  if (configuration.control == referee::Control::kGameController)
+    configuration.control = referee::Control::kHuman;
   configuration.field = game.field;
-  configuration.rules = game.match.rules;
   for (const Side side : kSides) {
     configuration.robots[side] = static_cast<int>(team_on(game, side).robots.size());
   }
-  configuration.half_s = game.match.half_s;
-  configuration.halves = game.match.halves;
-  configuration.break_s = game.match.break_s;
-  configuration.knockout = game.match.knockout;
-  configuration.least_confidence = game.match.least_confidence;
-  configuration.after_game = game.match.after_game;
-  configuration.control = game.match.control == referee::Control::kGameController
-                              ? referee::Control::kHuman
-                              : game.match.control;
-  configuration.placement = game.match.placement;
-  configuration.first_kickoff = game.match.first_kickoff;
   configuration.noise = {game.sim.vision.ball_noise_m, game.sim.vision.robot_noise_m,
                          game.sim.vision.robot_noise_rad};
   configuration.camera_error_m = game.sim.vision.camera_error_m;
   return configuration;
 }
 
-double longest_s(const MatchConfiguration& match) {
+double longest_s(const referee::Match& match) {
   const RuleBook& rules = match.rules;
   const bool teams_place = match.placement == referee::PlacedBy::kTeams;
   const double standstill = teams_place ? kStandstillOfTeams : kStandstill;

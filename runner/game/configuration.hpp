@@ -40,29 +40,10 @@ struct TeamConfiguration {
   std::optional<RuleBook> laws = find_rule_book(kDefaultLaws);
 };
 
-// What becomes of a game in which a team fails (strategies::StrategyFault and the like): it has no
-// result, or the other team wins it.
-enum class OnTeamFault : std::uint8_t { kVoid, kForfeit };
-
-struct MatchConfiguration {
-  RuleBook rules;  // includes the length of extra time and the rules in force
-  double half_s = 600;
-  int halves = 2;
-  double break_s = 0;
-  bool knockout = false;
-  referee::AfterGame after_game = referee::AfterGame::kHalt;
-  OnTeamFault on_team_fault = OnTeamFault::kVoid;
-  referee::Control control = referee::Control::kAutoref;
-  referee::PlacedBy placement = referee::PlacedBy::kSimulator;
-  double least_confidence = 0;  // of the referee in a foul that it calls
-  Side a_plays = Side::kWest;
-  Side first_kickoff = Side::kWest;
-};
-
 struct GameConfiguration {
   TeamConfiguration a;
   TeamConfiguration b;
-  MatchConfiguration match;
+  referee::Match match;
   Field field;
   sim::Configuration sim;
   std::uint64_t seed = 42;
@@ -91,6 +72,6 @@ PerSide<std::string> shown_names(const GameConfiguration& game);
 referee::Configuration referee_configuration(const GameConfiguration& game);
 
 // Longest plausible duration of a game, in s; a game that takes longer is stuck.
-double longest_s(const MatchConfiguration& match);
+double longest_s(const referee::Match& match);
 
 }  // namespace autoref::runner

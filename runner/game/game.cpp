@@ -250,8 +250,9 @@ class Game::Impl {
       if (faults[side].empty()) continue;
       const bool is_a = side == a();
       const std::string reason = fmt::format("team {} {}", is_a ? 'a' : 'b', faults[side]);
-      const bool is_forfeit = configuration_.match.on_team_fault == OnTeamFault::kForfeit &&
-                              faults[opponent_of(side)].empty();
+      const bool is_forfeit =
+          configuration_.match.on_team_fault == referee::OnTeamFault::kForfeit &&
+          faults[opponent_of(side)].empty();
       if (!is_forfeit) return void_game(reason);
       end_game(Status::kForfeit, is_a ? EndReason::kForfeitA : EndReason::kForfeitB, reason);
     }

@@ -51,7 +51,7 @@ GameSettings logged_game(const std::string& book, const RecordedFacts& facts,
   game.field = field_in(facts.log, game.field);
   if (recorded.half_s) game.match.half_s = *recorded.half_s;
   if (recorded.halves > 0) game.match.halves = recorded.halves;
-  if (recorded.extra_half_s) game.match.extra_half_s = *recorded.extra_half_s;
+  if (recorded.extra_half_s) game.match.rules.extra_half_s = *recorded.extra_half_s;
   game.match.knockout = recorded.is_knockout;
   if (facts.noise) {
     game.sim.vision.ball_noise_m = facts.noise->ball_m;
@@ -87,7 +87,7 @@ std::vector<std::string> gaps_of(const RecordedFacts& facts, const GameSettings&
        fmt::format(
            "no geometry: using the field of the rules {}, {} x {} m (change with --rules or --set "
            "field.length_m=... etc.)",
-           game.match.rules, field.length_m, field.width_m));
+           game.match.rules.name, field.length_m, field.width_m));
   note(facts.log.field && facts.log.field_gaps.penalty_mark, "field.penalty_mark_m",
        fmt::format(
            "the geometry has no penalty mark: using {} m from the goal line (change with --set "
@@ -96,7 +96,7 @@ std::vector<std::string> gaps_of(const RecordedFacts& facts, const GameSettings&
   note(facts.log.field && facts.log.field_gaps.defence_area, "field.defence_area.depth_m",
        fmt::format("the geometry has no defence areas: using a depth of {} m as in the rules {} "
                    "(change with --set field.defence_area.depth_m=...)",
-                   field.defence_area.depth_m, game.match.rules));
+                   field.defence_area.depth_m, game.match.rules.name));
   note(!has_referee, "match.control",
        "no referee packets: play is taken to be on throughout, and there is nothing to compare "
        "AutoRef's calls with (change with --control autoref)");

@@ -39,9 +39,9 @@ void compare(const Values& here, const Values& defaults, std::vector<DefaultDiff
 Values defaults_for(const GameSettings& game) {
   GameSettings usual;
   // The rule book sets other values too; only deviations from these are of interest.
-  set_by_path(usual, "match.rules", game.match.rules);
+  set_by_path(usual, "match.rules", game.match.rules.name);
   Values values = comparable_values(settings_of(usual));
-  values["match.rules"] = MatchSettings{}.rules;
+  values["match.rules"] = referee::Match{}.rules.name;
   return values;
 }
 
@@ -56,7 +56,7 @@ void compare_games(GameSettings game, bool has_named_teams, std::vector<DefaultD
 void compare_teams(const GameSettings& base, const Teams& teams,
                    std::vector<DefaultDifference>& found) {
   GameSettings usual;
-  set_by_path(usual, "match.rules", base.match.rules);
+  set_by_path(usual, "match.rules", base.match.rules.name);
   for (auto [name, team] : teams) {
     const std::string prefix = fmt::format("teams.{}.", name);
     compare(comparable_values(settings_of(team, base.types, prefix)),

@@ -29,28 +29,16 @@ Overloaded(Cases...) -> Overloaded<Cases...>;
                                           suggestion(text, setting.words)));
 }
 
-bool is_within(const Range& range, double value) {
-  return (range.above_low ? value > range.low : value >= range.low) && value <= range.high;
-}
-
 template <typename Number>
 Number checked(const Setting& setting, std::string_view text, std::optional<Number> number) {
-  if (!number || !is_within(setting.range, static_cast<double>(*number))) refuse(setting, text);
+  if (!number || !setting.range.contains(static_cast<double>(*number))) refuse(setting, text);
   return *number;
 }
 
-// Index of `text` among the setting's words.
-std::size_t index_of_word(const Setting& setting, std::string_view text) {
+std::string word_in(const Setting& setting, std::string_view text) {
   const auto found = std::find(setting.words.begin(), setting.words.end(), text);
   if (found == setting.words.end()) refuse(setting, text);
-  return static_cast<std::size_t>(found - setting.words.begin());
-}
-
-std::string range_text(const Setting& setting) {
-  const Range& range = setting.range;
-  const std::string unit = setting.unit.empty() ? "" : fmt::format(" {}", setting.unit);
-  if (range.above_low) return fmt::format("above {} and at most {}{}", range.low, range.high, unit);
-  return fmt::format("from {} to {}{}", range.low, range.high, unit);
+  return *found;
 }
 
 std::string_view last_name_in(std::string_view path) { return path.substr(path.rfind('.') + 1); }
@@ -114,10 +102,10 @@ bool holds_others(const Setting& setting) {
 std::string expected_of(const Setting& setting) {
   return std::visit(
       Overloaded{
-          [&](double*) { return "a number " + range_text(setting); },
-          [&](int*) { return "a whole number " + range_text(setting); },
+          [&](double*) { return "a number " + text_of(setting.range, setting.unit); },
+          [&](int*) { return "a whole number " + text_of(setting.range, setting.unit); },
           [&](std::uint64_t*) { return std::string("a whole number from 0 to 2^64 - 1"); },
-          [&](BothFactors) { return "a number " + range_text(setting); },
+          [&](BothFactors) { return "a number " + text_of(setting.range, setting.unit); },
           [&](TypeName type) {
             return "a file such as robots/slow.yaml, or one of " + listed(names_of(*type.types));
           },
@@ -126,7 +114,7 @@ std::string expected_of(const Setting& setting) {
             return std::string("a command such as [python3, my_team.py] or 'python3 my_team.py'");
           },
           [&](const Change&) {
-            return setting.words.empty() ? "a number " + range_text(setting)
+            return setting.words.empty() ? "a number " + text_of(setting.range, setting.unit)
                                          : "one of " + listed(setting.words);
           },
           [&](const ChangesOf&) { return std::string("numbers by name"); },
@@ -142,7 +130,7 @@ std::string expected_of(const Setting& setting) {
 
 SettingValue value_in(std::string_view text, const Setting& setting) {
   const auto number = [&] { return checked(setting, text, number_in(text)); };
-  const auto word = [&] { return setting.words[index_of_word(setting, text)]; };
+  const auto word = [&] { return word_in(setting, text); };
   const auto none = [&]() -> SettingValue { refuse(setting, text); };
   return std::visit(
       Overloaded{
@@ -192,10 +180,8 @@ void set_value(const Setting& setting, const SettingValue& value) {
           [&](CameraPreset preset) { sim::apply_camera_preset(word(), *preset.sim); },
           [&](RulesChoice choice) { choose_rules(word(), *choice.game); },
           [&](std::string* text) { *text = word(); },
-          [&](auto* enumerator) {
-            using Enumeration = std::remove_pointer_t<decltype(enumerator)>;
-            *enumerator = static_cast<Enumeration>(index_of_word(setting, word()));
-          },
+          [&](bool* flag) { *flag = word() == kYes; },
+          [&](EnumerationName one) { one.set(one.value, word()); },
       },
       setting.target);
 }
@@ -227,7 +213,7 @@ SettingValue current_value(const Setting& setting) {
           [](KickerPreset preset) -> SettingValue {
             return sim::kicker_preset_of(*preset.kicker).value_or("other");
           },
-          [](RulesChoice choice) -> SettingValue { return choice.game->match.rules; },
+          [](RulesChoice choice) -> SettingValue { return choice.game->match.rules.name; },
           [](const TypeName& type) -> SettingValue { return *type.name; },
           [](FreeText free) -> SettingValue { return *free.text; },
           [](CommandWords command) -> SettingValue { return text_of_command(*command.words); },
@@ -236,9 +222,8 @@ SettingValue current_value(const Setting& setting) {
           [&](Params*) { return none(); },
           [&](Players*) { return none(); },
           [&](RobotTypes*) { return none(); },
-          [&](auto* enumerator) -> SettingValue {
-            return setting.words[static_cast<std::size_t>(*enumerator)];
-          },
+          [](bool* flag) -> SettingValue { return std::string(*flag ? kYes : kNo); },
+          [](EnumerationName one) -> SettingValue { return std::string(one.name(one.value)); },
       },
       setting.target);
 }

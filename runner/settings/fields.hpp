@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "runner/settings/game_settings.hpp"
+#include "soccer/parameters.hpp"
 
 namespace autoref::runner {
 
@@ -64,6 +65,13 @@ struct Change {
   bool is_preset = false;
 };
 
+// An enumeration (soccer/named.hpp).
+struct EnumerationName {
+  void* value = nullptr;
+  std::string_view (*name)(const void* value) = nullptr;
+  void (*set)(void* value, std::string_view name) = nullptr;
+};
+
 // Any text.
 struct FreeText {
   std::string* text = nullptr;
@@ -74,22 +82,18 @@ struct CommandWords {
   std::vector<std::string>* words = nullptr;
 };
 
+// The words for yes or no.
+inline constexpr const char* kNo = "false";
+inline constexpr const char* kYes = "true";
+
 using Params = std::map<std::string, double>;
 using Players = std::map<int, PlayerSettings>;
 
 // Location of a setting's value in a GameSettings.
 using Target =
-    std::variant<double*, int*, bool*, std::uint64_t*, std::string*, Side*, DefenceArea::Shape*,
-                 referee::AfterGame*, OnTeamFault*, referee::Control*, referee::PlacedBy*,
-                 BothFactors, BallPreset, CameraPreset, DribblerPreset, KickerPreset, RulesChoice,
-                 TypeName, FreeText, CommandWords, Change, ChangesOf, Params*, Players*,
-                 RobotTypes*>;
-
-struct Range {
-  double low = 0;
-  double high = 0;
-  bool above_low = false;  // `low` itself is not allowed
-};
+    std::variant<double*, int*, bool*, std::uint64_t*, std::string*, EnumerationName, BothFactors,
+                 BallPreset, CameraPreset, DribblerPreset, KickerPreset, RulesChoice, TypeName,
+                 FreeText, CommandWords, Change, ChangesOf, Params*, Players*, RobotTypes*>;
 
 struct Setting {
   std::string path;  // such as "teams.a.robots"
@@ -107,9 +111,6 @@ std::vector<Setting> settings_of(GameSettings& game);
 // The settings of one team below `prefix`, such as "teams.a.".
 std::vector<Setting> settings_of(TeamSettings& team, const RobotTypes& types,
                                  const std::string& prefix);
-
-// The settings of the world, below "sim.".
-std::vector<Setting> settings_of(sim::Configuration& sim, sim::RobotSpec& robot);
 
 // The settings of a robot below `prefix` ("" or "sim."), and the settings of overrides.
 std::vector<Setting> settings_of(sim::RobotSpec& robot, const std::string& prefix);

@@ -63,28 +63,10 @@ struct TeamSettings {
 // The name of the team's strategy or program.
 std::string name_of(const TeamSettings& team);
 
-struct MatchSettings {
-  std::string rules = "paper";             // name of a rule book
-  RuleSet in_force = RuleBook{}.in_force;  // the rules of that book that are in force
-  double half_s = 600;
-  int halves = 2;
-  double break_s = 0;
-  bool knockout = false;
-  double extra_half_s = 300;  // in knockout games
-  bool change_ends = false;   // before every half after the first
-  referee::AfterGame after_game = referee::AfterGame::kHalt;
-  OnTeamFault on_team_fault = OnTeamFault::kVoid;
-  referee::Control control = referee::Control::kAutoref;
-  referee::PlacedBy placement = referee::PlacedBy::kSimulator;
-  double least_confidence = 0;  // of the referee in a foul that it calls
-  Side a_plays = Side::kWest;
-  Side first_kickoff = Side::kWest;
-};
-
 struct GameSettings {
   TeamSettings a;
   TeamSettings b;
-  MatchSettings match;
+  referee::Match match;
   Field field;
   sim::Configuration sim;
   sim::RobotSpec robot;  // body, kicker and dribbler of every robot, unless its type overrides them

@@ -16,26 +16,6 @@ RuleBook book_of(const std::string& name) {
   return *rules;
 }
 
-MatchConfiguration resolved(const MatchSettings& settings) {
-  MatchConfiguration match;
-  match.rules = book_of(settings.rules);
-  match.rules.in_force = settings.in_force;
-  match.rules.extra_half_s = settings.extra_half_s;
-  match.rules.change_ends = settings.change_ends;
-  match.half_s = settings.half_s;
-  match.halves = settings.halves;
-  match.break_s = settings.break_s;
-  match.knockout = settings.knockout;
-  match.after_game = settings.after_game;
-  match.on_team_fault = settings.on_team_fault;
-  match.control = settings.control;
-  match.placement = settings.placement;
-  match.least_confidence = settings.least_confidence;
-  match.a_plays = settings.a_plays;
-  match.first_kickoff = settings.first_kickoff;
-  return match;
-}
-
 TeamConfiguration resolved(const GameSettings& game, const TeamSettings& team,
                            std::string_view path) {
   TeamConfiguration configuration{team.strategy, team.params, spec_of(game, team, path).robots};
@@ -55,12 +35,8 @@ std::string name_of(const TeamSettings& team) {
 }
 
 void choose_rules(const std::string& book, GameSettings& game) {
-  const RuleBook rules = book_of(book);
+  game.match.rules = book_of(book);
   const GameSetup setup = *find_game_setup(book);
-  game.match.rules = book;
-  game.match.in_force = rules.in_force;
-  game.match.extra_half_s = rules.extra_half_s;
-  game.match.change_ends = rules.change_ends;
   game.match.half_s = setup.half_s;
   game.field = setup.field;
   sim::apply_kicker_preset(setup.kickers_and_dribblers, game.robot.kicker);
@@ -72,7 +48,7 @@ void choose_rules(const std::string& book, GameSettings& game) {
 GameConfiguration resolved(const GameSettings& settings) {
   return {resolved(settings, settings.a, "teams.a"),
           resolved(settings, settings.b, "teams.b"),
-          resolved(settings.match),
+          settings.match,
           settings.field,
           settings.sim,
           settings.seed,

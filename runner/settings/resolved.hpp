@@ -14,7 +14,7 @@ void choose_rules(const std::string& book, GameSettings& game);
 
 // The game that the settings describe: the rule book with its switched rules, and each robot with
 // the overrides of its type, its team and its number. Looks up names but does not check values;
-// check_game() (fields.hpp) does. Throws std::invalid_argument for an unknown rule book, and
+// check_game() (fields.hpp) does. Throws std::invalid_argument for unknown laws of a team, and
 // SettingError for an unknown robot type or for a player number that the team does not have.
 GameConfiguration resolved(const GameSettings& settings);
 

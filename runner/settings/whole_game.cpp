@@ -80,7 +80,7 @@ void check_robots(const GameSettings& game, const TeamSettings& team, std::strin
   for (const auto& [number, player] : team.players) {
     try {
       sim::validate(spec.robots[static_cast<std::size_t>(number)]);
-    } catch (const sim::OutOfRange& error) {
+    } catch (const OutOfRange& error) {
       throw SettingError(fmt::format("{}.players.{}", name, number),
                          fmt::format(": combined with the team's, {}", error.what()));
     }
@@ -93,8 +93,8 @@ template <typename Part>
 void check_world(const std::string& branch, const Part& part) {
   try {
     sim::validate(part);
-  } catch (const sim::OutOfRange& error) {
-    throw SettingError(branch + error.name(), error.text());
+  } catch (const OutOfRange& error) {
+    throw SettingError(branch + error.path(), error.text());
   }
 }
 

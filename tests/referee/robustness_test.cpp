@@ -176,7 +176,7 @@ TEST(Configured, RefusesAnImpossibleLengthOfHalvesAndBreaks) {
 TEST(Configured, RefusesAnImpossibleNumberOfHalves) {
   EXPECT_THROW(Referee{with_halves(0)}, std::invalid_argument);
   EXPECT_THROW(Referee{with_halves(-1)}, std::invalid_argument);
-  EXPECT_THROW(Referee{with_halves(5)}, std::invalid_argument);
+  EXPECT_THROW(Referee{with_halves(3)}, std::invalid_argument);
 }
 
 // The sides of the prepared kick-offs, in order.
@@ -193,10 +193,11 @@ std::vector<Side> kickers_of(const std::vector<Decision>& decisions) {
 TEST(Configured, HalvesAlternateTheKickOff) {
   Configuration configuration;
   configuration.half_s = 2;
-  configuration.halves = 4;
+  configuration.knockout = true;
+  configuration.rules.extra_half_s = 2;
   configuration.first_kickoff = Side::kEast;
   ScriptedGame game(configuration);
-  game.line_up().run_until("game_over", 100);
+  game.line_up().run_until("shootout", 100);
   EXPECT_EQ(kickers_of(game.decisions),
             (std::vector<Side>{Side::kEast, Side::kWest, Side::kEast, Side::kWest}));
 }

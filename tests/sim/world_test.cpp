@@ -254,7 +254,7 @@ TEST(ConfigurationError, StatesTheValueAndTheRange) {
     FAIL() << "accepted";
   } catch (const OutOfRange& error) {
     EXPECT_STREQ(error.what(), "substeps is 17; it must be from 1 to 16");
-    EXPECT_EQ(error.name(), "substeps");
+    EXPECT_EQ(error.path(), "substeps");
   }
 }
 

@@ -129,7 +129,7 @@ Knockout read_knockout(TopReader& top) {
   read_base(top, knockout);
   // Every rule book except the paper's has extra time and shoot-outs; the base may disable them.
   if (!knockout.base.given.contains("match.knockout")) {
-    knockout.base.match.knockout = knockout.base.match.rules != "paper";
+    knockout.base.match.knockout = knockout.base.match.rules.name != "paper";
   }
   read_teams(top, knockout, {2, kMostInKnockout});
   read_bracket_order(top, knockout);

@@ -241,11 +241,5 @@ TEST(Shootout, StaysAPenaltyKickForTheTeamsAfterTheBallHasMoved) {
   EXPECT_EQ(tracker.update(signal, Vec2(2.5, 0)).play, Play::kPenalty);
 }
 
-TEST(Knockout, RefusesMoreThanTwoHalves) {
-  Configuration configuration = knockout();
-  configuration.halves = 3;
-  EXPECT_THROW(Referee{configuration}, std::invalid_argument);
-}
-
 }  // namespace
 }  // namespace autoref::referee

@@ -56,7 +56,7 @@ void make_few(JudgeSchedule& schedule) {
   schedule.seeds.resize(1);
 }
 
-void shorten(MatchSettings& match) { match.half_s = match.extra_half_s = kShortHalf_s; }
+void shorten(referee::Match& match) { match.half_s = match.rules.extra_half_s = kShortHalf_s; }
 void shorten(GameSettings& game) { shorten(game.match); }
 template <typename Many>
 void shorten(Many& many) {

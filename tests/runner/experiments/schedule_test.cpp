@@ -47,7 +47,7 @@ TEST(Schedule, PlaysTheLegsBackToBackAndPairByPairOverAllValues) {
 TEST(Schedule, GivesEachTeamEachSideAndTheFirstKickOffEquallyOften) {
   std::map<std::pair<Side, bool>, int> counts;  // side of team a, whether a kicks off
   for (const ScheduledGame& game : scheduled_games(handicap_sweep({1.0}, 10))) {
-    const MatchSettings match = game.settings.whole().match;
+    const referee::Match match = game.settings.whole().match;
     EXPECT_EQ(match.a_plays, game.leg == 1 ? Side::kWest : Side::kEast);
     ++counts[{match.a_plays, match.a_plays == match.first_kickoff}];
   }

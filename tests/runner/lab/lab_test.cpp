@@ -161,7 +161,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"UnknownSetting", kLab + "sim: { substep: 2 }\n",
                 "x.yaml:4:8: sim: ", "'substeps'"},
         Mistake{"NoRoomForGoals", kLab + "field: { goal_width_m: 4, width_m: 4.2 }\n",
-                "x.yaml:4:10: field.goal_width_m is 4", "from 0.2 to 3.8"},
+                "x.yaml:4:10: field.goal_width_m is 4", "at most 3.8"},
         Mistake{"NoList", kLab + "robots: { side: west }\n", "x.yaml:4:9: robots: ", "a list"},
         Mistake{"NoSide", kLab + "robots: [{ x_m: 1 }]\n", "x.yaml:4:10: robots[0]: ", "'side'"},
         Mistake{"NoSuchSide", kLab + "robots: [{ side: north }]\n",

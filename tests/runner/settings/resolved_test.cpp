@@ -88,10 +88,9 @@ TEST(ResolvedGame, AppliesTheOverridesOfTeamAndNumberToEachRobot) {
   EXPECT_EQ(game.a.robots.size(), 6U);
 }
 
-TEST(ResolvedGame, RefusesAnUnknownRuleBook) {
+TEST(ChosenRules, MustBeAKnownRuleBook) {
   GameSettings settings;
-  settings.match.rules = "none";
-  EXPECT_THROW(resolved(settings), std::invalid_argument);
+  EXPECT_THROW(choose_rules("none", settings), std::invalid_argument);
 }
 
 TEST(ResolvedGame, RefusesAPlayerThatTheTeamDoesNotHave) {

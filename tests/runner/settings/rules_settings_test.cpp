@@ -36,9 +36,9 @@ TEST(MatchRules, AreReadFirstWhateverTheirPosition) {
 TEST(MatchRules, LetAFileSwitchSingleRules) {
   const GameSettings game =
       game_in("match: { switch: { offside: true, bot_crash_unique: false }, rules: 2014 }\n");
-  EXPECT_TRUE(game.match.in_force.has(RuleId::kOffside));
-  EXPECT_FALSE(game.match.in_force.has(RuleId::kBotCrashUnique));
-  EXPECT_TRUE(game.match.in_force.has(RuleId::kBotKickedBallTooFast));
+  EXPECT_TRUE(game.match.rules.in_force.has(RuleId::kOffside));
+  EXPECT_FALSE(game.match.rules.in_force.has(RuleId::kBotCrashUnique));
+  EXPECT_TRUE(game.match.rules.in_force.has(RuleId::kBotKickedBallTooFast));
 }
 
 TEST(MatchRules, AreReproducedFromTheEffectiveText) {
@@ -50,13 +50,13 @@ TEST(MatchRules, AreReproducedFromTheEffectiveText) {
   EXPECT_EQ(configuration_hash(again), configuration_hash(game));
   EXPECT_DOUBLE_EQ(again.field.length_m, 8.09);
   EXPECT_EQ(again.b.robots, 3);
-  EXPECT_FALSE(again.match.in_force.has(RuleId::kBotPushedBot));
+  EXPECT_FALSE(again.match.rules.in_force.has(RuleId::kBotPushedBot));
 }
 
 TEST(MatchRules, DistinguishConfigurations) {
   const GameSettings game = game_in("match: { rules: 2014 }\n");
   GameSettings other = game;
-  other.match.in_force[RuleId::kOffside] = true;
+  other.match.rules.in_force[RuleId::kOffside] = true;
   EXPECT_NE(configuration_hash(game), configuration_hash(other));
 }
 

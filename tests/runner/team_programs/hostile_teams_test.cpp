@@ -31,10 +31,11 @@ class HostileTeams : public testing::TestWithParam<HostileTeam> {};
 TEST_P(HostileTeams, LoseTheirGameAndNothingElse) {
   GameConfiguration game = shell_game(GetParam().script);
   game.a.program->answer_s = GetParam().answer_s;
-  for (const OnTeamFault consequence : {OnTeamFault::kVoid, OnTeamFault::kForfeit}) {
+  for (const referee::OnTeamFault consequence :
+       {referee::OnTeamFault::kVoid, referee::OnTeamFault::kForfeit}) {
     game.match.on_team_fault = consequence;
     const GameRecord record = play(game, nullptr, make_program_or_registered_team);
-    const bool is_void = consequence == OnTeamFault::kVoid;
+    const bool is_void = consequence == referee::OnTeamFault::kVoid;
     EXPECT_EQ(record.status, is_void ? Status::kVoid : Status::kForfeit);
     EXPECT_EQ(record.end_reason, is_void ? EndReason::kVoid : EndReason::kForfeitA);
     EXPECT_EQ(record.void_reason.find("team a /bin/sh "), 0U) << record.void_reason;
@@ -156,7 +157,7 @@ TEST(TeamPrograms, ThatDoNotExistLoseTheirGame) {
 TEST(TeamPrograms, HaveNoWinnerIfBothFail) {
   GameConfiguration game = shell_game("exit 1");
   game.b = shell_team("exit 1");
-  game.match.on_team_fault = OnTeamFault::kForfeit;
+  game.match.on_team_fault = referee::OnTeamFault::kForfeit;
   const GameRecord record = play(game, nullptr, make_program_or_registered_team);
   EXPECT_EQ(record.status, Status::kVoid);
 }
@@ -164,7 +165,7 @@ TEST(TeamPrograms, HaveNoWinnerIfBothFail) {
 TEST(TeamPrograms, LoseToProgramsThatPlay) {
   GameConfiguration game = shell_game(idle_script());
   game.b = shell_team(script_that(2, "exit 1"));
-  game.match.on_team_fault = OnTeamFault::kForfeit;
+  game.match.on_team_fault = referee::OnTeamFault::kForfeit;
   const GameRecord record = play(game, nullptr, make_program_or_registered_team);
   EXPECT_EQ(record.end_reason, EndReason::kForfeitB);
   EXPECT_EQ(record.status, Status::kForfeit);
@@ -203,7 +204,7 @@ TEST(TeamPrograms, ThatAreKilledFromOutsidePlayAgainAndThatIsCounted) {
 TEST(TeamPrograms, ThatKillThemselvesGetNoOtherAttempt) {
   const TemporaryFolder folder;
   GameConfiguration game = shell_game(script_that(2, "kill -KILL $$"));
-  game.match.on_team_fault = OnTeamFault::kForfeit;
+  game.match.on_team_fault = referee::OnTeamFault::kForfeit;
   const GameRecord record = play_live(game, folder.path());
   EXPECT_EQ(record.status, Status::kForfeit);
   EXPECT_EQ(record.end_reason, EndReason::kForfeitA);

@@ -205,7 +205,7 @@ TEST(Presets, AsFactorsLeaveOtherFactorsAloneInAnyOrder) {
       EXPECT_EQ(game.sim.latency_s, says("latency_s=0.1") ? 0.1 : 0.2) << name;
       EXPECT_EQ(game.match.half_s, says("half_s=5") ? 5 : 7) << name;
       EXPECT_EQ(game.sim.vision.ball_noise_m, says("camera=none") ? 0 : 0.0014) << name;
-      EXPECT_EQ(game.match.rules, says("rules=2014") ? "2014" : "paper") << name;
+      EXPECT_EQ(game.match.rules.name, says("rules=2014") ? "2014" : "paper") << name;
     }
   }
 }

@@ -24,7 +24,7 @@ Sweep sweep_of(const std::string& text) {
 TEST(ReadScenario, KeepsDefaultsForMissingKeys) {
   const GameSettings game = game_of(kGame);
   EXPECT_EQ(game.a.robots, 6);
-  EXPECT_EQ(game.match.rules, "paper");
+  EXPECT_EQ(game.match.rules.name, "paper");
   EXPECT_EQ(game.match.half_s, 600);  // the paper's ten minutes
 }
 

@@ -1,0 +1,93 @@
+// The rules of one match, as its file gives them: settings, game and referee share them.
+#pragma once
+
+#include <cstdint>
+
+#include "soccer/named.hpp"
+#include "soccer/parameters.hpp"
+#include "soccer/rule_book.hpp"
+#include "soccer/side.hpp"
+
+namespace autoref::referee {
+
+// "At the end of the second half, AutoRef can either signal for a new game to begin or simply
+// leave the robots halted" (paper, section 4.2).
+enum class AfterGame : std::uint8_t { kHalt, kNewGame };
+
+constexpr auto names_of(AfterGame /*any*/) {
+  return std::to_array<Named<AfterGame>>(
+      {{AfterGame::kHalt, "halt"}, {AfterGame::kNewGame, "new_game"}});
+}
+
+// What becomes of a game in which a team fails (strategies::StrategyFault and the like): it has no
+// result, or the other team wins it.
+enum class OnTeamFault : std::uint8_t { kVoid, kForfeit };
+
+constexpr auto names_of(OnTeamFault /*any*/) {
+  return std::to_array<Named<OnTeamFault>>(
+      {{OnTeamFault::kVoid, "void"}, {OnTeamFault::kForfeit, "forfeit"}});
+}
+
+// Who commands the game. Beside a person, AutoRef follows the person's commands; on its own call it
+// sends STOP, and the person decides how play resumes (paper, sections 4.1 and 5). If nobody
+// commands, play is on throughout, and calls are only reported. The league's game controller may
+// command simulated games; AutoRef follows it like a person.
+enum class Control : std::uint8_t { kAutoref, kHuman, kNone, kGameController };
+
+constexpr auto names_of(Control /*any*/) {
+  return std::to_array<Named<Control>>({{Control::kAutoref, "autoref"},
+                                        {Control::kHuman, "human"},
+                                        {Control::kNone, "none"},
+                                        {Control::kGameController, "game-controller"}});
+}
+
+// Who brings the ball to the position of the next free kick or force start: the simulator, or the
+// teams' robots (2026, Ball Placement). For kick-offs and penalty kicks it is always the simulator.
+enum class PlacedBy : std::uint8_t { kSimulator, kTeams };
+
+constexpr auto names_of(PlacedBy /*any*/) {
+  return std::to_array<Named<PlacedBy>>(
+      {{PlacedBy::kSimulator, "simulator"}, {PlacedBy::kTeams, "teams"}});
+}
+
+struct Match {
+  RuleBook rules;
+  double half_s = 600;  // paper, section 4.2: ten minutes
+  int halves = 2;
+  double break_s = 0;  // 300 s at half-time in the Laws
+  bool knockout = false;
+  AfterGame after_game = AfterGame::kHalt;
+  OnTeamFault on_team_fault = OnTeamFault::kVoid;
+  Control control = Control::kAutoref;
+  double least_confidence = 0;  // machine/confidence.hpp
+  PlacedBy placement = PlacedBy::kSimulator;
+  Side a_plays = Side::kWest;  // the referee itself knows sides only
+  Side first_kickoff = Side::kWest;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, const Visitor& visitor) {
+    visitor(self.half_s, {"half_s", positive(36000), "length of a half"});
+    visitor(self.halves, {"halves", {1, 2}, "number of halves"});
+    visitor(self.break_s, {"break_s", {0, 3600}, "break between halves"});
+    visitor(self.knockout, {"knockout", "extra time and a shoot-out after a draw"});
+    visitor(self.after_game,
+            {"after_game",
+             "what the referee does after the game; the result row covers one game only"});
+    visitor(self.on_team_fault,
+            {"on_team_fault",
+             "whether a game in which a team fails has no result or is won by the other team"});
+    visitor(self.control,
+            {"control",
+             "who commands the game; human and none only in recorded games, game-controller only "
+             "in play"});
+    visitor(self.least_confidence,
+            {"least_confidence", kFraction,
+             "fouls of which the referee is less sure than this are not called"});
+    visitor(self.placement, {"placement", "who places the ball for free kicks and force starts"});
+    visitor(self.rules, {"rules", "the rule book"});
+    visitor(self.a_plays, {"a_plays", "side of team a; team b plays on the other"});
+    visitor(self.first_kickoff, {"first_kickoff", "side that kicks off first"});
+  }
+};
+
+}  // namespace autoref::referee

@@ -1,0 +1,43 @@
+// Enumerations that are written and read by name. Beside such an enumeration stands the list of its
+// names:
+//
+//   constexpr auto names_of(AfterGame /*any*/) {
+//     return std::to_array<Named<AfterGame>>(
+//         {{AfterGame::kHalt, "halt"}, {AfterGame::kNewGame, "new_game"}});
+//   }
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace autoref {
+
+template <typename Enumeration>
+struct Named {
+  Enumeration value;
+  std::string_view name;  // in files, messages and settings
+};
+
+template <typename Enumeration>
+concept HasNames = requires(Enumeration value) {
+  names_of(value)[0].name;
+};
+
+// The enumerator's name; empty if the list lacks it.
+template <HasNames Enumeration>
+constexpr std::string_view name_of(Enumeration value) {
+  for (const Named<Enumeration>& one : names_of(value))
+    if (one.value == value) return one.name;
+  return "";
+}
+
+// The enumerator of that name; nullopt if there is none.
+template <HasNames Enumeration>
+constexpr std::optional<Enumeration> find_named(std::string_view name) {
+  for (const Named<Enumeration>& one : names_of(Enumeration{}))
+    if (one.name == name) return one.value;
+  return std::nullopt;
+}
+
+}  // namespace autoref

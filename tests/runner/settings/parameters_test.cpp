@@ -1,0 +1,64 @@
+// Every struct of parameters lists all of its members, and its defaults are allowed.
+#include "soccer/parameters.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <utility>
+
+#include "referee/match.hpp"
+#include "sim/configuration.hpp"
+#include "soccer/field.hpp"
+
+namespace autoref::runner {
+namespace {
+
+// Converts to whatever a member is.
+struct AnyMember {
+  template <typename Member>
+  operator Member() const;  // NOLINT(google-explicit-constructor): that is its purpose
+};
+
+template <typename Of, std::size_t... kIndices>
+constexpr bool has_members(std::index_sequence<kIndices...> /*count*/) {
+  return requires { Of{(static_cast<void>(kIndices), AnyMember{})...}; };
+}
+
+// The number of members of an aggregate: how many values its braces take.
+template <typename Of, std::size_t kCount = 60>
+constexpr std::size_t member_count() {
+  if constexpr (kCount == 0 || has_members<Of>(std::make_index_sequence<kCount>{})) {
+    return kCount;
+  } else {
+    return member_count<Of, kCount - 1>();
+  }
+}
+
+template <typename Of>
+std::size_t listed_count() {
+  std::size_t count = 0;
+  Of of;
+  Of::visit(of, [&count](const auto& /*value*/, const Parameter& /*about*/) { ++count; });
+  return count;
+}
+
+template <typename Of>
+class StructOfParameters : public testing::Test {};
+
+using Structs =
+    testing::Types<DefenceArea, Field, referee::Match, sim::BallParameters, sim::ContactParameters,
+                   sim::RobotParameters, sim::KickerParameters, sim::DribblerParameters,
+                   sim::PlacementParameters, sim::VisionParameters, sim::RadioParameters,
+                   sim::LineUpParameters, sim::Configuration>;
+TYPED_TEST_SUITE(StructOfParameters, Structs);
+
+TYPED_TEST(StructOfParameters, ListsAllOfItsMembers) {
+  EXPECT_EQ(listed_count<TypeParam>(), member_count<TypeParam>());
+}
+
+TYPED_TEST(StructOfParameters, HasDefaultsWithinTheirRanges) {
+  EXPECT_NO_THROW(check_ranges(TypeParam{}));
+}
+
+}  // namespace
+}  // namespace autoref::runner
