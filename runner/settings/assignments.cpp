@@ -4,7 +4,6 @@
 
 #include "runner/io/words.hpp"
 #include "runner/settings/fields.hpp"
-#include "runner/settings/robot_types.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -45,7 +44,7 @@ std::string flags_of(const Assignments& assignments) {
 }
 
 void assign(const Assignment& assignment, GameSettings& game) {
-  blame(assignment.flag, [&] { set_by_path(game, assignment.path, assignment.value, {}); });
+  blame(assignment.flag, [&] { set_by_path(game, assignment.path, assignment.value); });
 }
 
 void assign_all(const Assignments& assignments, GameSettings& game) {

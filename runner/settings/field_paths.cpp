@@ -7,6 +7,7 @@
 #include "runner/io/words.hpp"
 #include "runner/settings/fields.hpp"
 #include "runner/settings/renamed.hpp"
+#include "runner/settings/robot_types.hpp"
 #include "strategies/registry.hpp"
 
 namespace autoref::runner {
@@ -86,16 +87,12 @@ std::vector<Kept> kept(const std::vector<Setting>& settings, const std::set<std:
   return all;
 }
 
-// Creates the player named in a path such as "b.players.3.handicap", if there is one.
-void make_player_in(GameSettings& game, std::string_view path) {
-  static constexpr std::string_view kPlayers = "teams.x.players.";
-  const std::string full = full_path(path);
-  for (TeamSettings* team : {&game.a, &game.b}) {
-    const char letter = team == &game.a ? 'a' : 'b';
-    if (!full.starts_with(fmt::format("teams.{}.players.", letter))) continue;
-    const std::string rest = full.substr(kPlayers.size());
-    player_of(team->players, rest.substr(0, rest.find('.')));
-  }
+// Creates the player of the team that a path such as "teams.b.players.3.handicap" names.
+void make_player_in(TeamSettings& team, const std::string& prefix, std::string_view path) {
+  const std::string players = prefix + "players.";
+  if (!path.starts_with(players)) return;
+  const std::string_view rest = path.substr(players.size());
+  player_of(team.players, rest.substr(0, rest.find('.')));
 }
 
 }  // namespace
@@ -236,15 +233,27 @@ void set_given(const std::vector<Setting>& settings, const Setting& setting,
   }
 }
 
-std::vector<Setting> settings_with(GameSettings& game, std::string_view path) {
-  make_player_in(game, path);
-  return settings_of(game);
+std::vector<Setting> settings_with(const SettingsRoot& root, std::string_view path) {
+  const std::string full = full_path(path);
+  if (root.team != nullptr) {
+    make_player_in(*root.team, root.prefix, full);
+    return settings_of(*root.team, root.game.types, root.prefix);
+  }
+  make_player_in(root.game.a, "teams.a.", full);
+  make_player_in(root.game.b, "teams.b.", full);
+  return settings_of(root.game);
 }
 
-void set_by_path(GameSettings& game, std::string_view path, std::string_view text) {
-  const std::vector<Setting> settings = settings_with(game, path);
+SettingValue set_by_path(const SettingsRoot& root, std::string_view path, std::string_view text,
+                         const std::filesystem::path& folder) {
+  const std::vector<Setting> settings = settings_with(root, path);
   const Setting setting = setting_at(settings, path);
-  set_given(settings, setting, value_in(text, setting), game.given);
+  const bool is_type = std::holds_alternative<TypeName>(setting.target);
+  const std::string word =
+      is_type ? take_type(std::string(text), folder, root.game.types) : std::string(text);
+  SettingValue value = value_in(word, setting);
+  set_given(settings, setting, value, root.game.given);
+  return value;
 }
 
 void set_value_at(GameSettings& game, std::string_view path, const SettingValue& value) {

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -200,14 +202,30 @@ PlayerSettings& player_of(Players& players, std::string_view number);
 void set_given(const std::vector<Setting>& settings, const Setting& setting,
                const SettingValue& value, std::set<std::string>& given);
 
-// Returns the settings of `game`. If `path` names a player's setting, such as
-// "b.players.3.handicap", adds that player to the game first.
-std::vector<Setting> settings_with(GameSettings& game, std::string_view path);
+// What a path leads into: a whole game, or one team of an experiment.
+struct SettingsRoot {
+  // NOLINTNEXTLINE(google-explicit-constructor): a game is the usual one
+  SettingsRoot(GameSettings& whole) : game(whole) {}
+  // `its_prefix` precedes the team's settings, such as "teams.bold.". `base` keeps its types and
+  // which settings are given.
+  SettingsRoot(GameSettings& base, TeamSettings& one, std::string its_prefix)
+      : game(base), team(&one), prefix(std::move(its_prefix)) {}
 
-// set_given() for a path of a whole game. `a.params.NAME` is a parameter of the team,
-// `a.robot.NAME` a value of its robots, `a.players.3.` an override for one robot. Throws
-// std::invalid_argument for an unknown path (naming the nearest known one) or an invalid value.
-void set_by_path(GameSettings& game, std::string_view path, std::string_view text);
+  GameSettings& game;
+  TeamSettings* team = nullptr;
+  std::string prefix;
+};
+
+// Returns the settings below `root`. If `path` names a player's setting, such as
+// "b.players.3.handicap", adds that player first.
+std::vector<Setting> settings_with(const SettingsRoot& root, std::string_view path);
+
+// set_given() for a path. `a.params.NAME` is a parameter of the team, `a.robot.NAME` a value of its
+// robots, `a.players.3.` an override for one robot; a type may also be a file, relative to
+// `folder`. Returns the value. Throws std::invalid_argument for an unknown path (naming the nearest
+// known one) or an invalid value.
+SettingValue set_by_path(const SettingsRoot& root, std::string_view path, std::string_view text,
+                         const std::filesystem::path& folder = {});
 
 // The same with a value that value_in() has already parsed.
 void set_value_at(GameSettings& game, std::string_view path, const SettingValue& value);

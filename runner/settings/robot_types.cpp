@@ -104,25 +104,4 @@ std::optional<std::string> fault_in_type_name(std::string_view name) {
       kNoType, name);
 }
 
-void set_by_path(GameSettings& game, std::string_view path, const std::string& text,
-                 const fs::path& folder) {
-  const Setting setting = setting_at(settings_with(game, path), path);
-  const bool is_type = std::holds_alternative<TypeName>(setting.target);
-  set_by_path(game, path, is_type ? take_type(text, folder, game.types) : text);
-}
-
-void set_by_path(TeamSettings& team, const std::string& prefix, GameSettings& game,
-                 std::string_view path, const std::string& text) {
-  const std::string players = prefix + "players.";
-  if (path.starts_with(players)) {
-    const std::string_view rest = path.substr(players.size());
-    player_of(team.players, rest.substr(0, rest.find('.')));
-  }
-  const std::vector<Setting> settings = settings_of(team, game.types, prefix);
-  const Setting setting = setting_at(settings, path);
-  const bool is_type = std::holds_alternative<TypeName>(setting.target);
-  const std::string value = is_type ? take_type(text, {}, game.types) : text;
-  set_given(settings, setting, value_in(value, setting), game.given);
-}
-
 }  // namespace autoref::runner

@@ -44,13 +44,4 @@ void check_type_count(const RobotTypes& types);
 // Describes what is wrong with a type's name; nullopt if it consists of letters, digits, - and _.
 std::optional<std::string> fault_in_type_name(std::string_view name);
 
-// set_by_path() (fields.hpp) that also accepts, as a type, the path of a file relative to `folder`.
-void set_by_path(GameSettings& game, std::string_view path, const std::string& text,
-                 const std::filesystem::path& folder);
-
-// The same for a team with settings at `prefix`, such as "teams.bold.". Adds types and given
-// settings to `game`.
-void set_by_path(TeamSettings& team, const std::string& prefix, GameSettings& game,
-                 std::string_view path, const std::string& text);
-
 }  // namespace autoref::runner

@@ -58,14 +58,14 @@ std::vector<SettingValue> FactorReader::values(const YamlEntry& list, const std:
 SettingValue FactorReader::read_value(const YamlLocation& location, const std::string& path,
                                       const std::string& text, GameSettings& base) const {
   GameSettings game = base;
+  SettingValue value;
   try {
-    set_by_path(game, path, text, file_.folder());
+    value = set_by_path(game, path, text, file_.folder());
   } catch (const std::invalid_argument& error) {
     file_.refuse(location, path, error.what());
   }
   base.types.insert(game.types.begin(), game.types.end());
-  const Setting setting = setting_at(settings_with(game, path), path);
-  return is_preset(setting) ? text : current_value(setting);
+  return value;
 }
 
 void FactorReader::refuse_overlap(const YamlEntry& entry, const Sweep& sweep) const {

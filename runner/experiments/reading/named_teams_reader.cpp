@@ -55,8 +55,9 @@ void NamedTeamsReader::assign(const std::string& path, TeamSettings& team,
   for (const Assignment& assignment : assignments_) {
     const std::string its_path = full_path(assignment.path);
     if (!its_path.starts_with(path + ".")) continue;
-    blame(assignment.flag,
-          [&] { set_by_path(team, path + ".", base, its_path, assignment.value); });
+    blame(assignment.flag, [&] {
+      set_by_path({base, team, path + "."}, its_path, assignment.value);
+    });
   }
 }
 

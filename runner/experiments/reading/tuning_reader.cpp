@@ -35,7 +35,7 @@ void read_team(TopReader& top, Tuning& tuning) {
   for (const Assignment& assignment : top.assignments()) {
     if (!assignment.path.starts_with("team.")) continue;
     blame(assignment.flag, [&] {
-      set_by_path(tuning.team, "team.", tuning.base, assignment.path, assignment.value);
+      set_by_path({tuning.base, tuning.team, "team."}, assignment.path, assignment.value);
     });
   }
 }
