@@ -15,7 +15,6 @@
 #include <utility>
 #include <vector>
 
-#include "league/team/play_names.hpp"
 #include "runner/game/event_log.hpp"
 #include "runner/game/game.hpp"
 #include "runner/io/build_id.hpp"
@@ -316,8 +315,8 @@ void define_view(py::module_& module) {
       .def_property_readonly("frame", [](const View& view) { return view.seen.frame; })
       .def_property_readonly("time_s", [](const View& view) { return view.seen.time_s; })
       .def_property_readonly("latency_s", [](const View& view) { return view.seen.latency_s; })
-      .def_property_readonly(
-          "play", [](const View& view) { return std::string(league::name_of(view.seen.play)); })
+      .def_property_readonly("play",
+                             [](const View& view) { return std::string(name_of(view.seen.play)); })
       .def_property_readonly("ours", [](const View& view) { return view.seen.ours; })
       .def_property_readonly("goals_own", [](const View& view) { return view.seen.goals_own; })
       .def_property_readonly("goals_opponent",

@@ -35,9 +35,4 @@ bool may_come_in_stop(Event event) {
   return is_call(event) && entry_of(event).when != When::kInPlay;
 }
 
-std::string_view name_of(Card card) {
-  static constexpr std::array<std::string_view, 3> kNames = {"none", "yellow", "red"};
-  return kNames[static_cast<std::size_t>(card)];
-}
-
 }  // namespace autoref::referee

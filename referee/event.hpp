@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "soccer/named.hpp"
 #include "soccer/referee_signal.hpp"
 
 namespace autoref::referee {
@@ -23,7 +24,13 @@ inline constexpr int kEventCount = 0
 #undef AUTOREF_EVENT
 
 enum class Card : std::uint8_t { kNone, kYellow, kRed };
-std::string_view name_of(Card card);
+
+constexpr auto names_of(Card /*any*/) {
+  return std::to_array<Named<Card>>(
+      {{Card::kNone, "none"}, {Card::kYellow, "yellow"}, {Card::kRed, "red"}});
+}
+
+using autoref::name_of;
 
 // What a call does while the ball is in play.
 enum class Effect : std::uint8_t {

@@ -50,6 +50,8 @@ constexpr auto names_of(PlacedBy /*any*/) {
       {{PlacedBy::kSimulator, "simulator"}, {PlacedBy::kTeams, "teams"}});
 }
 
+using autoref::name_of;
+
 struct Match {
   RuleBook rules;
   double half_s = 600;  // paper, section 4.2: ten minutes

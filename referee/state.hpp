@@ -3,7 +3,8 @@
 
 #include <cstdint>
 #include <initializer_list>
-#include <string_view>
+
+#include "soccer/named.hpp"
 
 namespace autoref::referee {
 
@@ -22,8 +23,20 @@ enum class State : std::uint8_t {
   kPlacement = 8,
 };
 
-// The paper's name, such as "WAIT_STOP".
-std::string_view name_of(State state);
+// The paper's names.
+constexpr auto names_of(State /*any*/) {
+  return std::to_array<Named<State>>({{State::kInit, "INIT"},
+                                      {State::kWaitStart, "WAIT_START"},
+                                      {State::kWaitStop, "WAIT_STOP"},
+                                      {State::kRun, "RUN"},
+                                      {State::kDelayWait, "DELAY_WAIT"},
+                                      {State::kOver, "OVER"},
+                                      {State::kTimeout, "TIMEOUT"},
+                                      {State::kCalled, "CALLED"},
+                                      {State::kPlacement, "PLACEMENT"}});
+}
+
+using autoref::name_of;
 
 // A set of the machine's states.
 class States {

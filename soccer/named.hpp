@@ -9,7 +9,9 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace autoref {
 
@@ -38,6 +40,13 @@ constexpr std::optional<Enumeration> find_named(std::string_view name) {
   for (const Named<Enumeration>& one : names_of(Enumeration{}))
     if (one.name == name) return one.value;
   return std::nullopt;
+}
+
+template <HasNames Enumeration>
+std::vector<std::string> all_names() {
+  std::vector<std::string> names;
+  for (const Named<Enumeration>& one : names_of(Enumeration{})) names.emplace_back(one.name);
+  return names;
 }
 
 }  // namespace autoref

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "soccer/geometry.hpp"
+#include "soccer/named.hpp"
 #include "soccer/side.hpp"
 
 namespace autoref {
@@ -26,6 +27,21 @@ enum class CommandKind : std::uint8_t {
   kGoal,
   kBallPlacement,
 };
+
+// The league's names, without the side.
+constexpr auto names_of(CommandKind /*any*/) {
+  return std::to_array<Named<CommandKind>>({{CommandKind::kHalt, "HALT"},
+                                            {CommandKind::kStop, "STOP"},
+                                            {CommandKind::kNormalStart, "NORMAL_START"},
+                                            {CommandKind::kForceStart, "FORCE_START"},
+                                            {CommandKind::kPrepareKickoff, "PREPARE_KICKOFF"},
+                                            {CommandKind::kPreparePenalty, "PREPARE_PENALTY"},
+                                            {CommandKind::kDirectFree, "DIRECT_FREE"},
+                                            {CommandKind::kIndirectFree, "INDIRECT_FREE"},
+                                            {CommandKind::kTimeout, "TIMEOUT"},
+                                            {CommandKind::kGoal, "GOAL"},
+                                            {CommandKind::kBallPlacement, "BALL_PLACEMENT"}});
+}
 
 // A command; `side` is unused in the first four kinds and set to west.
 struct Command {
@@ -47,7 +63,6 @@ int league_number(Command command);
 
 // The league's name, for example "PREPARE_KICKOFF_YELLOW".
 std::string name_of(Command command);
-std::string_view name_of(CommandKind kind);  // without the side
 
 enum class Stage : std::uint8_t {
   kFirstHalfPre = 0,
@@ -66,8 +81,23 @@ enum class Stage : std::uint8_t {
   kPostGame = 13,
 };
 
-// The league's name, for example "FIRST_HALF_PRE".
-std::string_view name_of(Stage stage);
+// The league's names.
+constexpr auto names_of(Stage /*any*/) {
+  return std::to_array<Named<Stage>>({{Stage::kFirstHalfPre, "FIRST_HALF_PRE"},
+                                      {Stage::kFirstHalf, "FIRST_HALF"},
+                                      {Stage::kHalfTime, "HALF_TIME"},
+                                      {Stage::kSecondHalfPre, "SECOND_HALF_PRE"},
+                                      {Stage::kSecondHalf, "SECOND_HALF"},
+                                      {Stage::kExtraTimeBreak, "EXTRA_TIME_BREAK"},
+                                      {Stage::kExtraFirstHalfPre, "EXTRA_FIRST_HALF_PRE"},
+                                      {Stage::kExtraFirstHalf, "EXTRA_FIRST_HALF"},
+                                      {Stage::kExtraHalfTime, "EXTRA_HALF_TIME"},
+                                      {Stage::kExtraSecondHalfPre, "EXTRA_SECOND_HALF_PRE"},
+                                      {Stage::kExtraSecondHalf, "EXTRA_SECOND_HALF"},
+                                      {Stage::kShootoutBreak, "SHOOTOUT_BREAK"},
+                                      {Stage::kShootout, "SHOOTOUT"},
+                                      {Stage::kPostGame, "POST_GAME"}});
+}
 
 // Where the ball is to be placed while play is stopped. `at_once` means that there is no time to
 // bring it there smoothly. Unless `by_hand`, the ball is left to the teams: their robots place it,

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "soccer/geometry.hpp"
+#include "soccer/named.hpp"
 #include "soccer/referee_signal.hpp"
 #include "soccer/rule_book.hpp"
 #include "soccer/side.hpp"
@@ -24,6 +25,19 @@ enum class Play : std::uint8_t {
   kIndirectFree,
   kRunning,
 };
+
+// In the manner of the league's commands.
+constexpr auto names_of(Play /*any*/) {
+  return std::to_array<Named<Play>>({{Play::kHalt, "HALT"},
+                                     {Play::kStop, "STOP"},
+                                     {Play::kPrepareKickoff, "PREPARE_KICKOFF"},
+                                     {Play::kPreparePenalty, "PREPARE_PENALTY"},
+                                     {Play::kKickoff, "KICKOFF"},
+                                     {Play::kPenalty, "PENALTY"},
+                                     {Play::kDirectFree, "DIRECT_FREE"},
+                                     {Play::kIndirectFree, "INDIRECT_FREE"},
+                                     {Play::kRunning, "RUNNING"}});
+}
 
 // `side` takes the restart; it is unused in halt, stop and running play. While a side's robots
 // place the ball, `play` is kStop and `placer` is that side.

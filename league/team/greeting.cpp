@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <utility>
 #include <vector>
 
 #include "league/team/excerpt.hpp"
@@ -18,13 +16,6 @@ constexpr std::string_view kGreetingUsage =
     "and MOTION tracked or detections";
 constexpr std::string_view kGreetingName = "autoref-team";
 constexpr std::string_view kGreetingVersion = "1";
-constexpr std::array<std::pair<std::string_view, TeamEncoding>, 4> kEncodings = {
-    {{"protobuf", TeamEncoding::kProtobuf},
-     {"json", TeamEncoding::kJson},
-     {"flat", TeamEncoding::kFlat},
-     {"league", TeamEncoding::kLeague}}};
-constexpr std::array<std::pair<std::string_view, TeamMotion>, 2> kMotions = {
-    {{"tracked", TeamMotion::kTracked}, {"detections", TeamMotion::kDetections}}};
 
 // Splits at single spaces.
 std::vector<std::string_view> words_of(std::string_view line) {
@@ -42,27 +33,14 @@ std::vector<std::string_view> words_of(std::string_view line) {
       fmt::format("the first line is {}: {}; {}", excerpt_of(line), why, kGreetingUsage));
 }
 
-template <typename Table>
-auto value_of(const Table& table, std::string_view word, std::string_view line,
-              std::string_view what) {
-  for (const auto& [name, value] : table) {
-    if (name == word) return value;
-  }
-  refuse(line, fmt::format("unknown {} {}", what, excerpt_of(word)));
-}
-
-template <typename Table, typename Value>
-std::string_view name_in(const Table& table, Value value) {
-  for (const auto& [name, one] : table) {
-    if (one == value) return name;
-  }
-  return "";
+template <typename Enumeration>
+Enumeration named_in(std::string_view line, std::string_view word, std::string_view what) {
+  const std::optional<Enumeration> value = find_named<Enumeration>(word);
+  if (!value) refuse(line, fmt::format("unknown {} {}", what, excerpt_of(word)));
+  return *value;
 }
 
 }  // namespace
-
-std::string_view name_of(TeamEncoding encoding) { return name_in(kEncodings, encoding); }
-std::string_view name_of(TeamMotion motion) { return name_in(kMotions, motion); }
 
 Greeting greeting_of(std::string_view line) {
   const std::vector<std::string_view> words = words_of(line);
@@ -72,9 +50,9 @@ Greeting greeting_of(std::string_view line) {
     refuse(line, fmt::format("unknown version {}", excerpt_of(words[1])));
   if (words.size() < 3) refuse(line, "the encoding is missing");
   Greeting greeting;
-  greeting.encoding = value_of(kEncodings, words[2], line, "encoding");
+  greeting.encoding = named_in<TeamEncoding>(line, words[2], "encoding");
   if (greeting.encoding == TeamEncoding::kLeague) greeting.motion = TeamMotion::kDetections;
-  if (words.size() > 3) greeting.motion = value_of(kMotions, words[3], line, "motion");
+  if (words.size() > 3) greeting.motion = named_in<TeamMotion>(line, words[3], "motion");
   if (words.size() > 4) refuse(line, "it has too many words");
   return greeting;
 }

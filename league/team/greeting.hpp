@@ -6,6 +6,8 @@
 #include <optional>
 #include <string_view>
 
+#include "soccer/named.hpp"
+
 namespace autoref::league {
 
 enum class TeamEncoding : std::uint8_t { kProtobuf, kJson, kFlat, kLeague };
@@ -14,9 +16,20 @@ enum class TeamEncoding : std::uint8_t { kProtobuf, kJson, kFlat, kLeague };
 // the detections of the latest camera frame.
 enum class TeamMotion : std::uint8_t { kTracked, kDetections };
 
-// As in a greeting: "json", "tracked".
-std::string_view name_of(TeamEncoding encoding);
-std::string_view name_of(TeamMotion motion);
+// As in a greeting.
+constexpr auto names_of(TeamEncoding /*any*/) {
+  return std::to_array<Named<TeamEncoding>>({{TeamEncoding::kProtobuf, "protobuf"},
+                                             {TeamEncoding::kJson, "json"},
+                                             {TeamEncoding::kFlat, "flat"},
+                                             {TeamEncoding::kLeague, "league"}});
+}
+
+constexpr auto names_of(TeamMotion /*any*/) {
+  return std::to_array<Named<TeamMotion>>(
+      {{TeamMotion::kTracked, "tracked"}, {TeamMotion::kDetections, "detections"}});
+}
+
+using autoref::name_of;
 
 struct Greeting {
   TeamEncoding encoding = TeamEncoding::kProtobuf;

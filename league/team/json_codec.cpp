@@ -5,7 +5,6 @@
 #include "league/team/codecs.hpp"
 #include "league/team/json_output.hpp"
 #include "league/team/json_text.hpp"
-#include "league/team/play_names.hpp"
 #include "league/team/rule_numbers.hpp"
 #include "league/team/team_fault.hpp"
 

@@ -24,7 +24,7 @@ struct SceneGroup {
   int conceded = 0;              // in which the defenders did
   int kept = 0;                  // in which the attackers had the ball at the end
   std::vector<double> gained_m;  // per scene
-  std::array<int, kSceneEnds.size()> ends{};
+  std::array<int, kSceneEndCount> ends{};
 };
 
 // One group per situation and teams, in the order of matchups_of().

@@ -25,7 +25,7 @@ Cells scene_columns() {
                    "goals",     "goal_share",   "goal_low95",  "goal_high95",  "mean_score",
                    "sd_score",  "pairs",        "score_low95", "score_high95", "conceded",
                    "ball_kept", "mean_gained_m"};
-  for (const SceneEnd end : kSceneEnds) columns.push_back(fmt::format("ended_{}", name_of(end)));
+  for (const std::string& end : all_names<SceneEnd>()) columns.push_back("ended_" + end);
   return columns;
 }
 

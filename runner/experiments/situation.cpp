@@ -164,16 +164,6 @@ std::string obstacle_in(const StartState& state, const Field& field) {
 
 }  // namespace
 
-std::string_view name_of(Restart restart) {
-  return restart_names()[static_cast<std::size_t>(restart)];
-}
-
-const std::vector<std::string>& restart_names() {
-  static const std::vector<std::string> kNames = {"none",          "kickoff", "direct_free",
-                                                  "indirect_free", "penalty", "force_start"};
-  return kNames;
-}
-
 std::array<DrawnNumber<Distribution>, 5> numbers_of(DrawnRobot& robot, const Field& field) {
   return numbers_in<Distribution>(robot, field);
 }

@@ -46,9 +46,15 @@ enum class Restart : std::uint8_t {
   kPenalty,
   kForceStart
 };
-std::string_view name_of(Restart restart);
-// The names in the order of the values.
-const std::vector<std::string>& restart_names();
+
+constexpr auto names_of(Restart /*any*/) {
+  return std::to_array<Named<Restart>>({{Restart::kNone, "none"},
+                                        {Restart::kKickoff, "kickoff"},
+                                        {Restart::kDirectFree, "direct_free"},
+                                        {Restart::kIndirectFree, "indirect_free"},
+                                        {Restart::kPenalty, "penalty"},
+                                        {Restart::kForceStart, "force_start"}});
+}
 
 struct SituationSetup {
   Restart restart = Restart::kNone;

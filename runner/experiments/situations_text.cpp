@@ -29,8 +29,8 @@ Values values_of_ball(const DrawnBall& ball, const Field& field) {
 
 std::string ends_of(const Scene& scene) {
   std::vector<std::string> words;
-  for (const SceneEnd end : kSceneEnds) {
-    if (end != SceneEnd::kTime && scene.is_ended_by(end)) words.emplace_back(name_of(end));
+  for (const auto& [end, name] : names_of(SceneEnd{})) {
+    if (end != SceneEnd::kTime && scene.is_ended_by(end)) words.emplace_back(name);
   }
   return fmt::format("[{}]", listed(words));
 }

@@ -11,14 +11,29 @@
 #include "referee/decision.hpp"
 #include "runner/game/play_counts/play_counts.hpp"
 #include "runner/game/scene.hpp"
+#include "soccer/named.hpp"
 
 namespace autoref::runner {
 
 enum class EndReason : std::uint8_t { kTime, kGoals, kShootout, kForfeitA, kForfeitB, kVoid };
-std::string_view name_of(EndReason reason);
+
+constexpr auto names_of(EndReason /*any*/) {
+  return std::to_array<Named<EndReason>>({{EndReason::kTime, "time"},
+                                          {EndReason::kGoals, "goals"},
+                                          {EndReason::kShootout, "shootout"},
+                                          {EndReason::kForfeitA, "forfeit_a"},
+                                          {EndReason::kForfeitB, "forfeit_b"},
+                                          {EndReason::kVoid, "void"}});
+}
 
 enum class Status : std::uint8_t { kOk, kForfeit, kVoid };
-std::string_view name_of(Status status);
+
+constexpr auto names_of(Status /*any*/) {
+  return std::to_array<Named<Status>>(
+      {{Status::kOk, "ok"}, {Status::kForfeit, "forfeit"}, {Status::kVoid, "void"}});
+}
+
+using autoref::name_of;
 
 struct GameRecord {
   int goals_a = 0;

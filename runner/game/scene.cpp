@@ -23,12 +23,6 @@ std::optional<SceneEnd> end_in(std::span<const referee::Decision> decisions) {
 
 }  // namespace
 
-std::string_view name_of(SceneEnd end) {
-  static constexpr std::array<std::string_view, kSceneEnds.size()> kNames = {
-      "time", "goal", "ball_out", "foul", "stop"};
-  return kNames[static_cast<std::size_t>(end)];
-}
-
 bool SceneWatch::keeps_ball(const RefereeSignal& signal) const {
   if (signal.command.kind == CommandKind::kGoal) return signal.command.side == attackers_;
   if (signal.next_command && is_for_one_side(signal.next_command->kind))

@@ -10,6 +10,7 @@
 #include "referee/decision.hpp"
 #include "referee/state.hpp"
 #include "sim/world.hpp"
+#include "soccer/named.hpp"
 #include "soccer/referee_signal.hpp"
 #include "soccer/side.hpp"
 
@@ -17,9 +18,18 @@ namespace autoref::runner {
 
 // What ended a scene. kStop is any other call that stops play, or the end of the half.
 enum class SceneEnd : std::uint8_t { kTime, kGoal, kBallOut, kFoul, kStop };
-inline constexpr std::array kSceneEnds = {SceneEnd::kTime, SceneEnd::kGoal, SceneEnd::kBallOut,
-                                          SceneEnd::kFoul, SceneEnd::kStop};
-std::string_view name_of(SceneEnd end);
+
+constexpr auto names_of(SceneEnd /*any*/) {
+  return std::to_array<Named<SceneEnd>>({{SceneEnd::kTime, "time"},
+                                         {SceneEnd::kGoal, "goal"},
+                                         {SceneEnd::kBallOut, "ball_out"},
+                                         {SceneEnd::kFoul, "foul"},
+                                         {SceneEnd::kStop, "stop"}});
+}
+
+using autoref::name_of;
+
+inline constexpr std::size_t kSceneEndCount = names_of(SceneEnd{}).size();
 
 // How a scene's score is composed: the sum of its measures times these weights.
 struct SceneWeights {
@@ -39,7 +49,7 @@ struct SceneWeights {
 struct Scene {
   double lasts_s = 10;  // of time since play began
   // Which calls end it early; kTime is always true.
-  std::array<bool, kSceneEnds.size()> ends = {true, true, true, true, true};
+  std::array<bool, kSceneEndCount> ends = {true, true, true, true, true};
   SceneWeights weights;
 
   bool is_ended_by(SceneEnd end) const { return ends[static_cast<std::size_t>(end)]; }

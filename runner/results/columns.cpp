@@ -61,17 +61,14 @@ Column hash_column(std::string name, At at) {
           [at](const std::string& cell, GameRow& row) { return read_integer(cell, at(row), 16); }};
 }
 
-// Writes a value as name_of(value).
-template <typename At, typename Value>
-Column named_column(std::string name, At at, std::span<const Value> values) {
+// An enumeration, by name.
+template <typename At>
+Column named_column(std::string name, At at) {
   return {std::move(name), [at](const GameRow& row) { return std::string(name_of(at(row))); },
-          [at, values](const std::string& cell, GameRow& row) {
-            const auto found = std::find_if(values.begin(), values.end(), [&cell](Value value) {
-              return name_of(value) == cell;
-            });
-            if (found == values.end()) return false;
-            at(row) = *found;
-            return true;
+          [at](const std::string& cell, GameRow& row) {
+            const auto found = find_named<std::remove_reference_t<decltype(at(row))>>(cell);
+            if (found) at(row) = *found;
+            return found.has_value();
           }};
 }
 
@@ -165,19 +162,13 @@ void add_count_columns(std::vector<Column>& columns, const CountField& field) {
 }
 
 Column status_column() {
-  static constexpr std::array kAll = {Status::kOk, Status::kForfeit, Status::kVoid};
   return named_column(
-      "status", [](auto& row) -> auto& { return row.record.status; },
-      std::span<const Status>(kAll));
+      "status", [](auto& row) -> auto& { return row.record.status; });
 }
 
 Column end_reason_column() {
-  static constexpr std::array kAll = {EndReason::kTime,     EndReason::kGoals,
-                                      EndReason::kShootout, EndReason::kForfeitA,
-                                      EndReason::kForfeitB, EndReason::kVoid};
   return named_column(
-      "end_reason", [](auto& row) -> auto& { return row.record.end_reason; },
-      std::span<const EndReason>(kAll));
+      "end_reason", [](auto& row) -> auto& { return row.record.end_reason; });
 }
 
 // Empty if that was not tried.
@@ -195,9 +186,8 @@ Column repeatable_column() {
 }
 
 Column side_column() {
-  static constexpr std::array kAll = {Side::kWest, Side::kEast};
   return named_column(
-      "side_a", [](auto& row) -> auto& { return row.side_a; }, std::span<const Side>(kAll));
+      "side_a", [](auto& row) -> auto& { return row.side_a; });
 }
 
 Column evaluation_column() {
@@ -247,7 +237,10 @@ SceneRecord& scene_of(GameRow& row) {
   if (!row.record.scene) row.record.scene.emplace();
   return *row.record.scene;
 }
-SceneRecord scene_of(const GameRow& row) { return row.record.scene.value_or(SceneRecord{}); }
+const SceneRecord& scene_of(const GameRow& row) {
+  static const SceneRecord kNone;
+  return row.record.scene ? *row.record.scene : kNone;
+}
 
 // With four decimals.
 Column scene_number_column(std::string name, double SceneRecord::*member) {
@@ -261,15 +254,8 @@ Column scene_number_column(std::string name, double SceneRecord::*member) {
 }
 
 Column ended_by_column() {
-  return {
-      "ended_by", [](const GameRow& row) { return std::string(name_of(scene_of(row).ended_by)); },
-      [](const std::string& cell, GameRow& row) {
-        const auto* end = std::find_if(kSceneEnds.begin(), kSceneEnds.end(),
-                                       [&cell](SceneEnd value) { return name_of(value) == cell; });
-        if (end == kSceneEnds.end()) return false;
-        scene_of(row).ended_by = *end;
-        return true;
-      }};
+  return named_column(
+      "ended_by", [](auto& row) -> auto& { return scene_of(row).ended_by; });
 }
 
 Column ball_kept_column() {

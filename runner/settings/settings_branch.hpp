@@ -25,9 +25,7 @@ EnumerationName enumeration_name(Enumeration& value) {
 template <typename Value>
 Setting setting_of(std::string path, Value& value, const Parameter& parameter) {
   if constexpr (HasNames<Value>) {
-    Setting setting{std::move(path), enumeration_name(value), {}, {}, "", parameter.about};
-    for (const auto& one : names_of(Value{})) setting.words.emplace_back(one.name);
-    return setting;
+    return {std::move(path), enumeration_name(value), {}, all_names<Value>(), "", parameter.about};
   } else if constexpr (std::is_same_v<Value, bool>) {
     return {std::move(path), &value, {}, {kNo, kYes}, "", parameter.about};
   } else {

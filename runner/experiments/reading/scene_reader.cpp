@@ -44,19 +44,18 @@ SceneWeights weights_in(const YamlFile& file, const YamlEntry& entry, const std:
 
 void read_ends(const YamlFile& file, const YamlEntry& entry, const std::string& path,
                Scene& scene) {
-  std::vector<std::string> known;
-  for (const SceneEnd end : kSceneEnds) {
-    scene.ends[static_cast<std::size_t>(end)] = end == SceneEnd::kTime;
-    if (end != SceneEnd::kTime) known.emplace_back(name_of(end));
-  }
+  std::vector<std::string> known = all_names<SceneEnd>();
+  std::erase(known, name_of(SceneEnd::kTime));  // which ends every scene
+  scene.ends = {};
+  scene.ends[static_cast<std::size_t>(SceneEnd::kTime)] = true;
   for (const std::string& word : file.words(entry, path)) {
-    const auto end = std::find(known.begin(), known.end(), word);
-    if (end == known.end()) {
+    const std::optional<SceneEnd> end = find_named<SceneEnd>(word);
+    if (!end || *end == SceneEnd::kTime) {
       file.refuse(value_location(entry), path,
                   fmt::format("expected a list of {}, found '{}'{}", listed(known), word,
                               suggestion(word, known)));
     }
-    scene.ends[1 + static_cast<std::size_t>(end - known.begin())] = true;
+    scene.ends[static_cast<std::size_t>(*end)] = true;
   }
 }
 

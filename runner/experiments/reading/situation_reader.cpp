@@ -111,10 +111,8 @@ void SituationReader::read_by_hand(const std::vector<YamlEntry>& entries, const 
 void SituationReader::read_restart(const std::vector<YamlEntry>& entries, const std::string& path,
                                    SituationSetup& situation) const {
   if (const YamlEntry* restart = find_entry(entries, "restart")) {
-    const std::vector<std::string>& names = restart_names();
-    const std::string name = word(*restart, path + ".restart", names);
-    situation.restart =
-        static_cast<Restart>(std::find(names.begin(), names.end(), name) - names.begin());
+    const std::string name = word(*restart, path + ".restart", all_names<Restart>());
+    situation.restart = find_named<Restart>(name).value();
   }
   if (const YamlEntry* taker = find_entry(entries, "taken_by"))
     situation.is_attackers_restart = word(*taker, path + ".taken_by", kTakers) == "attackers";

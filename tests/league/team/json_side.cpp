@@ -2,7 +2,6 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "league/team/play_names.hpp"
 #include "league/team/rule_numbers.hpp"
 #include "tests/league/team/program_side.hpp"
 
