@@ -1,57 +1,53 @@
-// A tunable parameter of a team, set by a scenario's `params:`.
+// The parameters of a team, which a scenario sets in `params:`. A team's style lists its numbers in
+// visit() (soccer/parameters.hpp).
 #pragma once
 
 #include <map>
-#include <span>
 #include <string>
-#include <string_view>
+#include <type_traits>
 #include <vector>
+
+#include "soccer/parameters.hpp"
 
 namespace autoref::strategies {
 
-struct Parameter {
-  std::string_view name;  // as in `params:`
-  std::string_view unit;  // such as "m" or "m/s"; "1" for fractions and counts
-  double standard = 0;    // the default
-  double least = 0;
-  double most = 0;
-  std::string_view about;  // one sentence
+// A parameter that users can set, and its default.
+struct Tunable : Parameter {
+  double standard = 0;   // the default
+  bool is_flag = false;  // either 0 or 1
 };
 
-// The parameter's value in `params`, or its default.
-double value_of(const Parameter& parameter, const std::map<std::string, double>& params);
+// The value in `params`, or the default.
+inline double value_of(const Tunable& tunable, const std::map<std::string, double>& params) {
+  const auto given = params.find(std::string(tunable.name));
+  return given == params.end() ? tunable.standard : given->second;
+}
 
-// One number of a team's style, and its parameter. The parameter takes its default from the style.
-template <typename Style>
-struct TunableOf {
-  double Style::*number;
-  Parameter about;
-};
-
-template <typename Style>
-using TunablesOf = std::span<const TunableOf<Style>>;
-
-// The numbers of `style` as parameters, with the style's values as defaults.
-template <typename Style>
-std::vector<Parameter> parameters_of(TunablesOf<Style> tunables, const Style& style) {
-  std::vector<Parameter> all;
-  for (const TunableOf<Style>& tunable : tunables) {
-    all.push_back(tunable.about);
-    all.back().standard = style.*tunable.number;
-  }
+// The numbers of `style`, with its values as defaults.
+template <HasParameters Style>
+std::vector<Tunable> tunables_of(const Style& style) {
+  std::vector<Tunable> all;
+  Style::visit(style, [&all](const auto& value, const Parameter& about) {
+    const bool is_flag = std::is_same_v<decltype(value), const bool&>;
+    all.push_back({about, static_cast<double>(value), is_flag});
+  });
   return all;
 }
 
-// `style` with the numbers set by `params`.
-template <typename Style>
-Style tuned(TunablesOf<Style> tunables, const Style& style,
-            const std::map<std::string, double>& params) {
+// `style` with the numbers set by `params`; a flag is set by anything but 0.
+template <HasParameters Style>
+Style tuned(const Style& style, const std::map<std::string, double>& params) {
   Style result = style;
-  for (const TunableOf<Style>& tunable : tunables) {
-    Parameter parameter = tunable.about;
-    parameter.standard = style.*tunable.number;
-    result.*tunable.number = value_of(parameter, params);
-  }
+  Style::visit(result, [&params](auto& value, const Parameter& about) {
+    const auto given = params.find(std::string(about.name));
+    if (given == params.end()) return;
+    using Value = std::remove_reference_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, bool>) {
+      value = given->second != 0;
+    } else {
+      value = given->second;
+    }
+  });
   return result;
 }
 

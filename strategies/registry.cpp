@@ -9,11 +9,6 @@
 namespace autoref::strategies {
 namespace {
 
-const std::vector<Parameter>& basic_params() {
-  static const std::vector<Parameter> kParams = basic::parameters();
-  return kParams;
-}
-
 std::unique_ptr<Strategy> make_basic(const TeamContext& context) {
   return std::make_unique<basic::Basic>(context);
 }
@@ -37,14 +32,16 @@ std::unique_ptr<Strategy> make_rowdy(const TeamContext& context) {
 
 // The parameters of `basic`, and one parameter per foul behaviour: the fraction of opportunities
 // taken.
-std::vector<Parameter> rowdy_params() {
-  std::vector<Parameter> params = basic_params();
-  params.push_back({"otherwise", "1", -1, -1, 1,
-                    "Fraction of opportunities taken, for fouls without their own setting; below "
-                    "0: their defaults."});
+std::vector<Tunable> rowdy_params() {
+  std::vector<Tunable> params = tunables_of(basic::Style{});
+  params.push_back({{"otherwise",
+                     {-1, 1},
+                     "Fraction of opportunities taken, for fouls without their own setting; below "
+                     "0: their defaults."},
+                    -1});
   for (const rowdy::FoulBehaviour* kind : rowdy::all_kinds()) {
     params.push_back(
-        {kind->name, "1", kind->share, 0, 1, "Fraction of its opportunities that are taken."});
+        {{kind->name, kFraction, "Fraction of its opportunities that are taken."}, kind->share});
   }
   return params;
 }
@@ -56,7 +53,7 @@ const std::vector<Entry>& all_strategies() {
       {"basic",
        "Keeper, wall, markers, a supporter and an attacker that shoots at the open side of the "
        "goal.",
-       make_basic, basic_params()},
+       make_basic, tunables_of(basic::Style{})},
       {"chaser",
        "The simple baseline: one robot chases the ball and kicks at the goal, the others stand.",
        make_chaser,
@@ -64,24 +61,24 @@ const std::vector<Entry>& all_strategies() {
       {"cobalt",
        "Takes the clearest shot, otherwise what is worth most of pass, dribble and clearance, and "
        "covers its goal with wall and keeper together.",
-       make_squad<cobalt_playbook>, parameters_of(cobalt_playbook().style)},
+       make_squad<cobalt_playbook>, tunables_of(cobalt_playbook().style)},
       {"cobalt1", "The previous version of cobalt, kept for comparison.",
-       make_squad<cobalt1_playbook>, parameters_of(cobalt1_playbook().style)},
+       make_squad<cobalt1_playbook>, tunables_of(cobalt1_playbook().style)},
       {"counter",
        "Defends in a deep block behind the ball and plays long balls to one or two forwards.",
-       make_squad<counter_playbook>, parameters_of(counter_playbook().style)},
+       make_squad<counter_playbook>, tunables_of(counter_playbook().style)},
       {"dummy", "Does nothing: its robots stand where they are.", make_dummy, {}},
       {"possession", "Keeps the ball with short, safe passes and waits for a clear chance.",
-       make_squad<possession_playbook>, parameters_of(possession_playbook().style)},
+       make_squad<possession_playbook>, tunables_of(possession_playbook().style)},
       {"rowdy",
        "Plays like basic, but breaks rules on purpose now and then, to evaluate a referee.",
        make_rowdy, rowdy_params()},
       {"shadow", "Marks man to man all over the field; each robot follows its own opponent.",
-       make_squad<shadow_playbook>, parameters_of(shadow_playbook().style)},
+       make_squad<shadow_playbook>, tunables_of(shadow_playbook().style)},
       {"zone",
        "A fixed formation that shifts with the ball; only the fastest robot leaves it for the "
        "ball.",
-       make_squad<zone_playbook>, parameters_of(zone_playbook().style)},
+       make_squad<zone_playbook>, tunables_of(zone_playbook().style)},
   };
   return kEntries;
 }

@@ -15,7 +15,7 @@ struct Entry {
   std::string_view name;   // as in a scenario's `strategy:`
   std::string_view about;  // one sentence
   std::unique_ptr<Strategy> (*make)(const TeamContext& context);
-  std::vector<Parameter> params;  // allowed in `params:`
+  std::vector<Tunable> params;  // allowed in `params:`
 };
 
 // All teams, ordered by name.

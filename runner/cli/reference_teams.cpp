@@ -10,12 +10,12 @@ namespace {
 std::string parameters_table(const strategies::Entry& team) {
   if (team.params.empty()) return "This team has no parameters.\n\n";
   std::vector<std::vector<std::string>> rows = {{"parameter", "default", "range", "meaning"}};
-  for (const strategies::Parameter& parameter : team.params) {
-    const std::string unit =
-        parameter.unit.empty() || parameter.unit == "1" ? "" : fmt::format(" {}", parameter.unit);
-    rows.push_back(
-        {code_span(std::string(parameter.name)), fmt::format("{}{}", parameter.standard, unit),
-         fmt::format("{} to {}", parameter.least, parameter.most), std::string(parameter.about)});
+  for (const strategies::Tunable& tunable : team.params) {
+    const std::string_view unit = unit_of(tunable.name);
+    rows.push_back({code_span(std::string(tunable.name)),
+                    fmt::format("{}{}{}", tunable.standard, unit.empty() ? "" : " ", unit),
+                    fmt::format("{} to {}", tunable.range.low, tunable.range.high),
+                    std::string(tunable.about)});
   }
   return reference_table(rows);
 }

@@ -13,24 +13,32 @@ namespace autoref::runner {
 namespace {
 
 using strategies::Entry;
-using strategies::Parameter;
+using strategies::Tunable;
 
 const std::vector<Align> kAllLeft(5, Align::kLeft);
 
-std::vector<std::string> cells_of(const Parameter& parameter) {
-  return {std::string(parameter.name), std::string(parameter.unit),
-          fmt::format("{}", parameter.standard),
-          fmt::format("{} to {}", parameter.least, parameter.most), std::string(parameter.about)};
+// "1" for fractions and counts.
+std::string_view unit_or_one(const Tunable& tunable) {
+  const std::string_view unit = unit_of(tunable.name);
+  return unit.empty() ? "1" : unit;
 }
 
-Json json_of(const Parameter& parameter) {
-  return {{"name", parameter.name},   {"unit", parameter.unit}, {"default", parameter.standard},
-          {"least", parameter.least}, {"most", parameter.most}, {"about", parameter.about}};
+std::vector<std::string> cells_of(const Tunable& tunable) {
+  return {std::string(tunable.name), std::string(unit_or_one(tunable)),
+          fmt::format("{}", tunable.standard),
+          fmt::format("{} to {}", tunable.range.low, tunable.range.high),
+          std::string(tunable.about)};
+}
+
+Json json_of(const Tunable& tunable) {
+  return {{"name", tunable.name},        {"unit", unit_or_one(tunable)},
+          {"default", tunable.standard}, {"least", tunable.range.low},
+          {"most", tunable.range.high},  {"about", tunable.about}};
 }
 
 Json json_of(const Entry& team) {
   Json parameters = Json::array();
-  for (const Parameter& parameter : team.params) parameters.push_back(json_of(parameter));
+  for (const Tunable& tunable : team.params) parameters.push_back(json_of(tunable));
   return {{"name", team.name}, {"about", team.about}, {"params", std::move(parameters)}};
 }
 
@@ -55,7 +63,7 @@ TextBlocks team_text(const Entry& team) {
   const std::string head = fmt::format("{}: {}\n\n", team.name, team.about);
   if (team.params.empty()) return {head + "This team has no parameters.\n"};
   std::vector<std::vector<std::string>> rows = {{"parameter", "unit", "default", "range", ""}};
-  for (const Parameter& parameter : team.params) rows.push_back(cells_of(parameter));
+  for (const Tunable& tunable : team.params) rows.push_back(cells_of(tunable));
   return {head, TextTable{std::move(rows), kAllLeft},
           fmt::format("\nIn a scenario: {{ strategy: {}, params: {{ {}: {} }} }}\n", team.name,
                       team.params.front().name, team.params.front().standard)};

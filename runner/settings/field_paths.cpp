@@ -68,7 +68,7 @@ std::optional<Setting> single_setting(const std::vector<Setting>& settings,
 std::set<std::string> parameter_names() {
   std::set<std::string> names;
   for (const strategies::Entry& entry : strategies::all_strategies())
-    for (const strategies::Parameter& parameter : entry.params) names.emplace(parameter.name);
+    for (const strategies::Tunable& tunable : entry.params) names.emplace(tunable.name);
   return names;
 }
 

@@ -14,7 +14,7 @@
 namespace autoref::runner {
 namespace {
 
-using strategies::Parameter;
+using strategies::Tunable;
 
 [[noreturn]] void refuse_unknown_param(const strategies::Entry& strategy, const std::string& path,
                                        const std::string& param) {
@@ -22,17 +22,17 @@ using strategies::Parameter;
       fmt::format(": strategy '{}' has no parameter '{}'", strategy.name, param);
   if (strategy.params.empty()) throw SettingError(path, what + "; it has none");
   std::vector<std::string> known;
-  for (const Parameter& parameter : strategy.params) known.emplace_back(parameter.name);
+  for (const Tunable& tunable : strategy.params) known.emplace_back(tunable.name);
   const std::string nearest = suggestion(param, known);
   throw SettingError(path, fmt::format("{}{} Known here: {}", what, nearest.empty() ? "." : nearest,
                                        listed(known)));
 }
 
-void check_range(const Parameter& parameter, const std::string& path, double value) {
-  if (value >= parameter.least && value <= parameter.most) return;
-  const std::string unit = parameter.unit == "1" ? "" : fmt::format(" {}", parameter.unit);
-  throw SettingError(path, fmt::format(": expected a number from {} to {}{}, found '{}'",
-                                       parameter.least, parameter.most, unit, value));
+void check_param(const Tunable& tunable, const std::string& path, double value) {
+  if (tunable.is_flag ? value == 0 || value == 1 : tunable.range.contains(value)) return;
+  const std::string allowed =
+      tunable.is_flag ? "0 or 1" : "a number " + text_of(tunable.range, unit_of(tunable.name));
+  throw SettingError(path, fmt::format(": expected {}, found '{}'", allowed, value));
 }
 
 void refuse_two_teams(const GameSettings& game, const TeamSettings& team, std::string_view name) {
@@ -54,11 +54,11 @@ void check_params(const TeamSettings& team, std::string_view name) {
   }
   for (const auto& [param, value] : team.params) {
     const std::string path = fmt::format("{}.params.{}", name, param);
-    const auto parameter =
+    const auto tunable =
         std::find_if(strategy->params.begin(), strategy->params.end(),
-                     [&param = param](const Parameter& p) { return p.name == param; });
-    if (parameter == strategy->params.end()) refuse_unknown_param(*strategy, path, param);
-    check_range(*parameter, path, value);
+                     [&param = param](const Tunable& its) { return its.name == param; });
+    if (tunable == strategy->params.end()) refuse_unknown_param(*strategy, path, param);
+    check_param(*tunable, path, value);
   }
 }
 

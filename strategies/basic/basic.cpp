@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "strategies/parameter.hpp"
 #include "strategies/skills/ease_off.hpp"
 #include "strategies/skills/openings.hpp"
 #include "strategies/skills/prediction.hpp"
@@ -31,7 +32,7 @@ Style within_the_rules(Style style, const RuleBook& rules, const KickScatter& ki
 
 Basic::Basic(const TeamContext& context)
     : context_(context),
-      style_(within_the_rules(tuned(context.params), context.rules, context.kicks)),
+      style_(within_the_rules(tuned(Style{}, context.params), context.rules, context.kicks)),
       look_ahead_(context.robots, context.frame_rate_hz) {}
 
 // The distance from a hull to the ball's centre required at restarts. If the rule is in force,

@@ -74,7 +74,7 @@ Shares shares_of(const Style& style, int left) {
   Shares shares{count_of(style.wall), count_of(style.markers), count_of(style.forwards),
                 count_of(style.receivers)};
   constexpr int kUsual = 4;  // six robots without the keeper and the one at the ball
-  const int more = style.large_team > 0.5 ? std::max(0, left - kUsual) : 0;
+  const int more = style.large_team ? std::max(0, left - kUsual) : 0;
   shares.wall += more / 4;
   shares.markers += (more + 1) / 2;
   shares.forwards += (more + 2) / 5;

@@ -17,7 +17,7 @@ void penalty(PlayContext& book, RoleAssignment& assignment) {
   }
   for (int i = 0; i < predicted.robots(); ++i) {
     if (!assignment.is_free(i)) continue;
-    if (i == 0 && !ours && predicted.style().penalty_on_line > 0.5) {
+    if (i == 0 && !ours && predicted.style().penalty_on_line) {
       assignment.give(i, Role::kGoalLine, penalty_keeper(predicted.field(), mark_m));
       continue;
     }

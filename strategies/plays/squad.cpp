@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "soccer/robot_shape.hpp"
+#include "strategies/parameter.hpp"
 #include "strategies/tactics/areas.hpp"
 #include "strategies/tactics/keeper.hpp"
 

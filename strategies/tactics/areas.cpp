@@ -67,7 +67,7 @@ Vec2 slowed_before_goal(const Field& field, const TrackedRobot& robot, const Vec
 std::optional<Vec2> exit_from_goal(const PredictedState& predicted, const TrackedRobot& robot) {
   const Field& field = predicted.field();
   const double beyond_m = robot.position_m.x() - field.half_length_m();
-  if (predicted.style().around_boxes < 0.5 || beyond_m < -kRobotRadius_m ||
+  if (!predicted.style().around_boxes || beyond_m < -kRobotRadius_m ||
       beyond_m > field.goal_depth_m || std::abs(robot.position_m.y()) > field.half_goal_m())
     return std::nullopt;
   const double reach_m = field.half_goal_m() - kRobotRadius_m - kBesideBox_m;
@@ -87,7 +87,7 @@ std::optional<Vec2> exit_from_goal(const PredictedState& predicted, const Tracke
 
 Vec2 around_boxes(const PredictedState& predicted, const TrackedRobot& robot,
                   const Vec2& target_m) {
-  if (predicted.style().around_boxes < 0.5) return target_m;
+  if (!predicted.style().around_boxes) return target_m;
   if (predicted.limits().keep_from_area_m > 0) {
     Vec2 out_m = permitted_by_all(predicted.field(), robot.position_m, predicted.position_m(),
                                   leaving(predicted));

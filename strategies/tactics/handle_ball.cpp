@@ -265,7 +265,7 @@ bool BallHandler::is_hurried(int index) const {
 // Whether a goal straight from the kick would count.
 bool BallHandler::may_score() const {
   return predicted_.now().play != Play::kIndirectFree ||
-         !predicted_.rules().has(RuleId::kIndirectGoal) || predicted_.style().indirect_shots > 0.5;
+         !predicted_.rules().has(RuleId::kIndirectGoal) || predicted_.style().indirect_shots;
 }
 
 // Whether the taker of this restart may touch the ball again, and so take it along.

@@ -122,7 +122,7 @@ RobotCommand keep_goal(const PredictedState& predicted, int index) {
   Vec2 target_m = waypoint.position_m;
   if (const auto path_m = exit_from_behind_goal(predicted.field(), keeper.position_m))
     target_m = *path_m;
-  if (shot_at(predicted) && predicted.style().keeper_dives > 0.5 &&
+  if (shot_at(predicted) && predicted.style().keeper_dives &&
       arrival_s(predicted.path(), target_m) <
           time_to_s(keeper, target_m, predicted.abilities(index))) {
     const Vec2 dive = direction_of(target_m - keeper.position_m, waypoint.heading);

@@ -223,7 +223,7 @@ RobotCommand BallPlacer::set_down(const TrackedRobot& robot) {
 bool must_clear_placement(const PredictedState& predicted) {
   const TeamView& now = predicted.now();
   constexpr double kPlaced_m = 100_mm;
-  return predicted.style().clear_of_placement > 0.5 && now.placement_m && predicted.is_waiting() &&
+  return predicted.style().clear_of_placement && now.placement_m && predicted.is_waiting() &&
          now.next && !now.next_is_ours && predicted.rules().has(RuleId::kBotInterferedPlacement) &&
          (*now.placement_m - now.ball.position_m).norm() > kPlaced_m;
 }
@@ -250,7 +250,7 @@ std::optional<Waypoint> clear_of_placement(const PredictedState& predicted,
   const Vec2 away = direction_of(off_m, direction_of(-path_m, Vec2(-1, 0)));
   const double room_m = std::max(off_m.norm(), kClear_m + 50_mm);
   const Vec2 aside_m = path_m + away * room_m;
-  if (predicted.style().clear_of_placement < 0.5 || !is_field_player(predicted, robot))
+  if (!predicted.style().clear_of_placement || !is_field_player(predicted, robot))
     return Waypoint{aside_m, robot.heading};
   Limits limits;
   limits.keep_from_area_m = predicted.limits().keep_from_area_m;

@@ -47,7 +47,7 @@ void defend(Style& style) {
   style.threat_lead_s = 0.25;
   style.block_lead_s = 0.12;
   style.mark_m = 0.35;
-  style.large_team = 1;
+  style.large_team = true;
 }
 
 // Nearly rules out crashes and pushes where they bring cards.

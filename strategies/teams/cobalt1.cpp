@@ -7,7 +7,7 @@ namespace {
 // Takes less care to avoid fouls than the other teams.
 void avoid_few_fouls(Style& style) {
   style.area_margin_m = 0;
-  style.around_boxes = 0;
+  style.around_boxes = false;
   style.area_braking_mps2 = 0;
   style.from_their_area_m = 0.1;
   style.from_own_area_m = 0.12;
@@ -20,11 +20,11 @@ void avoid_few_fouls(Style& style) {
   style.release_lead_s = 0;
   style.release_faster_mps = 0;
   style.holder_bonus_s = 0;
-  style.indirect_shots = 1;
-  style.penalty_on_line = 0;
+  style.indirect_shots = true;
+  style.penalty_on_line = false;
   style.restart_least_mps = 0;
   style.restart_commit_rad = 0;
-  style.clear_of_placement = 0;
+  style.clear_of_placement = false;
 }
 
 }  // namespace

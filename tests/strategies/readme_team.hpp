@@ -14,7 +14,7 @@
 namespace autoref::strategies::readme {
 
 // [mine]
-inline constexpr Parameter kShot = {"shot_mps", "m/s", 6, 1, 8, "Speed of shots."};
+inline constexpr Tunable kShot = {{"shot_mps", {1, 8}, "Speed of shots."}, 6};
 
 class Mine final : public Strategy {
  public:

@@ -64,13 +64,13 @@ void read_weights(TopReader& top, Tuning& tuning) {
 }
 
 // The strategy's own description of a parameter; nullptr if it has none, or for a program.
-const strategies::Parameter* described(const TeamSettings& team, const std::string& name) {
+const strategies::Tunable* described(const TeamSettings& team, const std::string& name) {
   const strategies::Entry* strategy =
       team.command.empty() ? strategies::find_strategy(team.strategy) : nullptr;
   if (strategy == nullptr) return nullptr;
   const auto found =
       std::find_if(strategy->params.begin(), strategy->params.end(),
-                   [&name](const strategies::Parameter& its) { return its.name == name; });
+                   [&name](const strategies::Tunable& its) { return its.name == name; });
   return found == strategy->params.end() ? nullptr : &*found;
 }
 
@@ -82,11 +82,12 @@ class ParameterReader {
   TunedParameter read() {
     TunedParameter parameter;
     parameter.name = entry_.key;
-    const strategies::Parameter* its = described(tuning_.team, entry_.key);
+    const strategies::Tunable* its = described(tuning_.team, entry_.key);
     if (its != nullptr) {
-      parameter.from = its->least;
-      parameter.to = its->most;
+      parameter.from = its->range.low;
+      parameter.to = its->range.high;
       parameter.start = its->standard;
+      parameter.whole = its->is_flag;
     }
     const auto value = tuning_.team.params.find(entry_.key);
     const bool has_value = value != tuning_.team.params.end();
@@ -98,6 +99,7 @@ class ParameterReader {
       top_.locations().try_emplace(fmt::format("{}.{}", path_, key), entry_.location);
     }
     given_ = top_.file().entries(entry_, path_, {});
+    if (its != nullptr && its->is_flag && !parameter.whole) refuse_between();
     if (its == nullptr) require({"from", "to"});
     if (its == nullptr && !has_value) require({"start"});
     if (find_entry(given_, "step") == nullptr) parameter.step = default_step(parameter);
@@ -113,6 +115,11 @@ class ParameterReader {
                                      "parameters, so give from, to and start",
                                      key));
     }
+  }
+
+  void refuse_between() const {
+    top_.file().refuse(find_entry(given_, "whole")->location, path_ + ".whole",
+                       "the parameter is either 0 or 1, and only these are played; leave it out");
   }
 
   static double default_step(const TunedParameter& parameter) {
@@ -136,7 +143,7 @@ void read_parameters(TopReader& top, Tuning& tuning) {
     if (strategy != nullptr && described(tuning.team, parameter.key) == nullptr) {
       std::vector<std::string> known;
       known.reserve(strategy->params.size());
-      for (const strategies::Parameter& its : strategy->params) known.emplace_back(its.name);
+      for (const strategies::Tunable& its : strategy->params) known.emplace_back(its.name);
       top.file().refuse(parameter.location, "tune", unknown_key_message(parameter.key, known));
     }
     refuse_assignments(top, "team.params." + parameter.key,

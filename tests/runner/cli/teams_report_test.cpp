@@ -3,20 +3,22 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <regex>
+#include <set>
 
 namespace autoref::runner {
 namespace {
 
 using strategies::all_strategies;
 using strategies::Entry;
-using strategies::Parameter;
+using strategies::Tunable;
 
-Entry team_of(std::vector<Parameter> params) {
+Entry team_of(std::vector<Tunable> params) {
   return {"bold", "Runs at the goal.", nullptr, std::move(params)};
 }
 
-const Entry kBold = team_of({{"line_m", "m", -0.5, -4, 4, "How far it stays back."},
-                             {"share", "1", 0.25, 0, 1, "Of its passes."}});
+const Entry kBold = team_of({{{"line_m", {-4, 4}, "How far it stays back."}, -0.5},
+                             {{"share", {0, 1}, "Of its passes."}, 0.25}});
 
 TEST(TeamsReport, ListsEveryTeamWithItsDescription) {
   const std::string text = text_of(teams_text(), 200);
@@ -39,7 +41,7 @@ TEST(TeamsReport, ShowsEachParametersUnitDefaultAndRange) {
 }
 
 TEST(TeamsReport, PrintsTheSameAsJson) {
-  EXPECT_EQ(team_json(team_of({{"line_m", "m", -0.5, -4, 4, "How far."}})),
+  EXPECT_EQ(team_json(team_of({{{"line_m", {-4, 4}, "How far."}, -0.5}})),
             "{\"name\": \"bold\", \"about\": \"Runs at the goal.\", \"params\": [{\"name\": "
             "\"line_m\", \"unit\": \"m\", \"default\": -0.5, \"least\": -4, \"most\": 4, "
             "\"about\": \"How far.\"}]}\n");
@@ -57,10 +59,31 @@ TEST(AllStrategies, AreOrderedByName) {
 
 TEST(AllStrategies, HaveParameterDefaultsWithinTheirRanges) {
   for (const Entry& team : all_strategies()) {
-    for (const Parameter& parameter : team.params) {
-      EXPECT_GE(parameter.standard, parameter.least) << team.name << " " << parameter.name;
-      EXPECT_LE(parameter.standard, parameter.most) << team.name << " " << parameter.name;
-      EXPECT_FALSE(parameter.unit.empty()) << team.name << " " << parameter.name;
+    for (const Tunable& tunable : team.params) {
+      EXPECT_TRUE(tunable.range.contains(tunable.standard)) << team.name << " " << tunable.name;
+      EXPECT_FALSE(tunable.about.empty()) << team.name << " " << tunable.name;
+    }
+  }
+}
+
+TEST(AllStrategies, HaveParametersWithDifferentNamesInSnakeCase) {
+  for (const Entry& team : all_strategies()) {
+    std::set<std::string_view> names;
+    for (const Tunable& tunable : team.params) {
+      EXPECT_TRUE(names.insert(tunable.name).second) << team.name << " " << tunable.name;
+      EXPECT_TRUE(std::regex_match(std::string(tunable.name), std::regex("[a-z0-9]+(_[a-z0-9]+)*")))
+          << team.name << " " << tunable.name;
+    }
+  }
+}
+
+// A flag's range is that of its two values.
+TEST(AllStrategies, HaveFlagsFromZeroToOne) {
+  for (const Entry& team : all_strategies()) {
+    for (const Tunable& tunable : team.params) {
+      if (!tunable.is_flag) continue;
+      EXPECT_EQ(tunable.range.low, 0) << team.name << " " << tunable.name;
+      EXPECT_EQ(tunable.range.high, 1) << team.name << " " << tunable.name;
     }
   }
 }

@@ -9,6 +9,8 @@
 #include "referee/match.hpp"
 #include "sim/configuration.hpp"
 #include "soccer/field.hpp"
+#include "strategies/basic/style.hpp"
+#include "strategies/tactics/style.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -24,13 +26,17 @@ constexpr bool has_members(std::index_sequence<kIndices...> /*count*/) {
   return requires { Of{(static_cast<void>(kIndices), AnyMember{})...}; };
 }
 
-// The number of members of an aggregate: how many values its braces take.
-template <typename Of, std::size_t kCount = 60>
+// The number of members of an aggregate: how many values its braces take. It is found by bisection,
+// at least kLow and below kHigh.
+template <typename Of, std::size_t kLow = 0, std::size_t kHigh = sizeof(Of) + 1>
 constexpr std::size_t member_count() {
-  if constexpr (kCount == 0 || has_members<Of>(std::make_index_sequence<kCount>{})) {
-    return kCount;
+  constexpr std::size_t kMiddle = (kLow + kHigh) / 2;
+  if constexpr (kLow + 1 == kHigh) {
+    return kLow;
+  } else if constexpr (has_members<Of>(std::make_index_sequence<kMiddle>{})) {
+    return member_count<Of, kMiddle, kHigh>();
   } else {
-    return member_count<Of, kCount - 1>();
+    return member_count<Of, kLow, kMiddle>();
   }
 }
 
@@ -45,11 +51,11 @@ std::size_t listed_count() {
 template <typename Of>
 class StructOfParameters : public testing::Test {};
 
-using Structs =
-    testing::Types<DefenceArea, Field, referee::Match, sim::BallParameters, sim::ContactParameters,
-                   sim::RobotParameters, sim::KickerParameters, sim::DribblerParameters,
-                   sim::PlacementParameters, sim::VisionParameters, sim::RadioParameters,
-                   sim::LineUpParameters, sim::Configuration>;
+using Structs = testing::Types<DefenceArea, Field, referee::Match, sim::BallParameters,
+                               sim::ContactParameters, sim::RobotParameters, sim::KickerParameters,
+                               sim::DribblerParameters, sim::PlacementParameters,
+                               sim::VisionParameters, sim::RadioParameters, sim::LineUpParameters,
+                               sim::Configuration, strategies::Style, strategies::basic::Style>;
 TYPED_TEST_SUITE(StructOfParameters, Structs);
 
 TYPED_TEST(StructOfParameters, ListsAllOfItsMembers) {

@@ -2,34 +2,42 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "strategies/parameter.hpp"
+
 namespace autoref::strategies {
 namespace {
 
-TEST(Style, HasATunableForEveryNumber) {
-  EXPECT_EQ(tunables().size(), sizeof(Style) / sizeof(double));
-  for (const Tunable& one : tunables()) {
-    for (const Tunable& other : tunables()) {
-      EXPECT_EQ(one.number == other.number, one.about.name == other.about.name);
-    }
-  }
+Tunable tunable_named(const std::string& name, const Style& style) {
+  const std::vector<Tunable> all = tunables_of(style);
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Tunable& its) { return its.name == name; });
+  return found == all.end() ? Tunable{{"", ""}} : *found;
 }
 
-TEST(Style, HasDefaultsWithinTheirRanges) {
-  for (const Parameter& parameter : parameters_of(Style{})) {
-    EXPECT_GE(parameter.standard, parameter.least) << parameter.name;
-    EXPECT_LE(parameter.standard, parameter.most) << parameter.name;
-    EXPECT_FALSE(parameter.about.empty()) << parameter.name;
-    EXPECT_FALSE(parameter.unit.empty()) << parameter.name;
-  }
+TEST(Tunables, TakeTheirDefaultsFromTheStyle) {
+  Style own;
+  own.line_m = 0.25;
+  own.large_team = true;
+  EXPECT_EQ(tunable_named("line_m", own).standard, 0.25);
+  EXPECT_EQ(tunable_named("large_team", own).standard, 1);
+}
+
+TEST(Tunables, AreFlagsIfTheyAreYesOrNo) {
+  EXPECT_TRUE(tunable_named("large_team", {}).is_flag);
+  EXPECT_FALSE(tunable_named("pass_risk", {}).is_flag);
 }
 
 TEST(Style, ReplacesOnlyTheNumbersInParams) {
   Style own;
   own.width = 0.5;
-  const Style style = tuned(own, {{"wall", 3}, {"line_m", 0.25}});
+  const Style style = tuned(own, {{"wall", 3}, {"line_m", 0.25}, {"around_boxes", 0}});
   EXPECT_EQ(style.wall, 3);
   EXPECT_EQ(style.line_m, 0.25);
+  EXPECT_FALSE(style.around_boxes);
   EXPECT_EQ(style.width, 0.5);
+  EXPECT_TRUE(style.penalty_on_line);
 }
 
 }  // namespace

@@ -38,6 +38,16 @@ TEST(ReadTuning, PlaysWholeNumbersOnlyIfAsked) {
   }
 }
 
+TEST(ReadTuning, PlaysOnlyZeroAndOneOfAFlag) {
+  const Tuning tuning = read_tune("tune: { around_boxes: {} }\n");
+  const TunedParameter& flag = tuning.parameters.front();
+  EXPECT_TRUE(flag.whole);
+  EXPECT_EQ(flag.from, 0);
+  EXPECT_EQ(flag.to, 1);
+  EXPECT_EQ(flag.start, 1);
+  EXPECT_EQ(flag.step, 1);
+}
+
 TEST(ReadTuning, ChangesTheTeamAndItsOpponentsFromTheCommandLine) {
   const Assignments assignments = assignments_in({"team.robots=5", "opponents.zone.robots=4"});
   const Tuning tuning =
@@ -96,6 +106,14 @@ INSTANTIATE_TEST_SUITE_P(
                 with("tune: { wall: { start: 1.5, whole: true } }\n"),
                 "x.yaml:7:17: ",
                 {"tune.wall.start is 1.5; a whole parameter needs a whole number"}},
+        Mistake{"BetweenZeroAndOne",
+                with("tune: { around_boxes: { whole: false } }\n"),
+                "x.yaml:7:25: tune.around_boxes.whole: ",
+                {"either 0 or 1"}},
+        Mistake{"StartBetweenZeroAndOne",
+                with("tune: { around_boxes: { start: 0.5 } }\n"),
+                "x.yaml:7:25: ",
+                {"tune.around_boxes.start is 0.5; a whole parameter needs a whole number"}},
         Mistake{"UnknownMethod",
                 with("tune: { wall: {} }\nmethod: cma\n"),
                 "x.yaml:8:9: method: ",
