@@ -3,6 +3,7 @@
 
 #include <boost/container/static_vector.hpp>
 
+#include "soccer/abilities.hpp"
 #include "soccer/field.hpp"
 #include "soccer/parameters.hpp"
 #include "soccer/side.hpp"
@@ -98,12 +99,12 @@ struct ContactParameters {
 // One robot's body and its drive with four omni wheels; limits are per wheel and overall.
 struct RobotParameters {
   double mass_kg = 2.5;
-  double speed_mps = 3.0;  // paper, section 3: up to 3 m/s
-  double acceleration_mps2 = 3.0;
-  double braking_mps2 = 5.0;
+  double speed_mps = kUsualAbilities.speed_mps;
+  double acceleration_mps2 = kUsualAbilities.acceleration_mps2;
+  double braking_mps2 = kUsualAbilities.braking_mps2;
   double wheel_acceleration_mps2 = 4.5;
   double angular_speed_radps = 15.0;
-  double angular_acceleration_radps2 = 40.0;
+  double angular_acceleration_radps2 = kUsualTurning_radps2;
   double front_wheels_deg = 35.0;  // wheels at plus and minus this angle
   double back_wheels_deg = 135.0;
   double wheel_distance_m = 80_mm;  // inside the 90 mm hull
@@ -134,12 +135,12 @@ struct RobotParameters {
 
 struct KickerParameters {
   double reach_m = 15_mm;
-  double speed_limit_mps = 8.0;  // paper, section 3
-  double chip_limit_mps = 5.5;
+  double speed_limit_mps = kUsualAbilities.kick_mps;
+  double chip_limit_mps = kUsualAbilities.chip_mps;
   double chip_angle_deg = 45.0;
   double dead_time_s = 100_ms;
-  double speed_noise = 0.025;
-  double direction_noise_deg = 1.5;
+  double speed_noise = kUsualKickSpeedError;
+  double direction_noise_deg = kUsualKickError_deg;
   double chip_angle_noise_deg = 0.0;
 
   template <typename Self, typename Visitor>

@@ -20,6 +20,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 namespace autoref {
 
@@ -89,6 +90,17 @@ void visit_all(Of& of, const std::string& prefix, const Visitor& visitor) {
       visitor(value, about, path);
     }
   });
+}
+
+// The names of the parameters, in their order.
+template <HasParameters Of>
+std::vector<std::string> parameter_names() {
+  std::vector<std::string> names;
+  const Of of;
+  Of::visit(of, [&names](const auto& /*value*/, const Parameter& about) {
+    names.emplace_back(about.name);
+  });
+  return names;
 }
 
 // A number outside its allowed range.

@@ -23,8 +23,8 @@ namespace autoref::strategies {
 
 // Standard deviations of a kick: of its direction, and of its speed as a fraction.
 struct KickScatter {
-  double direction_rad = 1.5_deg;
-  double speed = 0.025;
+  double direction_rad = to_radians(kUsualKickError_deg);
+  double speed = kUsualKickSpeedError;
 };
 
 // What a team knows before the game.

@@ -48,9 +48,9 @@ void list(GameSettings& game, VersionedTeams& all) {
 // Changes what determines the files; returns false for other settings.
 bool set(const std::string& name, const std::string& text, TeamSettings& team) {
   if (name == "directory") {
-    team.directory = text;
+    team.program.directory = text;
   } else if (name == "command") {
-    team.command = words_of_command(text);
+    team.program.command = words_of_command(text);
   } else if (name == "files") {
     team.files = words_of_command(text);
   } else {
@@ -126,7 +126,7 @@ void add_folder(const std::string& name, const fs::path& folder, ProgramFileList
 
 void add_files(const TeamSettings& team, ProgramFileList& files) {
   for (const std::string& name : team.files) {
-    const fs::path path = fs::path(team.directory) / name;
+    const fs::path path = fs::path(team.program.directory) / name;
     if (fs::is_directory(path)) {
       add_folder(name, path, files);
     } else if (fs::is_regular_file(path)) {
@@ -136,8 +136,8 @@ void add_files(const TeamSettings& team, ProgramFileList& files) {
     }
   }
   if (!team.files.empty()) return;
-  for (const std::string& word : team.command) {
-    const fs::path path = fs::path(team.directory) / word;
+  for (const std::string& word : team.program.command) {
+    const fs::path path = fs::path(team.program.directory) / word;
     std::error_code error;
     if (fs::is_regular_file(path, error)) files.push_back({word, path});
   }
@@ -148,7 +148,7 @@ ProgramFileList files_of(const std::string& path, const std::vector<TeamSettings
   for (const TeamSettings& team : variants) {
     ProgramFileList its;
     try {
-      if (!team.command.empty()) add_files(team, its);
+      if (!team.program.command.empty()) add_files(team, its);
     } catch (const fs::filesystem_error& error) {
       refuse(path, fmt::format("cannot read the file or folder {}", error.path1().string()));
     }

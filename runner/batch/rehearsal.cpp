@@ -90,7 +90,7 @@ struct Entry {
   // Programs are started again, and play the first seconds again.
   double repetition_s(double game_s) const {
     const GameSettings game = games.front()->settings.whole();
-    if (game.a.command.empty() && game.b.command.empty()) return 0;
+    if (game.a.program.command.empty() && game.b.program.command.empty()) return 0;
     const double start_s = longest().start_s;
     return start_s + (game_s - start_s) * std::min(1.0, kRepeated_s / whole_length_s(game));
   }
@@ -100,8 +100,9 @@ struct Entry {
     rehearsal.wall_s_a_game = game_s + repetition_s(game_s);
     rehearsal.share = std::min(1.0, longest().share);
     const ScheduledGame& game = *games.front();
-    rehearsal.teams = {RehearsedTeam{game.team_a, !game.settings.a().command.empty(), team_s(0)},
-                       RehearsedTeam{game.team_b, !game.settings.b().command.empty(), team_s(1)}};
+    rehearsal.teams = {
+        RehearsedTeam{game.team_a, !game.settings.a().program.command.empty(), team_s(0)},
+        RehearsedTeam{game.team_b, !game.settings.b().program.command.empty(), team_s(1)}};
   }
 
   // A team's part of the estimate.

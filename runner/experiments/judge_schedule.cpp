@@ -53,8 +53,8 @@ class JudgeCell {
     GameSettings game = base_;
     game.a.strategy = matchup[0];
     game.b.strategy = matchup[1];
-    game.a.command.clear();
-    game.b.command.clear();
+    game.a.program.command.clear();
+    game.b.program.command.clear();
     return game;
   }
 

@@ -60,7 +60,7 @@ std::string game_id(std::string_view played, int pair, int leg) {
 }
 
 void refuse_network(const TeamSettings& team, std::string_view path) {
-  if (!team.command.empty() || team.strategy != kNetworkStrategy) return;
+  if (!team.program.command.empty() || team.strategy != kNetworkStrategy) return;
   throw SettingError(fmt::format("{}.strategy", path),
                      ": a team on the network plays only in autoref live");
 }

@@ -35,25 +35,29 @@ std::string ends_of(const Scene& scene) {
   return fmt::format("[{}]", listed(words));
 }
 
-// What a situation says besides its bodies.
-Values values_of_scene(const SituationSetup& situation) {
-  const SceneWeights& weights = situation.scene.weights;
-  return {
-      {"lasts_s", runner::text_of(situation.scene.lasts_s)},
-      {"score", fmt::format("{{ goal: {}, conceded: {}, ball_kept: {}, gained_m: {} }}",
-                            runner::text_of(weights.goal), runner::text_of(weights.conceded),
-                            runner::text_of(weights.ball_kept), runner::text_of(weights.gained_m))},
-      {"ends_on", ends_of(situation.scene)},
-      {"restart", std::string(name_of(situation.restart))},
-      {"taken_by", situation.is_attackers_restart ? "attackers" : "defenders"},
-      {"after_stop", situation.is_after_stop ? "true" : "false"}};
-}
-
 std::string flow_text(const Values& values) {
   std::string text;
   for (const auto& [key, value] : values)
     text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", key, value);
   return fmt::format("{{ {} }}", text);
+}
+
+std::string score_of(const SceneWeights& weights) {
+  Values values;
+  SceneWeights::visit(weights, [&values](double weight, const Parameter& about) {
+    values.emplace_back(about.name, runner::text_of(weight));
+  });
+  return flow_text(values);
+}
+
+// What a situation says besides its bodies.
+Values values_of_scene(const SituationSetup& situation) {
+  return {{"lasts_s", runner::text_of(situation.scene.lasts_s)},
+          {"score", score_of(situation.scene.weights)},
+          {"ends_on", ends_of(situation.scene)},
+          {"restart", std::string(name_of(situation.restart))},
+          {"taken_by", situation.is_attackers_restart ? "attackers" : "defenders"},
+          {"after_stop", situation.is_after_stop ? "true" : "false"}};
 }
 
 std::string robots_text(std::string_view key, const std::vector<DrawnRobot>& robots,

@@ -11,6 +11,7 @@
 #include "referee/state.hpp"
 #include "sim/world.hpp"
 #include "soccer/named.hpp"
+#include "soccer/parameters.hpp"
 #include "soccer/referee_signal.hpp"
 #include "soccer/side.hpp"
 
@@ -33,10 +34,21 @@ inline constexpr std::size_t kSceneEndCount = names_of(SceneEnd{}).size();
 
 // How a scene's score is composed: the sum of its measures times these weights.
 struct SceneWeights {
-  double goal = 1;       // the attackers scored, 0 or 1
-  double conceded = 0;   // the defenders scored, 0 or 1
-  double ball_kept = 0;  // the attackers have the ball at the end, 0 or 1
-  double gained_m = 0;   // how far the ball has come towards the defenders' goal
+  double goal = 1;
+  double conceded = 0;
+  double ball_kept = 0;
+  double gained_m = 0;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, const Visitor& visitor) {
+    constexpr Range kWeights = {-1000, 1000};
+    visitor(self.goal, {"goal", kWeights, "the attackers scored, 0 or 1"});
+    visitor(self.conceded, {"conceded", kWeights, "the defenders scored, 0 or 1"});
+    visitor(self.ball_kept,
+            {"ball_kept", kWeights, "the attackers have the ball at the end, 0 or 1"});
+    visitor(self.gained_m,
+            {"gained_m", kWeights, "how far the ball has come towards the defenders' goal"});
+  }
   bool operator==(const SceneWeights&) const = default;
 
   // Whether every score is 0 or 1.

@@ -42,20 +42,16 @@ inline constexpr const char* kNetworkStrategy = "network";
 inline constexpr const char* kEnforcedOnly = "enforced";
 
 struct TeamSettings {
-  std::string strategy = "basic";        // unused if there is a command
-  std::vector<std::string> command;      // the team is this program
-  std::string directory;                 // its working directory
-  std::vector<std::string> environment;  // "NAME=value", in addition to AutoRef's
-  std::vector<std::string> files;        // its files and folders; empty: those the command names
-  std::string files_hash;                // what they contain (runner/batch/program_versions.hpp)
-  double answer_s = 10;                  // wall-clock limit of its answers
-  int memory_mb = 4096;                  // limit of each of its processes
-  int robots = 6;                        // 1 to 16
-  std::string type = kNoType;            // type of its robots
-  RobotChanges changes;                  // override the type's
-  double speed_factor = 1.0;             // scales the robots' top speed, (0, 2]
-  double acceleration_factor = 1.0;      // scales their acceleration and braking, (0, 2]
-  std::string laws = kDefaultLaws;       // name of a rule book, or kEnforcedOnly
+  std::string strategy = "basic";    // unused if the program has a command
+  TeamProgram program;               // the team, if it has a command
+  std::vector<std::string> files;    // its files and folders; empty: those the command names
+  std::string files_hash;            // what they contain (runner/batch/program_versions.hpp)
+  int robots = 6;                    // 1 to 16
+  std::string type = kNoType;        // type of its robots
+  RobotChanges changes;              // override the type's
+  double speed_factor = 1.0;         // scales the robots' top speed, (0, 2]
+  double acceleration_factor = 1.0;  // scales their acceleration and braking, (0, 2]
+  std::string laws = kDefaultLaws;   // name of a rule book, or kEnforcedOnly
   std::map<std::string, double> params;
   std::map<int, PlayerSettings> players;  // by number
 };

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "runner/settings/settings_branch.hpp"
 #include "runner/settings/settings_reader.hpp"
 #include "runner/settings/yaml.hpp"
 
@@ -31,6 +32,13 @@ class Mapping {
   // These leave the value unchanged if the key is not given.
   void number(std::string_view key, double& value, Range range, std::string_view unit) const {
     read(key, {path_to(key), &value, range, {}, unit, ""});
+  }
+  // All parameters of `of`.
+  template <HasParameters Of>
+  void parameters(Of& of) const {
+    Of::visit(of, [this](auto& value, const Parameter& about) {
+      read(about.name, setting_of(path_to(about.name), value, about));
+    });
   }
   void word(std::string_view key, std::string& value, std::vector<std::string> words) const {
     read(key, {path_to(key), &value, {}, std::move(words), "", ""});

@@ -19,19 +19,17 @@ RuleBook book_of(const std::string& name) {
 TeamConfiguration resolved(const GameSettings& game, const TeamSettings& team,
                            std::string_view path) {
   TeamConfiguration configuration{team.strategy, team.params, spec_of(game, team, path).robots};
-  if (!team.command.empty())
-    configuration.program =
-        TeamProgram{team.command, team.directory, team.environment, team.answer_s, team.memory_mb};
+  if (!team.program.command.empty()) configuration.program = team.program;
   configuration.laws =
       team.laws == kEnforcedOnly ? std::nullopt : std::optional(book_of(team.laws));
-  configuration.on_network = team.command.empty() && team.strategy == kNetworkStrategy;
+  configuration.on_network = team.program.command.empty() && team.strategy == kNetworkStrategy;
   return configuration;
 }
 
 }  // namespace
 
 std::string name_of(const TeamSettings& team) {
-  return team.command.empty() ? team.strategy : program_name(team.command);
+  return team.program.command.empty() ? team.strategy : program_name(team.program.command);
 }
 
 void choose_rules(const std::string& book, GameSettings& game) {

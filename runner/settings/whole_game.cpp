@@ -37,13 +37,13 @@ void check_param(const Tunable& tunable, const std::string& path, double value) 
 
 void refuse_two_teams(const GameSettings& game, const TeamSettings& team, std::string_view name) {
   const std::string path = fmt::format("{}.strategy", name);
-  if (team.command.empty() || !game.given.contains(path)) return;
+  if (team.program.command.empty() || !game.given.contains(path)) return;
   throw SettingError(path, ": the team has a command as well; remove one of them");
 }
 
 // A program may have any parameters; a team on the network is sent none.
 void check_params(const TeamSettings& team, std::string_view name) {
-  if (!team.command.empty()) return;
+  if (!team.program.command.empty()) return;
   if (team.strategy == kNetworkStrategy) {
     if (team.params.empty()) return;
     throw SettingError(fmt::format("{}.params", name), ": a team on the network has no parameters");

@@ -10,8 +10,7 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kTurning_radps2 = 40;  // angular acceleration of the league's robots
-constexpr double kWholeFrame = 1e-6;    // a shorter rest of a frame is a rounding error
+constexpr double kWholeFrame = 1e-6;  // a shorter rest of a frame is a rounding error
 
 // Moves the robot for `duration_s` towards the command's velocity, with the accelerations that it
 // is able to (sim/drive.hpp).
@@ -22,7 +21,7 @@ void obey(const RobotCommand& command, const Abilities& abilities, double durati
   const double limit_mps2 =
       robot.velocity_mps.dot(error_mps) < 0 ? abilities.braking_mps2 : abilities.acceleration_mps2;
   const Vec2 change_mps = clamp_norm(error_mps, limit_mps2 * duration_s);
-  const double most_radps = kTurning_radps2 * duration_s;
+  const double most_radps = kUsualTurning_radps2 * duration_s;
   const double change_radps = std::clamp(
       command.angular_velocity_radps - robot.angular_velocity_radps, -most_radps, most_radps);
   // Constant acceleration: the mean of the velocities before and after.

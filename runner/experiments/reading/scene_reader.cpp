@@ -10,35 +10,27 @@
 namespace autoref::runner {
 namespace {
 
-const std::vector<std::string> kSceneMeasures = {"goal", "conceded", "ball_kept", "gained_m"};
-
-double& weight_of(const std::string& measure, SceneWeights& weights) {
-  if (measure == "goal") return weights.goal;
-  if (measure == "conceded") return weights.conceded;
-  return measure == "ball_kept" ? weights.ball_kept : weights.gained_m;
-}
-
 // One measure, or a mapping of measures to weights.
 SceneWeights weights_in(const YamlFile& file, const YamlEntry& entry, const std::string& path) {
+  const std::vector<std::string> measures = parameter_names<SceneWeights>();
   SceneWeights weights{0, 0, 0, 0};
   if (entry.value.IsMap()) {
-    const Mapping from(file, entry, path, kSceneMeasures);
-    for (const std::string& measure : kSceneMeasures)
-      from.number(measure, weight_of(measure, weights), {-1000, 1000}, "");
+    Mapping(file, entry, path, measures).parameters(weights);
     if (weights == SceneWeights{0, 0, 0, 0})
       file.refuse(entry.location, path, "all weights are 0; give at least one");
     return weights;
   }
-  const std::string expected =
-      fmt::format("one of {}, or a weight for each such as {{ goal: 1, gained_m: 0.1 }}",
-                  listed(kSceneMeasures));
+  const std::string expected = fmt::format(
+      "one of {}, or a weight for each such as {{ goal: 1, gained_m: 0.1 }}", listed(measures));
   const std::string word = file.scalar(entry, path, expected, false);
-  if (std::find(kSceneMeasures.begin(), kSceneMeasures.end(), word) == kSceneMeasures.end()) {
+  SceneWeights::visit(weights, [&word](double& weight, const Parameter& about) {
+    if (about.name == word) weight = 1;
+  });
+  if (weights == SceneWeights{0, 0, 0, 0}) {
     file.refuse(
         value_location(entry), path,
-        fmt::format("expected {}, found '{}'{}", expected, word, suggestion(word, kSceneMeasures)));
+        fmt::format("expected {}, found '{}'{}", expected, word, suggestion(word, measures)));
   }
-  weight_of(word, weights) = 1;
   return weights;
 }
 

@@ -66,7 +66,7 @@ void read_weights(TopReader& top, Tuning& tuning) {
 // The strategy's own description of a parameter; nullptr if it has none, or for a program.
 const strategies::Tunable* described(const TeamSettings& team, const std::string& name) {
   const strategies::Entry* strategy =
-      team.command.empty() ? strategies::find_strategy(team.strategy) : nullptr;
+      team.program.command.empty() ? strategies::find_strategy(team.strategy) : nullptr;
   if (strategy == nullptr) return nullptr;
   const auto found =
       std::find_if(strategy->params.begin(), strategy->params.end(),
@@ -138,8 +138,9 @@ void read_parameters(TopReader& top, Tuning& tuning) {
   const YamlEntry& entry = top.required("tune");
   for (const YamlEntry& parameter : top.file().entries(entry, "tune", {})) {
     // Refuses a parameter that the strategy does not have, as `params` does.
-    const strategies::Entry* strategy =
-        tuning.team.command.empty() ? strategies::find_strategy(tuning.team.strategy) : nullptr;
+    const strategies::Entry* strategy = tuning.team.program.command.empty()
+                                            ? strategies::find_strategy(tuning.team.strategy)
+                                            : nullptr;
     if (strategy != nullptr && described(tuning.team, parameter.key) == nullptr) {
       std::vector<std::string> known;
       known.reserve(strategy->params.size());

@@ -31,8 +31,8 @@ class ProgramVersions : public testing::Test {
 
   TeamSettings team(const std::vector<std::string>& files = {}) const {
     TeamSettings team;
-    team.command = {"python3", "main.py", "--fast"};
-    team.directory = (folder_ / "team").string();
+    team.program.command = {"python3", "main.py", "--fast"};
+    team.program.directory = (folder_ / "team").string();
     team.files = files;
     return team;
   }
@@ -121,7 +121,7 @@ TEST_F(ProgramVersions, OfAFactorMayBeInFoldersOfTheirOwn) {
   fs::create_directories(folder_ / "new");
   write("new/main.py", "new");
   Sweep sweep;
-  sweep.base.b.command = {"python3", "main.py"};
+  sweep.base.b.program.command = {"python3", "main.py"};
   sweep.base.b.files = {"main.py"};
   sweep.factors = {{"b.directory", {(folder_ / "team").string(), (folder_ / "new").string()}}};
   const auto noted = [&sweep] {

@@ -138,7 +138,7 @@ TEST(WholeGame, StartsOnlyOnce) { EXPECT_NEAR(whole_game_s({{0.01, 0.53, 0.5}}),
 
 Scenario roundrobin_with_a_program() {
   Scenario scenario = small_roundrobin({6, 6}, 1);
-  std::get<RoundRobin>(scenario.content).teams["team1"].command = {"true"};
+  std::get<RoundRobin>(scenario.content).teams["team1"].program.command = {"true"};
   return scenario;
 }
 

@@ -39,7 +39,7 @@ TEST(StartedGames, AreForgottenOnRequest) {
 TEST(StartedGames, OfProgramsHaveNoPage) {
   StartedGames games;
   GameSettings game;
-  game.b.command = {"my_team"};
+  game.b.program.command = {"my_team"};
   EXPECT_FALSE(games.add({"p0001-1", {}, 1, 1, SharedSettings(game)}));
   EXPECT_FALSE(games.page("p0001-1"));
 }

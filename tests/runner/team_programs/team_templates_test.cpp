@@ -117,9 +117,9 @@ class TeamTemplates : public testing::TestWithParam<Language> {
   }
 
   GameConfiguration with_program(GameSettings game) const {
-    game.a.command = GetParam().command;
-    game.a.directory = folder_.path();
-    game.a.answer_s = 120;  // however long it takes to start on a busy machine
+    game.a.program.command = GetParam().command;
+    game.a.program.directory = folder_.path();
+    game.a.program.answer_s = 120;  // however long it takes to start on a busy machine
     return resolved(game);
   }
 
