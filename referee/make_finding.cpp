@@ -19,7 +19,7 @@ Finding finding_of(Event event, RuleId rule, const RuleBook& rules) {
   finding.restart.kind = entry_of(event).restart.value_or(finding.restart.kind);
   finding.rule = section_of(rules, rule);
   if (entry.threshold != nullptr) finding.threshold = rules.*entry.threshold;
-  finding.unit = entry.unit;
+  finding.unit = entry.unit();
   return finding;
 }
 

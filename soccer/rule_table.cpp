@@ -13,11 +13,31 @@ constexpr std::array<RuleEntry, kRuleCount> kTable = {{
 #undef AUTOREF_RULE
 }};
 
+// The unit of each rule's threshold, from the threshold's name.
+std::array<std::string_view, kRuleCount> threshold_units() {
+  std::array<std::string_view, kRuleCount> units;
+  const RuleBook book;
+  for (const RuleEntry& entry : kTable) {
+    if (entry.threshold == nullptr) continue;
+    const void* const threshold = &(book.*entry.threshold);
+    RuleBook::visit(book, [&](const auto& number, const Parameter& parameter) {
+      if (&number == threshold)
+        units[static_cast<std::size_t>(entry.rule)] = unit_of(parameter.name);
+    });
+  }
+  return units;
+}
+
 }  // namespace
 
 std::string_view RuleEntry::section(Edition edition) const {
   const std::array<std::string_view, 3> sections = {paper, laws_2014, rules_2026};
   return sections[static_cast<std::size_t>(edition)];
+}
+
+std::string_view RuleEntry::unit() const {
+  static const std::array<std::string_view, kRuleCount> kUnits = threshold_units();
+  return kUnits[static_cast<std::size_t>(rule)];
 }
 
 std::span<const RuleEntry> rule_table() { return kTable; }

@@ -18,10 +18,11 @@ struct RuleEntry {
   std::string_view laws_2014;
   std::string_view rules_2026;
   double RuleBook::*threshold = nullptr;  // nullptr for rules without a single number
-  std::string_view unit;                  // unit of the threshold
 
   // Its section in the given edition.
   std::string_view section(Edition edition) const;
+  // The threshold's unit; empty without a threshold.
+  std::string_view unit() const;
 };
 
 // All rules, in the order of RuleId.

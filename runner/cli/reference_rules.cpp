@@ -25,7 +25,7 @@ Rows table_with_books(const std::string& first) {
 std::string in_book(const RuleBook& book, const RuleEntry& entry) {
   if (!book.has(entry.rule)) return "–";
   if (entry.threshold == nullptr) return "yes";
-  return fmt::format("{:g} {}", book.*entry.threshold, entry.unit);
+  return fmt::format("{:g} {}", book.*entry.threshold, entry.unit());
 }
 
 std::string books_section() {

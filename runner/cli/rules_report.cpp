@@ -15,7 +15,7 @@ namespace {
 
 std::string threshold_text(const RuleBook& rules, const RuleEntry& entry) {
   if (entry.threshold == nullptr) return "";
-  return fmt::format("{:g} {}", rules.*entry.threshold, entry.unit);
+  return fmt::format("{:g} {}", rules.*entry.threshold, entry.unit());
 }
 
 Json json_of(const RuleBook& rules, const RuleEntry& entry) {
@@ -24,7 +24,7 @@ Json json_of(const RuleBook& rules, const RuleEntry& entry) {
           {"in_force", rules.has(entry.rule)},
           {"section", section_of(rules, entry.rule)},
           {"threshold", has_threshold ? Json(rules.*entry.threshold) : Json()},
-          {"unit", has_threshold ? Json(entry.unit) : Json()},
+          {"unit", has_threshold ? Json(entry.unit()) : Json()},
           {"about", entry.about}};
 }
 
