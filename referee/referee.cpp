@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -25,13 +23,20 @@
 #include "referee/touch/online_touch_detector.hpp"
 #include "referee/touch/retrospective_touch_detector.hpp"
 #include "referee/touch/touch_candidates.hpp"
+#include "soccer/parameters.hpp"
 
 namespace autoref::referee {
 namespace {
 
+constexpr Range kFieldLengths = positive(1000);
+
 void validate(const Configuration& configuration) {
   check_ranges<Match>(configuration);
-  check_ranges(configuration.field, "field.");
+  // A real field may be of any size, and end close to its lines.
+  const Field& field = configuration.field;
+  check_number("field.length_m", field.length_m, kFieldLengths);
+  check_number("field.width_m", field.width_m, kFieldLengths);
+  check_number("field.goal_width_m", field.goal_width_m, kFieldLengths);
 }
 
 // After a longer gap in vision, nothing is inferred across it.

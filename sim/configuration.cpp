@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 
 #include "sim/box2d_bridge.hpp"
 
@@ -31,9 +32,10 @@ void check_goals_end_before_walls(const Field& field) {
 }  // namespace
 
 void validate(const Configuration& configuration) {
-  check_ranges(configuration);
   const int cameras = configuration.vision.cameras;
-  if (cameras == 3) refuse_value("vision.cameras", cameras, "1, 2 or 4");
+  if (cameras != 1 && cameras != 2 && cameras != 4)
+    refuse_value("vision.cameras", cameras, "1, 2 or 4");
+  check_ranges(configuration);
 }
 
 void validate(const RobotSpec& robot) {

@@ -9,6 +9,7 @@ namespace {
 // X macro: rules.def expands to one row per rule.
 constexpr std::array<RuleEntry, kRuleCount> kTable = {{
 #define AUTOREF_RULE(id, ...) {RuleId::id, __VA_ARGS__},
+#include "soccer/parameters.hpp"
 #include "soccer/rules.def"
 #undef AUTOREF_RULE
 }};

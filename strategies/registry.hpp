@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "strategies/parameter.hpp"
 #include "strategies/strategy.hpp"
+#include "strategies/tunable.hpp"
 
 namespace autoref::strategies {
 

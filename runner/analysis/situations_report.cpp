@@ -4,6 +4,7 @@
 
 #include "runner/analysis/groups.hpp"
 #include "runner/statistics/sample.hpp"
+#include "soccer/named.hpp"
 
 namespace autoref::runner {
 namespace {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "runner/cli/reference_pages.hpp"
+#include "soccer/parameters.hpp"
 #include "soccer/rule_book.hpp"
 #include "soccer/rule_table.hpp"
 
@@ -73,7 +74,8 @@ std::string numbers_section() {
     rows.push_back(std::move(row));
   });
   return "## Numbers\n\nThe numbers of each rule book, as programs receive them in the message "
-         "START ([team-programs.md](../team-programs.md)); 1 is yes, 0 is no. A source names where "
+         "START ([team-programs.md](../team-programs.md)), which also has the edition and the "
+         "rules in force; 1 is yes, 0 is no. A source names where "
          "the first book's number comes from, then what other texts say; \"2016\" is the authors' "
          "later public referee.\n\n" +
          reference_table(rows);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "runner/cli/reference_pages.hpp"
+#include "soccer/parameters.hpp"
 #include "strategies/registry.hpp"
 
 namespace autoref::runner {

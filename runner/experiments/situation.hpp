@@ -13,6 +13,7 @@
 #include "runner/game/scene.hpp"
 #include "runner/game/start_state.hpp"
 #include "soccer/field.hpp"
+#include "soccer/named.hpp"
 
 namespace autoref::runner {
 

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "runner/io/words.hpp"
+#include "soccer/named.hpp"
+#include "soccer/parameters.hpp"
 
 namespace autoref::runner {
 namespace {

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string_view>
 
 #include "referee/decision.hpp"
 #include "referee/state.hpp"

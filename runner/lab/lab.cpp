@@ -56,7 +56,7 @@ sim::World world_of(const LabScene& scene) {
 }
 
 std::string name_of(RobotId id) {
-  return fmt::format("{}{}", id.side == Side::kWest ? "west" : "east", id.number);
+  return fmt::format("{}{}", autoref::name_of(id.side), id.number);
 }
 
 std::vector<std::string> columns_of(const LabScene& scene) {

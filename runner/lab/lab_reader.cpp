@@ -11,6 +11,7 @@
 #include "runner/settings/setting_error.hpp"
 #include "runner/settings/settings_reader.hpp"
 #include "runner/settings/yaml.hpp"
+#include "soccer/named.hpp"
 #include "soccer/trigonometry.hpp"
 #include "soccer/units.hpp"
 
@@ -107,12 +108,12 @@ class LabReader {
     for (const YamlEntry& entry : elements(robots, "robots")) {
       const Mapping from(file_, entry, entry.key, kRobot);
       std::string side;
-      from.word("side", side, {"west", "east"});
+      from.word("side", side, all_names<Side>());
       if (side.empty()) file_.refuse(entry.location, entry.key, "the key 'side' is missing");
       LabRobot robot;
       robot.spec = scene_.robot;
       if (const YamlEntry* type = from.find("type")) read_type(*type, from.path_to("type"), robot);
-      robot.id.side = side == "west" ? Side::kWest : Side::kEast;
+      robot.id.side = find_named<Side>(side).value();
       robot.id.number = count[robot.id.side]++;
       if (robot.id.number == kMaxRobots) {
         file_.refuse(entry.location, entry.key,

@@ -7,7 +7,6 @@
 #include <charconv>
 #include <mutex>
 #include <set>
-#include <span>
 #include <string_view>
 #include <utility>
 
@@ -15,6 +14,7 @@
 #include "runner/io/checksum.hpp"
 #include "runner/io/words.hpp"
 #include "runner/results/evaluation_text.hpp"
+#include "soccer/named.hpp"
 
 namespace autoref::runner {
 namespace {

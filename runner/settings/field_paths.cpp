@@ -65,7 +65,7 @@ std::optional<Setting> single_setting(const std::vector<Setting>& settings,
 }
 
 // The parameters of all strategies.
-std::set<std::string> parameter_names() {
+std::set<std::string> tunable_names() {
   std::set<std::string> names;
   for (const strategies::Entry& entry : strategies::all_strategies())
     for (const strategies::Tunable& tunable : entry.params) names.emplace(tunable.name);
@@ -103,7 +103,7 @@ std::vector<std::string> full_paths(const std::vector<Setting>& settings) {
     if (!holds_others(setting)) paths.push_back(setting.path);
     for (const std::string& name : names_in(setting)) paths.push_back(setting.path + "." + name);
     if (!std::holds_alternative<Params*>(setting.target)) continue;
-    for (const std::string& name : parameter_names()) paths.push_back(setting.path + "." + name);
+    for (const std::string& name : tunable_names()) paths.push_back(setting.path + "." + name);
   }
   return paths;
 }

@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-#include "referee/referee.hpp"
+#include "referee/match.hpp"
 #include "runner/game/configuration.hpp"
 #include "runner/settings/setting_value.hpp"
 #include "sim/configuration.hpp"
@@ -31,8 +31,8 @@ inline constexpr const char* kNoType = "none";
 struct PlayerSettings {
   std::string type = kNoType;
   RobotChanges changes;              // override the type's
-  double speed_factor = 1.0;         // multiplied by the team's, (0, 2]
-  double acceleration_factor = 1.0;  // multiplied by the team's, (0, 2]
+  double speed_factor = 1.0;         // multiplied by the team's
+  double acceleration_factor = 1.0;  // multiplied by the team's
 };
 
 // The strategy of teams that play over the network (runner/live/).
@@ -42,15 +42,15 @@ inline constexpr const char* kNetworkStrategy = "network";
 inline constexpr const char* kEnforcedOnly = "enforced";
 
 struct TeamSettings {
-  std::string strategy = "basic";    // unused if the program has a command
-  TeamProgram program;               // the team, if it has a command
-  std::vector<std::string> files;    // its files and folders; empty: those the command names
-  std::string files_hash;            // what they contain (runner/batch/program_versions.hpp)
-  int robots = 6;                    // 1 to 16
+  std::string strategy = "basic";  // unused if the program has a command
+  TeamProgram program;             // the team, if it has a command
+  std::vector<std::string> files;  // its files and folders; empty: those the command names
+  std::string files_hash;          // what they contain (runner/batch/program_versions.hpp)
+  int robots = 6;
   std::string type = kNoType;        // type of its robots
   RobotChanges changes;              // override the type's
-  double speed_factor = 1.0;         // scales the robots' top speed, (0, 2]
-  double acceleration_factor = 1.0;  // scales their acceleration and braking, (0, 2]
+  double speed_factor = 1.0;         // scales the robots' top speed
+  double acceleration_factor = 1.0;  // scales their acceleration and braking
   std::string laws = kDefaultLaws;   // name of a rule book, or kEnforcedOnly
   std::map<std::string, double> params;
   std::map<int, PlayerSettings> players;  // by number

@@ -11,6 +11,7 @@
 #include "runner/settings/settings_branch.hpp"
 #include "runner/settings/settings_reader.hpp"
 #include "runner/settings/yaml.hpp"
+#include "soccer/parameters.hpp"
 
 namespace autoref::runner {
 

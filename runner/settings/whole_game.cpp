@@ -9,6 +9,7 @@
 #include "runner/settings/fields.hpp"
 #include "runner/settings/robot_changes.hpp"
 #include "runner/settings/setting_error.hpp"
+#include "soccer/parameters.hpp"
 #include "strategies/registry.hpp"
 
 namespace autoref::runner {
@@ -149,10 +150,12 @@ std::string start_text(const GameSettings& game) {
 
 std::string scene_text(const GameSettings& game) {
   if (!game.scene) return "";
-  const SceneWeights& weights = game.scene->weights;
-  return fmt::format("scene {} {} {} {} {} {}\n", game.scene->lasts_s,
-                     fmt::join(game.scene->ends, ""), weights.goal, weights.conceded,
-                     weights.ball_kept, weights.gained_m);
+  std::string text =
+      fmt::format("scene {} {}", game.scene->lasts_s, fmt::join(game.scene->ends, ""));
+  SceneWeights::visit(game.scene->weights, [&text](double weight, const Parameter& /*about*/) {
+    text += fmt::format(" {}", weight);
+  });
+  return text + "\n";
 }
 
 // Of a program's files, what they contain belongs to the identity of a game, not how they are

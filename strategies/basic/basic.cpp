@@ -4,12 +4,12 @@
 #include <cmath>
 #include <optional>
 
-#include "strategies/parameter.hpp"
 #include "strategies/skills/ease_off.hpp"
 #include "strategies/skills/openings.hpp"
 #include "strategies/skills/prediction.hpp"
 #include "strategies/skills/shot.hpp"
 #include "strategies/tactics/penalty.hpp"
+#include "strategies/tunable.hpp"
 
 namespace autoref::strategies::basic {
 namespace {

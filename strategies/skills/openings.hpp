@@ -1,6 +1,7 @@
 // Estimates how open the goal is for a shot, and how safe a pass is.
 #pragma once
 
+#include "soccer/abilities.hpp"
 #include "soccer/field.hpp"
 #include "soccer/tracks.hpp"
 #include "strategies/strategy.hpp"
@@ -16,7 +17,7 @@ struct Opening {
 
 // The kick, and the robot that does not count as a blocker.
 struct ShotTerms {
-  double kick_mps = 8.0;
+  double kick_mps = kUsualAbilities.kick_mps;
   int but_mate = -1;  // number of the team's robot that shoots
   double kick_error_rad = KickScatter{}.direction_rad;
 };

@@ -4,12 +4,12 @@
 
 #include <memory>
 
-#include "strategies/parameter.hpp"
 #include "strategies/plays/squad.hpp"
 #include "strategies/skills/limits.hpp"
 #include "strategies/skills/play_ball.hpp"
 #include "strategies/skills/prediction.hpp"
 #include "strategies/strategy.hpp"
+#include "strategies/tunable.hpp"
 
 namespace autoref::strategies::readme {
 

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "runner/settings/fields.hpp"
-#include "runner/settings/robot_types.hpp"
 
 namespace autoref::runner {
 bool is_decided_by_schedule(std::string_view path) {

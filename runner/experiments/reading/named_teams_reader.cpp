@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "runner/io/errors.hpp"
-#include "runner/settings/robot_types.hpp"
+#include "runner/settings/fields.hpp"
 
 namespace autoref::runner {
 namespace {

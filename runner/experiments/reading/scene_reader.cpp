@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "runner/io/words.hpp"
 #include "runner/settings/mapping.hpp"
+#include "soccer/named.hpp"
+#include "soccer/parameters.hpp"
 
 namespace autoref::runner {
 namespace {

@@ -11,6 +11,7 @@
 #include "runner/experiments/reading/scene_reader.hpp"
 #include "runner/io/words.hpp"
 #include "runner/settings/mapping.hpp"
+#include "soccer/named.hpp"
 
 namespace autoref::runner {
 namespace {

@@ -8,7 +8,7 @@
 #include "runner/experiments/tuning_schedule.hpp"
 #include "runner/experiments/tuning_settings.hpp"
 #include "runner/io/errors.hpp"
-#include "runner/settings/robot_types.hpp"
+#include "runner/settings/fields.hpp"
 #include "strategies/registry.hpp"
 
 namespace autoref::runner {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "referee/match.hpp"
+#include "runner/game/scene.hpp"
 #include "sim/configuration.hpp"
 #include "soccer/field.hpp"
 #include "strategies/basic/style.hpp"
@@ -51,11 +52,12 @@ std::size_t listed_count() {
 template <typename Of>
 class StructOfParameters : public testing::Test {};
 
-using Structs = testing::Types<DefenceArea, Field, referee::Match, sim::BallParameters,
-                               sim::ContactParameters, sim::RobotParameters, sim::KickerParameters,
-                               sim::DribblerParameters, sim::PlacementParameters,
-                               sim::VisionParameters, sim::RadioParameters, sim::LineUpParameters,
-                               sim::Configuration, strategies::Style, strategies::basic::Style>;
+using Structs =
+    testing::Types<DefenceArea, Field, referee::Match, sim::BallParameters, sim::ContactParameters,
+                   sim::RobotParameters, sim::KickerParameters, sim::DribblerParameters,
+                   sim::PlacementParameters, sim::VisionParameters, sim::RadioParameters,
+                   sim::LineUpParameters, sim::Configuration, SceneWeights, strategies::Style,
+                   strategies::basic::Style>;
 TYPED_TEST_SUITE(StructOfParameters, Structs);
 
 TYPED_TEST(StructOfParameters, ListsAllOfItsMembers) {

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
-#include "strategies/parameter.hpp"
+#include "strategies/tunable.hpp"
 
 namespace autoref::strategies {
 namespace {
@@ -13,7 +15,8 @@ Tunable tunable_named(const std::string& name, const Style& style) {
   const std::vector<Tunable> all = tunables_of(style);
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const Tunable& its) { return its.name == name; });
-  return found == all.end() ? Tunable{{"", ""}} : *found;
+  if (found == all.end()) throw std::out_of_range("the style has no number " + name);
+  return *found;
 }
 
 TEST(Tunables, TakeTheirDefaultsFromTheStyle) {
