@@ -131,6 +131,11 @@ class RefereeChecks:
         self.expect_within("referee: the counter grows by one", steps, 0, 1)
         if steps:
             # Two commands of one frame, such as STOP and HALT at the end of a half, have the same time.
+            self.expect(
+                "referee: a command is of the time of its packet",
+                packet.command_timestamp >= previous.command_timestamp,
+                f"{packet.command_timestamp} after {previous.command_timestamp}",
+            )
             age_us = packet.packet_timestamp - packet.command_timestamp
             self.expect_within("referee: a command is of the time of its packet", age_us, 0, LONGEST_GAP_US)
             self.check_announced(previous, packet)
