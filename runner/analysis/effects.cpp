@@ -77,11 +77,12 @@ std::vector<double> weights_of(const Design& design, const std::vector<FactorAnd
   return weights;
 }
 
-FactorLevel level_of(const Sweep& sweep, const Design& design, const FactorAndLevel& part) {
-  return {sweep.factors[part.factor].path, design.values[part.factor][part.level]};
+FactorLevel level_of(const std::vector<Factor>& factors, const Design& design,
+                     const FactorAndLevel& part) {
+  return {factors[part.factor].path, design.values[part.factor][part.level]};
 }
 
-Effect effect_of(const Sweep& sweep, const Design& design,
+Effect effect_of(const std::vector<Factor>& factors, const Design& design,
                  const std::vector<std::vector<double>>& pairs,
                  const std::vector<FactorAndLevel>& parts) {
   const std::vector<double> weights = weights_of(design, parts);
@@ -92,8 +93,8 @@ Effect effect_of(const Sweep& sweep, const Design& design,
     sample.push_back(sum);
   }
   Effect effect;
-  effect.level = level_of(sweep, design, parts.front());
-  if (parts.size() > 1) effect.other = level_of(sweep, design, parts.back());
+  effect.level = level_of(factors, design, parts.front());
+  if (parts.size() > 1) effect.other = level_of(factors, design, parts.back());
   effect.pairs = sample.size();
   effect.mean = mean(sample);
   effect.interval = mean_interval(sample);
@@ -126,8 +127,9 @@ Cells effect_columns() {
 
 }  // namespace
 
-std::vector<Effect> effects_of(const Sweep& sweep, const std::vector<Group>& groups) {
-  if (sweep.factors.size() < 2 || groups.empty()) return {};
+std::vector<Effect> effects_of(const std::vector<Factor>& factors,
+                               const std::vector<Group>& groups) {
+  if (factors.size() < 2 || groups.empty()) return {};
   const Design design = design_of(groups);
   const auto varied =
       std::count_if(design.values.begin(), design.values.end(),
@@ -138,11 +140,11 @@ std::vector<Effect> effects_of(const Sweep& sweep, const std::vector<Group>& gro
   std::vector<Effect> effects;
   effects.reserve(levels.size() * (levels.size() + 1) / 2);
   for (const FactorAndLevel& level : levels)
-    effects.push_back(effect_of(sweep, design, pairs, {level}));
+    effects.push_back(effect_of(factors, design, pairs, {level}));
   for (const FactorAndLevel& one : levels) {
     for (const FactorAndLevel& other : levels) {
       if (one.factor < other.factor)
-        effects.push_back(effect_of(sweep, design, pairs, {one, other}));
+        effects.push_back(effect_of(factors, design, pairs, {one, other}));
     }
   }
   set_holm(effects);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "runner/analysis/groups.hpp"
-#include "runner/experiments/scenario.hpp"
+#include "runner/experiments/factor.hpp"
 #include "runner/io/table.hpp"
 #include "runner/statistics/interval.hpp"
 
@@ -39,7 +39,8 @@ struct Effect {
 // each effect; these are an independent sample, from which Student's t interval and test come.
 // Empty unless the sweep has at least two factors with two or more values each, and some pair
 // number has all its games.
-std::vector<Effect> effects_of(const Sweep& sweep, const std::vector<Group>& groups);
+std::vector<Effect> effects_of(const std::vector<Factor>& factors,
+                               const std::vector<Group>& groups);
 
 // "b.robots 5", or "b.robots 5, b.handicap 0.8".
 std::string effect_name(const Effect& effect);

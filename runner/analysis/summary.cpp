@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/experiments/schedule.hpp"
 #include "runner/io/csv.hpp"
 #include "runner/io/table.hpp"
 #include "runner/statistics/mean_interval.hpp"
@@ -11,9 +12,9 @@
 namespace autoref::runner {
 namespace {
 
-Cells factor_paths(const Sweep& sweep) {
+Cells factor_paths(const std::vector<Factor>& factors) {
   Cells paths;
-  for (const Factor& factor : sweep.factors) paths.push_back(factor.path);
+  for (const Factor& factor : factors) paths.push_back(factor.path);
   return paths;
 }
 
@@ -58,14 +59,15 @@ Cells difference_texts(const PairedDifference& from_first) {
 
 }  // namespace
 
-std::vector<Group> grouped(const Sweep& sweep, const RowsById& rows) {
+std::vector<Group> grouped(const std::vector<Factor>& factors, const RowsById& rows) {
   return grouped(
-      spelt(combinations(sweep.factors)), [](const GameRow& row) { return row.values; }, rows);
+      spelt(combinations(factors)), [](const GameRow& row) { return row.values; }, rows);
 }
 
-std::optional<Slope> slope_over_factor(const Sweep& sweep, const std::vector<Group>& groups) {
-  if (sweep.factors.size() != 1) return std::nullopt;
-  const std::optional<std::vector<double>> values = numbers_of(sweep.factors.front());
+std::optional<Slope> slope_over_factor(const std::vector<Factor>& factors,
+                                       const std::vector<Group>& groups) {
+  if (factors.size() != 1) return std::nullopt;
+  const std::optional<std::vector<double>> values = numbers_of(factors.front());
   if (!values) return std::nullopt;
   std::vector<double> slopes;
   for (const auto& [pair, first] : groups.front().pair_differences) {
@@ -78,8 +80,8 @@ std::optional<Slope> slope_over_factor(const Sweep& sweep, const std::vector<Gro
   return Slope{mean(slopes), mean_interval(slopes)};
 }
 
-std::string summary_csv(const Sweep& sweep, const std::vector<Group>& groups) {
-  Cells columns = factor_paths(sweep);
+std::string summary_csv(const std::vector<Factor>& factors, const std::vector<Group>& groups) {
+  Cells columns = factor_paths(factors);
   append(columns, summary_columns());
   append(columns, difference_columns());
   append(columns, result_columns());
@@ -95,8 +97,9 @@ std::string summary_csv(const Sweep& sweep, const std::vector<Group>& groups) {
   return csv;
 }
 
-std::vector<Cells> summary_rows(const Sweep& sweep, const std::vector<Group>& groups) {
-  std::vector<Cells> rows = {factor_paths(sweep)};
+std::vector<Cells> summary_rows(const std::vector<Factor>& factors,
+                                const std::vector<Group>& groups) {
+  std::vector<Cells> rows = {factor_paths(factors)};
   append(rows.front(), table_columns());
   if (groups.size() > 1) append(rows.front(), {"from the first [95 %]", "p"});
   const std::vector<PairedDifference> from_first = differences_from_first(groups);
@@ -108,20 +111,19 @@ std::vector<Cells> summary_rows(const Sweep& sweep, const std::vector<Group>& gr
   return rows;
 }
 
-std::string slope_text(const Sweep& sweep, const std::vector<Group>& groups) {
-  const std::optional<Slope> slope = slope_over_factor(sweep, groups);
+std::string slope_text(const std::vector<Factor>& factors, const std::vector<Group>& groups) {
+  const std::optional<Slope> slope = slope_over_factor(factors, groups);
   if (!slope) return {};
-  const std::string text = fmt::format("a minus b changes by {:+.2f} per unit of {}", slope->mean,
-                                       sweep.factors.front().path);
+  const std::string text =
+      fmt::format("a minus b changes by {:+.2f} per unit of {}", slope->mean, factors.front().path);
   if (!slope->interval) return text + "\n";
   return text + fmt::format(" (95 % interval {:+.2f} to {:+.2f})\n", slope->interval->low,
                             slope->interval->high);
 }
 
-TextBlocks summary_table(const Sweep& sweep, const std::vector<Group>& groups) {
-  const std::size_t factors = sweep.factors.size();
-  TextBlocks blocks = {without_void_games({summary_rows(sweep, groups), {}, factors})};
-  const std::string slope = slope_text(sweep, groups);
+TextBlocks summary_table(const std::vector<Factor>& factors, const std::vector<Group>& groups) {
+  TextBlocks blocks = {without_void_games({summary_rows(factors, groups), {}, factors.size()})};
+  const std::string slope = slope_text(factors, groups);
   if (!slope.empty()) blocks.emplace_back("\n" + slope);
   return blocks;
 }

@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "runner/analysis/groups.hpp"
-#include "runner/experiments/scenario.hpp"
+#include "runner/experiments/factor.hpp"
 #include "runner/io/table.hpp"
 #include "runner/statistics/interval.hpp"
 
 namespace autoref::runner {
 
 // One group per combination of the factors' values, in the sweep's order.
-std::vector<Group> grouped(const Sweep& sweep, const RowsById& rows);
+std::vector<Group> grouped(const std::vector<Factor>& factors, const RowsById& rows);
 
 struct Slope {
   double mean = 0;
@@ -26,19 +26,21 @@ struct Slope {
 // sample, and their mean and its Student's t confidence interval are returned. Pair numbers with a
 // void or missing leg at any value are left out. Returns nullopt unless the sweep has exactly one
 // factor, with at least two values, and all values are numbers.
-std::optional<Slope> slope_over_factor(const Sweep& sweep, const std::vector<Group>& groups);
+std::optional<Slope> slope_over_factor(const std::vector<Factor>& factors,
+                                       const std::vector<Group>& groups);
 
 // summary.csv: one row per combination with summary_cells(), then the difference of "a minus b"
 // from the first combination over the pair numbers that both have: mean, interval, p value, p value
 // with Holm's correction over all rows, and effect size (statistics/paired_difference.hpp); finally
 // the numbers and fractions of games won, drawn and lost.
-std::string summary_csv(const Sweep& sweep, const std::vector<Group>& groups);
+std::string summary_csv(const std::vector<Factor>& factors, const std::vector<Group>& groups);
 
 // The text table, starting with its header, and the line about the slope, empty if there is none.
-std::vector<Cells> summary_rows(const Sweep& sweep, const std::vector<Group>& groups);
-std::string slope_text(const Sweep& sweep, const std::vector<Group>& groups);
+std::vector<Cells> summary_rows(const std::vector<Factor>& factors,
+                                const std::vector<Group>& groups);
+std::string slope_text(const std::vector<Factor>& factors, const std::vector<Group>& groups);
 
 // Both as lines of text.
-TextBlocks summary_table(const Sweep& sweep, const std::vector<Group>& groups);
+TextBlocks summary_table(const std::vector<Factor>& factors, const std::vector<Group>& groups);
 
 }  // namespace autoref::runner

@@ -129,21 +129,21 @@ std::vector<Cells> rows_from_first_open_tie(const std::vector<Tie>& ties, std::v
 
 ExperimentResults results_of(const Sweep& sweep, const RowsById& rows) {
   ExperimentResults results;
-  results.groups = grouped(sweep, rows);
-  results.files = {{"summary.csv", "a row per value", summary_csv(sweep, results.groups)}};
-  results.table = summary_table(sweep, results.groups);
-  results.effects = effects_of(sweep, results.groups);
+  results.groups = grouped(sweep.factors, rows);
+  results.files = {{"summary.csv", "a row per value", summary_csv(sweep.factors, results.groups)}};
+  results.table = summary_table(sweep.factors, results.groups);
+  results.effects = effects_of(sweep.factors, results.groups);
   if (!results.effects.empty()) {
     results.files.push_back(
         {"effects.csv", "a row per effect of the factors", effects_csv(results.effects)});
     results.table.emplace_back("\n");
     for (auto& block : effects_table(results.effects)) results.table.push_back(std::move(block));
   }
-  results.shown = {{summary_rows(sweep, results.groups),
+  results.shown = {{summary_rows(sweep.factors, results.groups),
                     {},
                     "values",
                     columns_to_spare(sweep.factors.size()),
-                    slope_text(sweep, results.groups)}};
+                    slope_text(sweep.factors, results.groups)}};
   results.json = std::make_shared<Json>(Json{{"groups", json_of(results.groups)}});
   return results;
 }

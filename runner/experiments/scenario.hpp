@@ -4,12 +4,12 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "runner/experiments/factor.hpp"
 #include "runner/experiments/gauntlet.hpp"
 #include "runner/experiments/judge_schedule.hpp"
 #include "runner/experiments/knockout.hpp"
@@ -20,17 +20,6 @@
 #include "runner/settings/game_settings.hpp"
 
 namespace autoref::runner {
-
-// A setting varied by a sweep, by its short path ("b.handicap"), and its values. The first value is
-// the baseline.
-struct Factor {
-  std::string path;
-  std::vector<SettingValue> values;
-  bool operator==(const Factor&) const = default;
-};
-
-// The factor's values as numbers; nullopt if one of them is a word.
-std::optional<std::vector<double>> numbers_of(const Factor& factor);
 
 // Plays every combination of the factors' values for `pairs` pairs of legs.
 struct Sweep {

@@ -35,7 +35,7 @@ std::string csv_of(const std::vector<Group>& groups, const std::vector<std::stri
 std::string slope_text(const Scenario& scenario, const std::vector<Group>& groups) {
   const auto* sweep = std::get_if<Sweep>(&scenario.content);
   const std::optional<Slope> slope =
-      sweep == nullptr ? std::nullopt : slope_over_factor(*sweep, groups);
+      sweep == nullptr ? std::nullopt : slope_over_factor(sweep->factors, groups);
   if (!slope) return "";
   return fmt::format(" Slope: {} goals per game per unit of {}.",
                      mean_text(slope->mean, slope->interval), sweep->factors.front().path);

@@ -7,7 +7,6 @@
 #include <functional>
 
 #include "runner/analysis/summary.hpp"
-#include "tests/runner/batch/fake_games.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -15,11 +14,7 @@ namespace {
 // Three robots' numbers by two numbers: the score difference of pair k in each combination.
 using DifferenceOf = std::function<int(int a, int b, int pair)>;
 
-Sweep factorial_sweep(int pairs) {
-  Sweep sweep = std::get<Sweep>(small_sweep(pairs).content);
-  sweep.factors = {{"a.robots", {6, 5, 4}}, {"b.robots", {6, 5}}};
-  return sweep;
-}
+const std::vector<Factor> kTwoFactors = {{"a.robots", {6, 5, 4}}, {"b.robots", {6, 5}}};
 
 std::vector<Effect> effects_with(int pairs, const DifferenceOf& score,
                                  const std::string& lost = {}) {
@@ -39,8 +34,7 @@ std::vector<Effect> effects_with(int pairs, const DifferenceOf& score,
       }
     }
   }
-  const Sweep sweep = factorial_sweep(pairs);
-  return effects_of(sweep, grouped(sweep, rows));
+  return effects_of(kTwoFactors, grouped(kTwoFactors, rows));
 }
 
 std::vector<std::string> names_of(const std::vector<Effect>& effects) {
@@ -96,7 +90,7 @@ TEST(Effects, LeaveOutPairsWithAMissingGame) {
 }
 
 TEST(Effects, NeedTwoFactors) {
-  const Sweep one = std::get<Sweep>(small_sweep().content);
+  const std::vector<Factor> one = {{"b.robots", {6, 5}}};
   EXPECT_TRUE(effects_of(one, grouped(one, RowsById{})).empty());
   EXPECT_TRUE(effects_table({}).empty());
 }

@@ -6,10 +6,11 @@
 #include <cmath>
 
 #include "runner/io/csv.hpp"
-#include "tests/runner/batch/fake_games.hpp"
 
 namespace autoref::runner {
 namespace {
+
+const std::vector<Factor> kRobots = {{"b.robots", {6, 5}}};
 
 struct FakeLeg {
   int goals_a = 0;
@@ -44,10 +45,8 @@ std::vector<Group> groups_of(const std::vector<FakePair>& pairs) {
     for (std::size_t leg = 0; leg < pair.legs.size(); ++leg)
       rows[fmt::format("game {:03}", rows.size())] = row_of_leg(pair, leg);
   }
-  return grouped(std::get<Sweep>(small_sweep().content), rows);
+  return grouped(kRobots, rows);
 }
-
-const Sweep kSmallSweep = std::get<Sweep>(small_sweep().content);
 
 TEST(Summary, AveragesDifferencesOverThePairOfLegs) {
   const std::vector<Group> groups =
@@ -69,7 +68,7 @@ TEST(Summary, HasARowPerValueWithMeansAndDeviations) {
   const std::vector<Group> groups =
       groups_of({{"6", 1, {{1, 1}, {3, 1}}}, {"5", 1, {{4, 0}, {4, 0}}}});
   // The standard deviation of 1 and 3 is sqrt(2).
-  EXPECT_EQ(summary_csv(kSmallSweep, groups),
+  EXPECT_EQ(summary_csv(kRobots, groups),
             "b.robots,games,void_games,mean_a,sd_a,mean_b,sd_b,mean_diff,sd_diff,pairs,diff_low95,"
             "diff_high95,from_first,from_first_low95,from_first_high95,p,p_holm,effect_size," +
                 csv_line(result_columns()) +
@@ -84,7 +83,7 @@ TEST(Summary, HasARowPerValueWithMeansAndDeviations) {
 TEST(Summary, FitsTheSlopeOverThePairs) {
   const std::vector<Group> groups =
       groups_of({{"6", 1, {{1, 1}, {3, 1}}}, {"5", 1, {{4, 0}, {4, 0}}}});
-  EXPECT_NEAR(slope_over_factor(kSmallSweep, groups).value().mean, -3.0, 1e-12);
+  EXPECT_NEAR(slope_over_factor(kRobots, groups).value().mean, -3.0, 1e-12);
 }
 
 TEST(Summary, ComputesTheSlopesIntervalOverPairNumbers) {
@@ -94,7 +93,7 @@ TEST(Summary, ComputesTheSlopesIntervalOverPairNumbers) {
                                                {"5", 1, {{4, 0}, {4, 0}}},
                                                {"5", 2, {{10, 0}, {10, 0}}},
                                                {"5", 3, {{7, 0}, {7, 0}}}});
-  const Slope slope = slope_over_factor(kSmallSweep, groups).value();
+  const Slope slope = slope_over_factor(kRobots, groups).value();
   EXPECT_NEAR(slope.mean, -2.0, 1e-12);
   // Slopes -3, -1, -2: standard deviation 1, t(0.975, 2) = 4.302653 from tables.
   EXPECT_NEAR(slope.interval.value().low, -2 - 4.302653 / std::sqrt(3.0), 1e-6);
@@ -106,20 +105,17 @@ TEST(Summary, LeavesAPairNumberWithAVoidLegOutOfTheSlope) {
                                                {"6", 2, {{9, 0}, void_leg(9, 0)}},
                                                {"5", 1, {{4, 0}, {4, 0}}},
                                                {"5", 2, {{10, 0}, {10, 0}}}});
-  const Slope slope = slope_over_factor(kSmallSweep, groups).value();
+  const Slope slope = slope_over_factor(kRobots, groups).value();
   EXPECT_NEAR(slope.mean, -3.0, 1e-12);
   EXPECT_FALSE(slope.interval);
 }
 
 TEST(Summary, DoesNotFitASlopeOverNamesOrSeveralFactors) {
-  Sweep sweep;
-  sweep.factors = {{"a.strategy", {"basic", "dummy"}}};
   Group basic;
   basic.values = {"basic"};
   basic.pair_differences = {{1, 1}};
-  EXPECT_FALSE(slope_over_factor(sweep, {basic}));
-  sweep.factors = {{"a.robots", {6}}, {"b.robots", {6}}};
-  EXPECT_FALSE(slope_over_factor(sweep, {}));
+  EXPECT_FALSE(slope_over_factor({{"a.strategy", {"basic", "dummy"}}}, {basic}));
+  EXPECT_FALSE(slope_over_factor({{"a.robots", {6}}, {"b.robots", {6}}}, {}));
 }
 
 // The paired differences from the value of 6 robots are 3, 1 and 2: mean 2, standard deviation 1, t
@@ -132,15 +128,15 @@ TEST(SummaryTable, ComparesEachValueWithTheFirst) {
                                                {"5", 1, {{4, 0}, {4, 0}}},
                                                {"5", 2, {{6, 0}, {6, 0}}},
                                                {"5", 3, {{2, 0}, {2, 0}}}});
-  const std::string table = text_of(summary_table(kSmallSweep, groups));
+  const std::string table = text_of(summary_table(kRobots, groups));
   EXPECT_NE(table.find("+2.00 [-0.48, +4.48]   0.074\n"), std::string::npos) << table;
 }
 
 TEST(SummaryTable, HasScoresDifferencesAndVoidGames) {
   const std::string table =
-      text_of(summary_table(kSmallSweep, groups_of({{"6", 1, {{1, 1}, {3, 1}}},
-                                                    {"6", 2, {{1, 1}, {1, 1}}},
-                                                    {"5", 1, {void_leg(4, 0)}}})));
+      text_of(summary_table(kRobots, groups_of({{"6", 1, {{1, 1}, {3, 1}}},
+                                                {"6", 2, {{1, 1}, {1, 1}}},
+                                                {"5", 1, {void_leg(4, 0)}}})));
   // The pairs' differences are 1 and 0: mean 0.5, t(0.975, 1) = 12.706, standard error 0.5.
   EXPECT_NE(table.find("+0.50 [-5.85, +6.85]"), std::string::npos) << table;
   EXPECT_NE(table.find("1.50 ± 1.00"), std::string::npos) << table;
