@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "runner/io/csv.hpp"
-#include "runner/io/table.hpp"
+#include "runner/analysis/interval_columns.hpp"
+#include "runner/io/table_columns.hpp"
 #include "runner/statistics/holm.hpp"
 #include "runner/statistics/mean_interval.hpp"
 #include "runner/statistics/sample.hpp"
@@ -120,9 +120,20 @@ void set_holm(std::vector<Effect>& effects) {
     if (effect.p) effect.p_holm = *next++;
 }
 
-Cells effect_columns() {
-  return {"factor", "value", "other_factor", "other_value", "pairs",
-          "mean",   "low95", "high95",       "p",           "p_holm"};
+FactorLevel other_level(const Effect& effect) { return effect.other.value_or(FactorLevel{}); }
+
+TableColumns<Effect> effect_columns() {
+  const TableColumns<Effect> first = {
+      {"factor", [](const Effect& effect) { return effect.level.factor; }},
+      {"value", [](const Effect& effect) { return effect.level.value; }},
+      {"other_factor", [](const Effect& effect) { return other_level(effect).factor; }},
+      {"other_value", [](const Effect& effect) { return other_level(effect).value; }},
+      {"pairs", [](const Effect& effect) { return static_cast<int>(effect.pairs); }},
+      {"mean", &Effect::mean}};
+  const TableColumns<Effect> last = {
+      {"p", [](const Effect& effect) { return p_cell(effect.p); }},
+      {"p_holm", [](const Effect& effect) { return p_cell(effect.p_holm); }}};
+  return joined(first, interval_columns<Effect>("", &Effect::interval), last);
 }
 
 }  // namespace
@@ -157,16 +168,7 @@ std::string effect_name(const Effect& effect) {
 }
 
 std::string effects_csv(const std::vector<Effect>& effects) {
-  std::string csv = csv_line(effect_columns()) + "\n";
-  for (const Effect& effect : effects) {
-    const FactorLevel other = effect.other.value_or(FactorLevel{});
-    const auto& [low, high] = bounds_of(effect.interval);
-    csv += csv_line({effect.level.factor, effect.level.value, other.factor, other.value,
-                     std::to_string(effect.pairs), number_cell(effect.mean), number_cell(low),
-                     number_cell(high), p_cell(effect.p), p_cell(effect.p_holm)}) +
-           "\n";
-  }
-  return csv;
+  return csv_text(table_rows(effect_columns(), effects));
 }
 
 TextBlocks effects_table(const std::vector<Effect>& effects) {

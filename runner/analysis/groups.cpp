@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "runner/results/scores.hpp"
 #include "runner/statistics/mean_interval.hpp"
@@ -40,16 +40,18 @@ DifferenceByPair pair_differences_of(const Group& group) {
   return differences;
 }
 
-std::optional<double> mean_of(const std::vector<double>& sample) {
-  return sample.empty() ? std::nullopt : std::optional(mean(sample));
-}
-
 // "1.50 ± 1.00": mean and standard deviation; "-" without games.
 std::string score_text(const std::vector<double>& goals) {
   if (goals.empty()) return "-";
   const std::optional<double> deviation = standard_deviation(goals);
   return deviation ? fmt::format("{:.2f} ± {:.2f}", mean(goals), *deviation)
                    : fmt::format("{:.2f}", mean(goals));
+}
+
+// The columns mean_NAME and sd_NAME.
+TableColumns<Group> sample_columns(const std::string& name, std::vector<double> Group::*sample) {
+  return {{"mean_" + name, [=](const Group& group) { return mean_of(group.*sample); }, kInJson},
+          {"sd_" + name, [=](const Group& group) { return standard_deviation(group.*sample); }}};
 }
 
 }  // namespace
@@ -78,38 +80,53 @@ std::vector<double> values_of(const DifferenceByPair& differences) {
   return values;
 }
 
-Cells summary_columns() {
-  return {"games",     "void_games", "mean_a", "sd_a",       "mean_b",     "sd_b",
-          "mean_diff", "sd_diff",    "pairs",  "diff_low95", "diff_high95"};
+std::optional<double> mean_of(const std::vector<double>& sample) {
+  return sample.empty() ? std::nullopt : std::optional(mean(sample));
 }
 
-Cells summary_cells(const Group& group) {
-  Cells cells = {std::to_string(group.goals_a.size()), std::to_string(group.void_games)};
-  for (const auto* sample : {&group.goals_a, &group.goals_b, &group.differences}) {
-    cells.push_back(number_cell(mean_of(*sample)));
-    cells.push_back(number_cell(standard_deviation(*sample)));
+TableColumns<Group> summary_columns() {
+  const auto interval = [](const Group& group) {
+    return mean_interval(values_of(group.pair_differences));
+  };
+  return joined(TableColumns<Group>{{"games", &Group::games, kInJson},
+                                    {"void_games", &Group::void_games, kInJson}},
+                sample_columns("a", &Group::goals_a), sample_columns("b", &Group::goals_b),
+                sample_columns("diff", &Group::differences),
+                TableColumns<Group>{{"pairs", &Group::pairs}},
+                interval_columns<Group>("diff_", interval));
+}
+
+TableColumns<Group> result_columns() {
+  const TableColumns<Group> counts = {{"wins_a", &Group::wins_a, kInJson},
+                                      {"draws", &Group::draws, kInJson},
+                                      {"wins_b", &Group::wins_b, kInJson}};
+  return joined(counts, share_columns(counts));
+}
+
+Json json_of(const std::vector<Group>& groups) {
+  const TableColumns<Group> columns = joined(summary_columns(), result_columns());
+  Json all = Json::array();
+  for (const Group& group : groups) {
+    all.push_back({{"values", group.values}});
+    add_members(all.back(), columns, group);
   }
-  cells.push_back(std::to_string(group.pair_differences.size()));
-  const auto& [low, high] = bounds_of(mean_interval(values_of(group.pair_differences)));
-  append(cells, {number_cell(low), number_cell(high)});
-  return cells;
+  return all;
 }
 
-Cells table_columns() { return {"games", "goals a", "goals b", "a minus b [95 %]", kVoidHead}; }
+TableColumns<Group> text_columns() {
+  return {{kGamesHead, &Group::games},
+          {kGoalsAHead, [](const Group& group) { return score_text(group.goals_a); }},
+          {kGoalsBHead, [](const Group& group) { return score_text(group.goals_b); }},
+          {kDifferenceHead,
+           [](const Group& group) {
+             return difference_text(group.differences, values_of(group.pair_differences));
+           }},
+          {kVoidHead, &Group::void_games}};
+}
 
 TextTable without_void_games(TextTable table) {
-  const Cells& head = table.rows.front();
-  const auto found = std::find(head.begin(), head.end(), kVoidHead);
-  if (found == head.end()) return table;
-  const auto column = static_cast<std::size_t>(found - head.begin());
+  const std::size_t column = column_named(table.rows.front(), kVoidHead);
   return without_zeros(std::move(table), column);
-}
-
-Cells table_cells(const Group& group) {
-  return {std::to_string(group.goals_a.size()), score_text(group.goals_a),
-          score_text(group.goals_b),
-          difference_text(group.differences, values_of(group.pair_differences)),
-          std::to_string(group.void_games)};
 }
 
 std::string difference_text(const std::vector<double>& differences,
@@ -131,16 +148,6 @@ std::string mean_text(double mean, const std::optional<Interval>& interval) {
 
 std::string p_text(double p) { return p < 0.001 ? "<0.001" : fmt::format("{:.3f}", p); }
 
-std::pair<std::optional<double>, std::optional<double>> bounds_of(
-    const std::optional<Interval>& interval) {
-  if (!interval) return {};
-  return {interval->low, interval->high};
-}
-
 std::string p_cell(std::optional<double> p) { return p ? fmt::format("{:.6g}", *p) : ""; }
-
-std::string number_cell(std::optional<double> number) {
-  return number ? fmt::format("{:.4f}", *number) : "";
-}
 
 }  // namespace autoref::runner

@@ -5,12 +5,14 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "runner/analysis/interval_columns.hpp"
 #include "runner/analysis/result_shares.hpp"
 #include "runner/io/csv.hpp"
+#include "runner/io/json.hpp"
 #include "runner/io/table.hpp"
+#include "runner/io/table_columns.hpp"
 #include "runner/results/game_row.hpp"
 #include "runner/statistics/interval.hpp"
 #include "runner/statistics/paired_difference.hpp"
@@ -33,6 +35,8 @@ struct Group {
   int draws = 0;
   int wins_b = 0;
 
+  int games() const { return static_cast<int>(differences.size()); }  // without void games
+  int pairs() const { return static_cast<int>(pair_differences.size()); }
   ResultCounts results() const { return {wins_a, draws, wins_b}; }
 };
 
@@ -41,25 +45,36 @@ std::vector<Group> grouped(const std::vector<std::vector<std::string>>& values,
                            const std::function<std::vector<std::string>(const GameRow&)>& values_of,
                            const RowsById& rows);
 
+// The mean; nullopt of an empty sample.
+std::optional<double> mean_of(const std::vector<double>& sample);
+
 // The differences in the order of the pair numbers.
 std::vector<double> values_of(const DifferenceByPair& differences);
 
 // A group's columns in summary.csv after its values: games, means and standard deviations (over
 // games), and the 95 % interval of the mean difference (over pairs). Missing values are empty
 // cells.
-Cells summary_columns();
-Cells summary_cells(const Group& group);
+TableColumns<Group> summary_columns();
 
 // Columns for the results: team a's wins, draws and losses, and their fractions of all games
 // (result_shares.hpp).
-inline Cells result_columns() { return share_columns({"wins_a", "draws", "wins_b"}); }
+TableColumns<Group> result_columns();
+
+// [{"values": ["1.0"], "games": 24, "void_games": 0, "mean_a": 4.54, "mean_b": 3.33,
+//   "mean_diff": 1.21, "wins_a": 14, "draws": 2, "wins_b": 8}, ...], with columns of summary.csv;
+// without games, means are null.
+Json json_of(const std::vector<Group>& groups);
 
 // A group's columns in text tables: games, goals, mean difference with its interval, void games.
-Cells table_columns();
+TableColumns<Group> text_columns();
+inline constexpr const char* kGamesHead = "games";
+inline constexpr const char* kGoalsAHead = "goals a";
+inline constexpr const char* kGoalsBHead = "goals b";
+inline constexpr const char* kDifferenceHead = "a minus b [95 %]";
 inline constexpr const char* kVoidHead = "void";
-Cells table_cells(const Group& group);
 
-// The table without its column of void games if no game is void.
+// The table without its column of void games if no game is void. Throws std::logic_error if it does
+// not have that column.
 TextTable without_void_games(TextTable table);
 
 // "+0.50 [-0.10, +1.10]": the mean over games, followed by its 95 % interval over pairs if known.
@@ -74,14 +89,7 @@ std::string mean_text(double mean, const std::optional<Interval>& interval);
 // "0.032", or "<0.001".
 std::string p_text(double p);
 
-// The interval's bounds; both nullopt if there is no interval.
-std::pair<std::optional<double>, std::optional<double>> bounds_of(
-    const std::optional<Interval>& interval);
-
 // A p value as a CSV cell, with six significant digits; empty if nullopt.
 std::string p_cell(std::optional<double> p);
-
-// A number as a CSV cell; "inf" and "-inf" for infinity, empty if nullopt.
-std::string number_cell(std::optional<double> number);
 
 }  // namespace autoref::runner

@@ -48,10 +48,10 @@ std::string name_of(Verdict verdict) {
 
 std::string sprt_match_csv(const SprtMatch& match, const Group& matchup,
                            const SprtMatchState& state) {
-  Cells columns = matchup_columns();
+  Cells columns = heads_of(matchup_columns());
   append(columns, {"verdict", "test_pairs", "void_pairs", "log_likelihood_ratio", "d0", "d1",
                    "alpha", "beta", "min_pairs", "max_pairs"});
-  Cells cells = matchup_cells(matchup);
+  Cells cells = cells_of(matchup_columns(), matchup);
   append(cells, {name_of(state.test.verdict), std::to_string(state.test.pairs),
                  std::to_string(state.void_pairs),
                  fmt::format("{:.4f}", state.test.log_likelihood_ratio)});

@@ -10,8 +10,8 @@
 namespace autoref::runner {
 namespace {
 
-double sum_of(const std::vector<double>& sample) {
-  return std::accumulate(sample.begin(), sample.end(), 0.0);
+int sum_of(const std::vector<double>& goals) {
+  return static_cast<int>(std::accumulate(goals.begin(), goals.end(), 0.0));
 }
 
 // `sign` is -1 if the team is b in the matchup.
@@ -77,6 +77,8 @@ std::vector<Standing> ordered(const std::map<std::string, Standing>& by_team) {
     standings.back().team = team;
   }
   std::sort(standings.begin(), standings.end(), is_better);
+  for (Standing& standing : standings)
+    standing.rank = static_cast<int>(&standing - standings.data()) + 1;
   return standings;
 }
 

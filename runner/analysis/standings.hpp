@@ -16,13 +16,14 @@ std::vector<Group> grouped(const std::vector<Matchup>& matchups, const RowsById&
 
 // One team's results over all its matchups. Void games count only in `void_games`.
 struct Standing {
+  int rank = 0;  // 1 is the best
   std::string team;
   int wins = 0;
   int draws = 0;
   int losses = 0;
   int void_games = 0;
-  double goals_for = 0;
-  double goals_against = 0;
+  int goals_for = 0;
+  int goals_against = 0;
   std::vector<double> differences;       // per game: goals for minus goals against
   std::vector<double> pair_differences;  // mean over the two legs; no pairs with a void leg
   bool is_rated = false;                 // whether the two ratings are valid
@@ -31,6 +32,7 @@ struct Standing {
 
   int games() const { return wins + draws + losses; }
   int points() const { return 3 * wins + draws; }
+  int pairs() const { return static_cast<int>(pair_differences.size()); }
   ResultCounts results() const { return {wins, draws, losses}; }
 };
 

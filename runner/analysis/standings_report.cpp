@@ -2,135 +2,117 @@
 
 #include <fmt/format.h>
 
-#include <tuple>
+#include <nlohmann/json.hpp>
 
-#include "runner/io/csv.hpp"
-#include "runner/io/table.hpp"
 #include "runner/statistics/mean_interval.hpp"
-#include "runner/statistics/sample.hpp"
 
 namespace autoref::runner {
 namespace {
 
-Cells results_of(const Group& matchup) {
-  return {std::to_string(matchup.wins_a), std::to_string(matchup.draws),
-          std::to_string(matchup.wins_b)};
+using StandingColumns = TableColumns<Standing>;
+
+// The columns NAME, NAME_low95 and NAME_high95.
+StandingColumns rating_columns(const std::string& name, Rating Standing::*rating) {
+  const auto value = [rating](const Standing& standing) { return (standing.*rating).value; };
+  const auto interval = [rating](const Standing& standing) { return (standing.*rating).interval; };
+  return joined(StandingColumns{{name, value}}, interval_columns<Standing>(name + "_", interval));
 }
 
-std::string csv_of(const std::vector<Cells>& rows) {
-  std::string csv;
-  for (const Cells& row : rows) csv += csv_line(row) + "\n";
-  return csv;
+StandingColumns record_columns(const StandingColumns& counts) {
+  return joined(
+      StandingColumns{{"rank", &Standing::rank},
+                      {"team", &Standing::team, kInJson},
+                      {"points", &Standing::points, kInJson},
+                      {"games", &Standing::games, kInJson}},
+      counts,
+      StandingColumns{
+          {"void_games", &Standing::void_games},
+          {"goals_for", &Standing::goals_for, kInJson},
+          {"goals_against", &Standing::goals_against, kInJson},
+          {"mean_diff", [](const Standing& standing) { return mean_of(standing.differences); }},
+          {"pairs", &Standing::pairs}},
+      interval_columns<Standing>("diff_", [](const Standing& standing) {
+        return mean_interval(standing.pair_differences);
+      }));
 }
 
-// The first cells of a team's row, both in standings.csv and in the text table.
-Cells record_of(const Standing& standing, std::size_t rank) {
-  return {std::to_string(rank),
-          standing.team,
-          std::to_string(standing.points()),
-          std::to_string(standing.games()),
-          std::to_string(standing.wins),
-          std::to_string(standing.draws),
-          std::to_string(standing.losses)};
+StandingColumns standing_columns(bool with_ratings) {
+  const StandingColumns counts = {{"wins", &Standing::wins, kInJson},
+                                  {"draws", &Standing::draws, kInJson},
+                                  {"losses", &Standing::losses, kInJson}};
+  StandingColumns columns = record_columns(counts);
+  if (with_ratings)
+    columns = joined(columns, rating_columns("rating_goals", &Standing::goals),
+                     rating_columns("bradley_terry", &Standing::strength));
+  return joined(columns, share_columns(counts));
 }
 
-Cells difference_cells(const Standing& standing) {
-  const std::vector<double>& sample = standing.differences;
-  const auto& [low, high] = bounds_of(mean_interval(standing.pair_differences));
-  return {number_cell(sample.empty() ? std::nullopt : std::optional(mean(sample))),
-          std::to_string(standing.pair_differences.size()), number_cell(low), number_cell(high)};
+TableColumn<Standing> rating_text_column(const char* head, Rating Standing::*rating) {
+  return {head, [=](const Standing& standing) {
+            return mean_text((standing.*rating).value, (standing.*rating).interval);
+          }};
 }
 
-Cells rating_columns() {
-  return {"rating_goals",  "rating_goals_low95",  "rating_goals_high95",
-          "bradley_terry", "bradley_terry_low95", "bradley_terry_high95"};
-}
-
-Cells rating_cells(const Standing& standing) {
-  Cells cells;
-  for (const Rating* rating : {&standing.goals, &standing.strength}) {
-    const auto& [low, high] = bounds_of(rating->interval);
-    append(cells, {number_cell(rating->value), number_cell(low), number_cell(high)});
+StandingColumns standing_text_columns(bool with_ratings) {
+  StandingColumns columns = {{"", &Standing::rank},
+                             {"team", &Standing::team},
+                             {"points", &Standing::points},
+                             {kGamesHead, &Standing::games},
+                             {"won", &Standing::wins},
+                             {"drawn", &Standing::draws},
+                             {"lost", &Standing::losses},
+                             {"goals", [](const Standing& standing) {
+                                return fmt::format("{}:{}", standing.goals_for,
+                                                   standing.goals_against);
+                              }}};
+  if (with_ratings) {
+    columns.push_back(rating_text_column(kGoalRatingHead, &Standing::goals));
+    columns.push_back(rating_text_column(kStrengthHead, &Standing::strength));
+    return columns;
   }
-  return cells;
+  columns.push_back({kGoalDifferenceHead, [](const Standing& standing) {
+                       return difference_text(standing.differences, standing.pair_differences);
+                     }});
+  return columns;
 }
 
-Cells rating_texts(const Standing& standing) {
-  return {mean_text(standing.goals.value, standing.goals.interval),
-          mean_text(standing.strength.value, standing.strength.interval)};
-}
-
-// Drops the counts, which have their own columns further left.
-Cells shares_only(const Cells& cells) {
-  return {cells.begin() + std::tuple_size_v<ResultCounts>, cells.end()};
+TableColumns<Group> team_columns(const char* head_a, const char* head_b) {
+  return {{head_a, [](const Group& matchup) { return matchup.values[0]; }},
+          {head_b, [](const Group& matchup) { return matchup.values[1]; }}};
 }
 
 }  // namespace
 
-Cells matchup_columns() {
-  Cells columns = {"team_a", "team_b"};
-  append(columns, summary_columns());
-  append(columns, result_columns());
-  return columns;
-}
-
-Cells matchup_cells(const Group& matchup) {
-  Cells cells = matchup.values;
-  append(cells, summary_cells(matchup));
-  append(cells, share_cells(matchup.results()));
-  return cells;
+TableColumns<Group> matchup_columns() {
+  return joined(team_columns("team_a", "team_b"), summary_columns(), result_columns());
 }
 
 std::string matchups_csv(const std::vector<Group>& matchups) {
-  std::vector<Cells> rows = {matchup_columns()};
-  for (const Group& matchup : matchups) rows.push_back(matchup_cells(matchup));
-  return csv_of(rows);
+  return csv_text(table_rows(matchup_columns(), matchups));
 }
 
 std::string standings_csv(const std::vector<Standing>& standings) {
-  std::vector<Cells> rows = {{"rank", "team", "points", "games", "wins", "draws", "losses",
-                              "void_games", "goals_for", "goals_against", "mean_diff", "pairs",
-                              "diff_low95", "diff_high95"}};
-  if (are_rated(standings)) append(rows.front(), rating_columns());
-  append(rows.front(), shares_only(share_columns({"wins", "draws", "losses"})));
+  return csv_text(table_rows(standing_columns(are_rated(standings)), standings));
+}
+
+Json json_of(const std::vector<Standing>& standings) {
+  const StandingColumns columns = standing_columns(are_rated(standings));
+  Json all = Json::array();
   for (const Standing& standing : standings) {
-    Cells cells = record_of(standing, rows.size());
-    append(cells, {std::to_string(standing.void_games), fmt::format("{}", standing.goals_for),
-                   fmt::format("{}", standing.goals_against)});
-    append(cells, difference_cells(standing));
-    if (standing.is_rated) append(cells, rating_cells(standing));
-    append(cells, shares_only(share_cells(standing.results())));
-    rows.push_back(std::move(cells));
+    all.push_back(Json::object());
+    add_members(all.back(), columns, standing);
   }
-  return csv_of(rows);
+  return all;
 }
 
 std::vector<Cells> matchups_rows(const std::vector<Group>& matchups) {
-  std::vector<Cells> rows = {{"a", "b"}};
-  append(rows.front(), table_columns());
-  append(rows.front(), {"a won", "drawn", "b won"});
-  for (const Group& matchup : matchups) {
-    rows.push_back(matchup.values);
-    append(rows.back(), table_cells(matchup));
-    append(rows.back(), results_of(matchup));
-  }
-  return rows;
+  const TableColumns<Group> counts = {
+      {"a won", &Group::wins_a}, {"drawn", &Group::draws}, {"b won", &Group::wins_b}};
+  return table_rows(joined(team_columns("a", "b"), text_columns(), counts), matchups);
 }
 
 std::vector<Cells> standings_rows(const std::vector<Standing>& standings) {
-  std::vector<Cells> rows = {{"", "team", "points", "games", "won", "drawn", "lost", "goals"}};
-  append(rows.front(), are_rated(standings)
-                           ? Cells{"rating in goals [95 %]", "Bradley-Terry [95 %]"}
-                           : Cells{"goal difference [95 %]"});
-  for (const Standing& standing : standings) {
-    Cells cells = record_of(standing, rows.size());
-    cells.push_back(fmt::format("{}:{}", standing.goals_for, standing.goals_against));
-    append(cells, standing.is_rated
-                      ? rating_texts(standing)
-                      : Cells{difference_text(standing.differences, standing.pair_differences)});
-    rows.push_back(std::move(cells));
-  }
-  return rows;
+  return table_rows(standing_text_columns(are_rated(standings)), standings);
 }
 
 TextTable matchups_table(const std::vector<Group>& matchups) {

@@ -1,18 +1,19 @@
-// A round robin's results as CSV files and as text tables.
+// A round robin's results as CSV files, as JSON and as text tables.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "runner/analysis/standings.hpp"
+#include "runner/io/json.hpp"
 #include "runner/io/table.hpp"
+#include "runner/io/table_columns.hpp"
 
 namespace autoref::runner {
 
-// A matchup's row: its teams, summary_cells(), then team a's wins, draws and losses with their
-// fractions.
-Cells matchup_columns();
-Cells matchup_cells(const Group& matchup);
+// A matchup's columns: its teams, summary_columns(), then team a's wins, draws and losses with
+// their fractions.
+TableColumns<Group> matchup_columns();
 
 // summary.csv: one row per matchup.
 std::string matchups_csv(const std::vector<Group>& matchups);
@@ -23,9 +24,19 @@ std::string matchups_csv(const std::vector<Group>& matchups);
 // values are empty cells.
 std::string standings_csv(const std::vector<Standing>& standings);
 
+// [{"team": "cobalt", "points": 20, "games": 8, "wins": 6, "draws": 2, "losses": 0,
+//   "goals_for": 18, "goals_against": 0}, ...], best team first, with columns of standings.csv.
+Json json_of(const std::vector<Standing>& standings);
+
 // The text tables; the first row is the header.
 std::vector<Cells> matchups_rows(const std::vector<Group>& matchups);
 std::vector<Cells> standings_rows(const std::vector<Standing>& standings);
+
+// Heads of the last columns of standings_rows(): both ratings, or the difference if the teams are
+// not rated.
+inline constexpr const char* kGoalRatingHead = "rating in goals [95 %]";
+inline constexpr const char* kStrengthHead = "Bradley-Terry [95 %]";
+inline constexpr const char* kGoalDifferenceHead = "goal difference [95 %]";
 
 // Alignment of their columns.
 inline const std::vector<Align> kMatchupsColumns = {Align::kLeft, Align::kLeft};

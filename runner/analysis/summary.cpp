@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "runner/experiments/schedule.hpp"
-#include "runner/io/csv.hpp"
 #include "runner/io/table.hpp"
+#include "runner/io/table_columns.hpp"
 #include "runner/statistics/mean_interval.hpp"
 #include "runner/statistics/paired_difference.hpp"
 #include "runner/statistics/sample.hpp"
@@ -12,10 +12,13 @@
 namespace autoref::runner {
 namespace {
 
-Cells factor_paths(const std::vector<Factor>& factors) {
-  Cells paths;
-  for (const Factor& factor : factors) paths.push_back(factor.path);
-  return paths;
+// The factors' paths, and the values of each group.
+std::vector<Cells> rows_of_values(const std::vector<Factor>& factors,
+                                  const std::vector<Group>& groups) {
+  std::vector<Cells> rows(1);
+  for (const Factor& factor : factors) rows.front().push_back(factor.path);
+  for (const Group& group : groups) rows.push_back(group.values);
+  return rows;
 }
 
 // One pair number's difference at each value; nullopt if any is missing.
@@ -39,22 +42,26 @@ std::vector<PairedDifference> differences_from_first(const std::vector<Group>& g
   return differences;
 }
 
-Cells difference_columns() {
-  return {"from_first", "from_first_low95", "from_first_high95", "p", "p_holm", "effect_size"};
-}
-
-Cells difference_cells(const PairedDifference& from_first) {
-  const auto& [low, high] = bounds_of(from_first.interval);
-  return {
-      number_cell(from_first.mean), number_cell(low),          number_cell(high),
-      p_cell(from_first.p),         p_cell(from_first.p_holm), number_cell(from_first.effect_size)};
+TableColumns<PairedDifference> difference_columns() {
+  using Columns = TableColumns<PairedDifference>;
+  return joined(
+      Columns{{"from_first", &PairedDifference::mean}},
+      interval_columns<PairedDifference>("from_first_", &PairedDifference::interval),
+      Columns{
+          {"p", [](const PairedDifference& difference) { return p_cell(difference.p); }},
+          {"p_holm", [](const PairedDifference& difference) { return p_cell(difference.p_holm); }},
+          {"effect_size", &PairedDifference::effect_size}});
 }
 
 // "+2.10 [+1.50, +2.70]" and the corrected p, if there is one.
-Cells difference_texts(const PairedDifference& from_first) {
-  if (!from_first.mean) return {"", ""};
-  return {mean_text(*from_first.mean, from_first.interval),
-          from_first.p_holm ? p_text(*from_first.p_holm) : ""};
+TableColumns<PairedDifference> difference_text_columns() {
+  return {{"from the first [95 %]",
+           [](const PairedDifference& from_first) {
+             return from_first.mean ? mean_text(*from_first.mean, from_first.interval) : "";
+           }},
+          {"p", [](const PairedDifference& from_first) {
+             return from_first.p_holm ? p_text(*from_first.p_holm) : "";
+           }}};
 }
 
 }  // namespace
@@ -81,33 +88,19 @@ std::optional<Slope> slope_over_factor(const std::vector<Factor>& factors,
 }
 
 std::string summary_csv(const std::vector<Factor>& factors, const std::vector<Group>& groups) {
-  Cells columns = factor_paths(factors);
-  append(columns, summary_columns());
-  append(columns, difference_columns());
-  append(columns, result_columns());
-  std::string csv = csv_line(columns) + "\n";
-  const std::vector<PairedDifference> from_first = differences_from_first(groups);
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    Cells cells = groups[i].values;
-    append(cells, summary_cells(groups[i]));
-    append(cells, difference_cells(from_first[i]));
-    append(cells, share_cells(groups[i].results()));
-    csv += csv_line(cells) + "\n";
-  }
-  return csv;
+  std::vector<Cells> rows = rows_of_values(factors, groups);
+  append_columns(rows, summary_columns(), groups);
+  append_columns(rows, difference_columns(), differences_from_first(groups));
+  append_columns(rows, result_columns(), groups);
+  return csv_text(rows);
 }
 
 std::vector<Cells> summary_rows(const std::vector<Factor>& factors,
                                 const std::vector<Group>& groups) {
-  std::vector<Cells> rows = {factor_paths(factors)};
-  append(rows.front(), table_columns());
-  if (groups.size() > 1) append(rows.front(), {"from the first [95 %]", "p"});
-  const std::vector<PairedDifference> from_first = differences_from_first(groups);
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    rows.push_back(groups[i].values);
-    append(rows.back(), table_cells(groups[i]));
-    if (groups.size() > 1) append(rows.back(), difference_texts(from_first[i]));
-  }
+  std::vector<Cells> rows = rows_of_values(factors, groups);
+  append_columns(rows, text_columns(), groups);
+  if (groups.size() > 1)
+    append_columns(rows, difference_text_columns(), differences_from_first(groups));
   return rows;
 }
 

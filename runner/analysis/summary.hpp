@@ -29,7 +29,7 @@ struct Slope {
 std::optional<Slope> slope_over_factor(const std::vector<Factor>& factors,
                                        const std::vector<Group>& groups);
 
-// summary.csv: one row per combination with summary_cells(), then the difference of "a minus b"
+// summary.csv: one row per combination with summary_columns(), then the difference of "a minus b"
 // from the first combination over the pair numbers that both have: mean, interval, p value, p value
 // with Holm's correction over all rows, and effect size (statistics/paired_difference.hpp); finally
 // the numbers and fractions of games won, drawn and lost.

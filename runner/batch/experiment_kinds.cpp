@@ -90,30 +90,26 @@ ExperimentResults results_of(const JudgeSchedule& /*schedule*/, const RowsById& 
   throw std::logic_error("results of judged games are computed in runner/judge");
 }
 
-// Indices into table_columns().
-enum GroupColumn : std::size_t { kGames, kGoalsA, kGoalsB, kDifference, kVoid };
-
 // Columns of a table of groups to drop on a narrow screen: goals, since their difference is shown,
-// and void games, since the progress bar counts them. `heads` is the number of name columns.
-std::vector<std::size_t> columns_to_spare(std::size_t heads) {
-  return {heads + kGoalsB, heads + kGoalsA, heads + kVoid};
-}
+// and void games, since the progress bar counts them.
+const Cells kColumnsToSpare = {kGoalsBHead, kGoalsAHead, kVoidHead};
 
 // The number of games can be dropped too: it is the sum of the wins, draws and losses on the right.
 ProgressTable matchups_shown(const std::vector<Group>& matchups) {
-  ProgressTable table{matchups_rows(matchups), kMatchupsColumns, "matchups", columns_to_spare(2)};
-  table.dispensable.insert(table.dispensable.end(), {2 + kGames, 2 + kDifference});
-  return table;
+  Cells to_spare = kColumnsToSpare;
+  append(to_spare, {kGamesHead, kDifferenceHead});
+  const std::vector<Cells> rows = matchups_rows(matchups);
+  return {rows, kMatchupsColumns, "matchups", columns_named(rows.front(), to_spare)};
 }
 
 // Puts standings first, since a small screen shows only the first part.
 void show_standings(ExperimentResults& results, const std::string& noun) {
   results.table = {matchups_table(results.groups), "\n", standings_table(results.standings)};
-  // The last columns are the ratings or the goal difference; the fourth is the number of games
-  // played.
-  std::vector<std::size_t> to_spare = {8, 3};
-  if (are_rated(results.standings)) to_spare = {9, 8, 3};
-  results.shown = {{standings_rows(results.standings), kStandingsColumns, noun, to_spare},
+  const Cells to_spare = are_rated(results.standings)
+                             ? Cells{kStrengthHead, kGoalRatingHead, kGamesHead}
+                             : Cells{kGoalDifferenceHead, kGamesHead};
+  const std::vector<Cells> rows = standings_rows(results.standings);
+  results.shown = {{rows, kStandingsColumns, noun, columns_named(rows.front(), to_spare)},
                    matchups_shown(results.groups)};
   results.json = std::make_shared<Json>(
       Json{{"standings", json_of(results.standings)}, {"groups", json_of(results.groups)}});
@@ -139,10 +135,11 @@ ExperimentResults results_of(const Sweep& sweep, const RowsById& rows) {
     results.table.emplace_back("\n");
     for (auto& block : effects_table(results.effects)) results.table.push_back(std::move(block));
   }
-  results.shown = {{summary_rows(sweep.factors, results.groups),
+  const std::vector<Cells> shown = summary_rows(sweep.factors, results.groups);
+  results.shown = {{shown,
                     {},
                     "values",
-                    columns_to_spare(sweep.factors.size()),
+                    columns_named(shown.front(), kColumnsToSpare),
                     slope_text(sweep.factors, results.groups)}};
   results.json = std::make_shared<Json>(Json{{"groups", json_of(results.groups)}});
   return results;

@@ -24,37 +24,6 @@ std::optional<std::string> winner_in(const Tie& tie) {
 
 }  // namespace
 
-Json json_of(const std::vector<Group>& groups) {
-  Json all = Json::array();
-  for (const Group& group : groups) {
-    all.push_back({{"values", group.values},
-                   {"games", group.goals_a.size()},
-                   {"void_games", group.void_games},
-                   {"mean_a", mean_json(group.goals_a)},
-                   {"mean_b", mean_json(group.goals_b)},
-                   {"mean_diff", mean_json(group.differences)},
-                   {"wins_a", group.wins_a},
-                   {"draws", group.draws},
-                   {"wins_b", group.wins_b}});
-  }
-  return all;
-}
-
-Json json_of(const std::vector<Standing>& standings) {
-  Json all = Json::array();
-  for (const Standing& standing : standings) {
-    all.push_back({{"team", standing.team},
-                   {"points", standing.points()},
-                   {"games", standing.games()},
-                   {"wins", standing.wins},
-                   {"draws", standing.draws},
-                   {"losses", standing.losses},
-                   {"goals_for", standing.goals_for},
-                   {"goals_against", standing.goals_against}});
-  }
-  return all;
-}
-
 Json json_of(const SprtMatchState& state) {
   return {{"verdict", name_of(state.test.verdict)},
           {"test_pairs", state.test.pairs},

@@ -1,26 +1,16 @@
-// Results as JSON, for a run's progress output. The keys are the columns of summary.csv and
-// standings.csv.
+// Results as JSON, for a run's progress output. Those of groups and standings are in
+// runner/analysis/, beside their columns.
 #pragma once
 
 #include <vector>
 
-#include "runner/analysis/groups.hpp"
 #include "runner/analysis/scene_groups.hpp"
 #include "runner/analysis/sprt_match_state.hpp"
-#include "runner/analysis/standings.hpp"
 #include "runner/analysis/tuning_state.hpp"
 #include "runner/experiments/bracket.hpp"
 #include "runner/io/json.hpp"
 
 namespace autoref::runner {
-
-// [{"values": ["1.0"], "games": 24, "void_games": 0, "mean_a": 4.54, "mean_b": 3.33,
-//   "mean_diff": 1.21, "wins_a": 14, "draws": 2, "wins_b": 8}, ...]; without games, means are null.
-Json json_of(const std::vector<Group>& groups);
-
-// [{"team": "cobalt", "points": 20, "games": 8, "wins": 6, "draws": 2, "losses": 0,
-//   "goals_for": 18, "goals_against": 0}, ...], best team first.
-Json json_of(const std::vector<Standing>& standings);
 
 // {"verdict": "none", "test_pairs": 12, "log_likelihood_ratio": 0.5}.
 Json json_of(const SprtMatchState& state);

@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "runner/analysis/standings_report.hpp"
 #include "runner/experiments/roundrobin.hpp"
 #include "runner/experiments/schedule.hpp"
-#include "runner/io/csv.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -122,17 +123,15 @@ TEST(Standings, CountsAShootOutWinAsAWin) {
 TEST(StandingsReport, HasARowPerMatchupWithItsResults) {
   EXPECT_EQ(matchups_csv(matchups_in(kThreeTeams)),
             "team_a,team_b,games,void_games,mean_a,sd_a,mean_b,sd_b,mean_diff,sd_diff,pairs,"
-            "diff_low95,diff_high95," +
-                csv_line(result_columns()) +
-                "\n"
-                "bold,calm,2,0,1.5000,0.7071,0.0000,0.0000,1.5000,0.7071,1,,," +
-                csv_line(share_cells({2, 0, 0})) +
-                "\n"
-                "bold,zone,2,0,0.5000,0.7071,1.0000,0.0000,-0.5000,0.7071,1,,," +
-                csv_line(share_cells({0, 1, 1})) +
-                "\n"
-                "calm,zone,2,0,0.0000,0.0000,0.0000,0.0000,0.0000,0.0000,1,,," +
-                csv_line(share_cells({0, 2, 0})) + "\n");
+            "diff_low95,diff_high95,"
+            "wins_a,draws,wins_b,wins_a_share,wins_a_low95,wins_a_high95,draws_share,draws_low95,"
+            "draws_high95,wins_b_share,wins_b_low95,wins_b_high95\n"
+            "bold,calm,2,0,1.5000,0.7071,0.0000,0.0000,1.5000,0.7071,1,,,"
+            "2,0,0,1.0000,0.1581,1.0000,0.0000,0.0000,0.8419,0.0000,0.0000,0.8419\n"
+            "bold,zone,2,0,0.5000,0.7071,1.0000,0.0000,-0.5000,0.7071,1,,,"
+            "0,1,1,0.0000,0.0000,0.8419,0.5000,0.0945,0.9055,0.5000,0.0945,0.9055\n"
+            "calm,zone,2,0,0.0000,0.0000,0.0000,0.0000,0.0000,0.0000,1,,,"
+            "0,2,0,0.0000,0.0000,0.8419,1.0000,0.1581,1.0000,0.0000,0.0000,0.8419\n");
 }
 
 // All three teams have met twice, so a team's goal rating is the sum of its differences divided by
@@ -157,6 +156,26 @@ TEST(StandingsReport, HasARowPerTeamWithTheIntervalOverItsPairs) {
 // One game: the strengths are log(3) / 2, and the profile reaches its value at 0.916163
 // (strength_profile_test.cpp).
 const std::vector<Encounter> kOneWin = {{"bold", "calm", {{2, 0}}}};
+
+TEST(StandingsReport, HasCountsAndGoalsAsJson) {
+  EXPECT_EQ(json_text(json_of(standings_in(kOneWin))),
+            R"([{"team": "bold", "points": 3, "games": 1, "wins": 1, "draws": 0, "losses": 0, )"
+            R"("goals_for": 2, "goals_against": 0}, )"
+            R"({"team": "calm", "points": 0, "games": 1, "wins": 0, "draws": 0, "losses": 1, )"
+            R"("goals_for": 0, "goals_against": 2}])");
+}
+
+// The columns of summary.csv that JSON has, unrounded.
+TEST(StandingsReport, HasMeansOfMatchupsAsJson) {
+  EXPECT_EQ(
+      json_text(json_of(matchups_in({{"bold", "calm", {{2, 0}, {1, 0}}}, {"calm", "zone", {}}}))),
+      R"([{"values": ["bold", "calm"], "games": 2, "void_games": 0, "mean_a": 1.5, )"
+      R"("mean_b": 0, "mean_diff": 1.5, "wins_a": 2, "draws": 0, "wins_b": 0}, )"
+      R"({"values": ["bold", "zone"], "games": 0, "void_games": 0, "mean_a": null, )"
+      R"("mean_b": null, "mean_diff": null, "wins_a": 0, "draws": 0, "wins_b": 0}, )"
+      R"({"values": ["calm", "zone"], "games": 0, "void_games": 0, "mean_a": null, )"
+      R"("mean_b": null, "mean_diff": null, "wins_a": 0, "draws": 0, "wins_b": 0}])");
+}
 
 TEST(StandingsReport, WritesInfinityForTheOpenEndOfAnInterval) {
   const std::string csv = standings_csv(standings_in(kOneWin));

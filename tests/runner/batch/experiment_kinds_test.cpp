@@ -39,6 +39,41 @@ TEST(ChangesBetween, AreEmptyForDifferentKinds) {
   EXPECT_EQ(changes_between(small_roundrobin({6, 5}), small_sweep()), "");
 }
 
+// The heads of the columns that a narrow screen leaves out, in that order, of each table.
+std::vector<Cells> spared_in(const Scenario& scenario) {
+  std::vector<Cells> spared;
+  for (const ProgressTable& table : results_of(scenario, {}).shown) {
+    spared.emplace_back();
+    for (const std::size_t column : table.dispensable)
+      spared.back().push_back(table.rows.front().at(column));
+  }
+  return spared;
+}
+
+const Cells kSparedOfMatchups = {"goals b", "goals a", "void", "games", "a minus b [95 %]"};
+
+TEST(ShownTables, OfASweepSpareGoalsAndVoidGames) {
+  EXPECT_EQ(spared_in(small_sweep()), (std::vector<Cells>{{"goals b", "goals a", "void"}}));
+}
+
+TEST(ShownTables, OfARoundRobinSpareRatingsAndGames) {
+  EXPECT_EQ(spared_in(small_roundrobin({6, 5})),
+            (std::vector<Cells>{{"Bradley-Terry [95 %]", "rating in goals [95 %]", "games"},
+                                kSparedOfMatchups}));
+}
+
+TEST(ShownTables, OfAGauntletSpareTheDifferenceAndGames) {
+  Gauntlet gauntlet;
+  gauntlet.challengers["bold"].robots = 6;
+  gauntlet.teams["zone"].robots = 5;
+  EXPECT_EQ(spared_in({"", gauntlet}),
+            (std::vector<Cells>{{"goal difference [95 %]", "games"}, kSparedOfMatchups}));
+}
+
+TEST(ShownTables, OfAnSprtMatchSpareWhatOtherColumnsSay) {
+  EXPECT_EQ(spared_in(small_sprt_match()), std::vector<Cells>{kSparedOfMatchups});
+}
+
 TEST(IsExperiment, IsFalseOnlyForSingleGamesAndJudgeSchedules) {
   EXPECT_FALSE(is_experiment({"", JudgeSchedule{}}));
   EXPECT_TRUE(is_experiment({"", Gauntlet{}}));
