@@ -20,8 +20,8 @@
 #include <vector>
 
 #include "referee/machine/confidence.hpp"
-#include "runner/experiments/judge_schedule.hpp"
-#include "runner/experiments/reading/scenario_reader.hpp"
+#include "runner/experiments/kinds/judge/judge_schedule.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
 #include "runner/experiments/schedule.hpp"
 #include "runner/judge/evaluate_calls.hpp"
 
@@ -120,11 +120,11 @@ void print_table(const CallsByName& calls, std::string_view seed, int games) {
 }
 
 int main_of(const std::string& file, int games) {
-  JudgeSchedule schedule = std::get<JudgeSchedule>(read_scenario(file).content);
+  JudgeSchedule schedule = *read_scenario(file).as<JudgeSchedule>();
   if (schedule.seeds.size() > 1) keep_seed(schedule, "tuning");
-  if (games > 0) schedule.games = games;
+  if (games > 0) schedule.games_each = games;
   CallsByName calls;
-  const std::vector<ScheduledGame> scheduled = scheduled_games(schedule);
+  const std::vector<ScheduledGame> scheduled = schedule.games();
   for (const ScheduledGame& game : scheduled) add_game(resolved(game), calls);
   print_table(calls, schedule.seeds.front().text, static_cast<int>(scheduled.size()));
   return 0;

@@ -99,20 +99,20 @@ RowInventory take_row_inventory(const Scenario& scenario, RowsInFiles rows, cons
     return sort_rows(std::move(its), schedule.games, format, build, allow_mixed_build, folder,
                      changes);
   };
-  if (!follows_its_rows(scenario)) {
-    RowInventory row_inventory{schedule_of(scenario, {}), {}};
+  if (!scenario.experiment().follows_its_rows()) {
+    RowInventory row_inventory{scenario.experiment().schedule({}), {}};
     row_inventory.completed_games = sorted(std::move(rows), row_inventory.schedule);
     return row_inventory;
   }
   // Starts from the rows as they are, so that one round is enough if they belong to the scenario;
   // if not, sort_rows() refuses those that the schedule follows.
-  RowInventory row_inventory{schedule_of(scenario, rows_of_build(rows, build)), {}};
+  RowInventory row_inventory{scenario.experiment().schedule(rows_of_build(rows, build)), {}};
   // Iterates to a fixed point: rows can extend the schedule (of a knockout), and a longer schedule
   // can claim more rows.
   while (true) {
     row_inventory.completed_games = sorted(rows, row_inventory.schedule);
     const std::size_t known = row_inventory.schedule.games.size();
-    row_inventory.schedule = schedule_of(scenario, row_inventory.completed_games.done);
+    row_inventory.schedule = scenario.experiment().schedule(row_inventory.completed_games.done);
     if (row_inventory.schedule.games.size() == known)
       return row_inventory;  // otherwise look again: more rows may belong to the longer schedule
   }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "runner/batch/experiment_kinds.hpp"
+#include "runner/experiments/kinds/scenario.hpp"
 #include "runner/experiments/schedule.hpp"
 #include "runner/results/shard.hpp"
 

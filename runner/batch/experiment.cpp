@@ -1,5 +1,5 @@
 #include "runner/batch/experiment.hpp"
-#include "runner/experiments/reading/effective.hpp"
+#include "runner/experiments/kinds/effective.hpp"
 
 #include <fmt/format.h>
 #include <poll.h>
@@ -36,7 +36,7 @@ Outcomes outcomes_of_records(const Scenario& scenario, const ExperimentOptions& 
   return {
       [&options](const GameConfiguration& game, GameRow& row) { row.record = options.play(game); },
       [&scenario, &options](const RowsById& rows) {
-        ExperimentResults results = results_of(scenario, rows);
+        ExperimentResults results = scenario.experiment().results(rows);
         if (options.show) options.show(results);
         return ProgressView{"so far; do not stop early because of these intervals:",
                             std::move(results.shown), std::move(results.json)};
@@ -68,12 +68,12 @@ constexpr int kShortestPause_ms = 20;
 constexpr int kLongestPause_ms = 1000;
 constexpr double kSilentWait_s = 10;
 
-class Experiment {
+class ExperimentRun {
  public:
-  Experiment(const Scenario& scenario, const ExperimentOptions& options)
+  ExperimentRun(const Scenario& scenario, const ExperimentOptions& options)
       : scenario_(scenario),
         options_(options),
-        format_(row_format(scenario)),
+        format_(row_format(scenario.experiment())),
         outcomes_(options.outcomes ? *options.outcomes : outcomes_of_records(scenario, options)),
         there_(scenario_of_folder(options.folder)),
         progress_(options.progress, options.style) {
@@ -89,7 +89,7 @@ class Experiment {
                    csv_line(format_.names()), options_.patience_s);
     take_with_notes();
     set_killed_games_aside();
-    is_decided_ = is_decided(scenario_, rows_);
+    is_decided_ = scenario_.experiment().is_decided(rows_);
     // Written only now: the rows have been checked, and a row played with other settings would have
     // thrown.
     replace_file(options_.folder / kEffectiveFile, effective_text(scenario_));
@@ -159,7 +159,7 @@ class Experiment {
         fmt::format("{} games are void because their workers were killed; they are "
                     "replayed",
                     again_.size()));
-    schedule_ = schedule_of(scenario_, rows_);
+    schedule_ = scenario_.experiment().schedule(rows_);
   }
 
   // Rereads the folder, since other shards may have played games in the meantime.
@@ -175,7 +175,7 @@ class Experiment {
 
   // Differences from the scenario the folder was created with; empty if that is unknown.
   std::string changes() const {
-    return there_ ? changes_between(scenario_, *there_) : std::string();
+    return there_ ? changes_between(scenario_.experiment(), there_->experiment()) : std::string();
   }
 
   // Plays until every needed game of this shard that is already known has a row. Terminates because
@@ -191,7 +191,8 @@ class Experiment {
       }
       const Ending ending = play(missing, played_games);
       if (options_.shard.of > 1) look_around();
-      if (follows_its_rows(scenario_)) schedule_ = schedule_of(scenario_, rows_);
+      if (scenario_.experiment().follows_its_rows())
+        schedule_ = scenario_.experiment().schedule(rows_);
       progress_.expect(counts());
       if (ending == Ending::kInterrupted && !missing_games().empty()) return ending;
     }
@@ -224,7 +225,7 @@ class Experiment {
       if (signals.count() > 0) return Waited::kInterrupted;
       look_around();
       if (rows_.size() > rows) {
-        schedule_ = schedule_of(scenario_, rows_);
+        schedule_ = scenario_.experiment().schedule(rows_);
         progress_.expect(counts());
         return Waited::kForRows;
       }
@@ -265,7 +266,8 @@ class Experiment {
   }
 
   ProgressView view_so_far() const {
-    if (!follows_its_rows(scenario_)) return outcomes_.view(rows_);  // all of them count
+    if (!scenario_.experiment().follows_its_rows())
+      return outcomes_.view(rows_);  // all of them count
     return outcomes_.view(counted(schedule_, rows_));
   }
 
@@ -279,7 +281,7 @@ class Experiment {
   Ending play(const std::vector<std::size_t>& games, int& played_games) {
     const WorkerOptions workers{options_.workers, options_.attempts, options_.longest_game_s};
     std::function<bool()> is_enough;
-    if (follows_its_rows(scenario_)) is_enough = [this] { return is_decided_; };
+    if (scenario_.experiment().follows_its_rows()) is_enough = [this] { return is_decided_; };
     const WorkerCalls calls{
         [this](std::size_t i) { return format_.line(played(outcomes_, schedule_.games[i])); },
         [&](const JobResult& result) {
@@ -330,7 +332,7 @@ class Experiment {
     shard_->write(format_.line(row));
     written_.push_back(std::move(row));
     // The next games may depend on this one.
-    if (follows_its_rows(scenario_) || Clock::now() >= next_sync_) count_written();
+    if (scenario_.experiment().follows_its_rows() || Clock::now() >= next_sync_) count_written();
   }
 
   // Whether the game was played by the former or the new version is not known.
@@ -369,9 +371,9 @@ class Experiment {
     next_sync_ = Clock::now() + kBetweenSyncs;
     for (GameRow& row : written_) count(std::move(row));
     written_.clear();
-    if (!follows_its_rows(scenario_)) return;
+    if (!scenario_.experiment().follows_its_rows()) return;
     if (options_.shard.of > 1 && Clock::now() >= next_look_) look_around();
-    is_decided_ = is_decided(scenario_, rows_);
+    is_decided_ = scenario_.experiment().is_decided(rows_);
   }
 
   void count(GameRow row) {
@@ -411,7 +413,7 @@ class Experiment {
 }  // namespace
 
 ExperimentReport run_experiment(const Scenario& scenario, const ExperimentOptions& options) {
-  return Experiment(scenario, options).run();
+  return ExperimentRun(scenario, options).run();
 }
 
 }  // namespace autoref::runner

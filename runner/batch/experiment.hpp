@@ -15,9 +15,8 @@
 #include <string>
 #include <vector>
 
-#include "runner/batch/experiment_kinds.hpp"
 #include "runner/batch/outcomes.hpp"
-#include "runner/experiments/scenario.hpp"
+#include "runner/experiments/kinds/scenario.hpp"
 #include "runner/game/game.hpp"
 #include "runner/processes/progress.hpp"
 #include "runner/results/shard.hpp"

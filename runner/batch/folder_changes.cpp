@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "runner/batch/experiment_kinds.hpp"
-#include "runner/experiments/overrides.hpp"
-#include "runner/experiments/reading/scenario_reader.hpp"
+#include "runner/experiments/kinds/scenario.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
 #include "runner/results/shard.hpp"
@@ -15,8 +14,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string changes_besides_seed(Scenario here, const Scenario& there, std::uint64_t seed) {
-  set_master_seed(here, seed);
-  return changes_between(here, there);
+  set_master_seed(here.experiment(), seed);
+  return changes_between(here.experiment(), there.experiment());
 }
 
 }  // namespace
@@ -27,15 +26,15 @@ std::optional<Scenario> scenario_of_folder(const fs::path& folder) {
     const std::optional<std::string> text = read_file(file);
     if (!text) return std::nullopt;
     Scenario scenario = read_scenario_text(*text, file.string());
-    return keeps_rows(scenario) ? std::optional(scenario) : std::nullopt;
+    return scenario.is_game() ? std::nullopt : std::optional(scenario);
   } catch (const InputError&) {
     return std::nullopt;
   }
 }
 
 void refuse_other_seed(const Scenario& here, const Scenario& there, const fs::path& folder) {
-  const std::optional<std::uint64_t> seed = master_seed_of(here);
-  const std::optional<std::uint64_t> former = master_seed_of(there);
+  const std::optional<std::uint64_t> seed = master_seed_of(here.experiment());
+  const std::optional<std::uint64_t> former = master_seed_of(there.experiment());
   if (!seed || !former || seed == former || kind_of(here) != kind_of(there)) return;
   const std::string others = changes_besides_seed(here, there, *former);
   throw InputError(
@@ -48,8 +47,8 @@ void refuse_other_seed(const Scenario& here, const Scenario& there, const fs::pa
 }
 
 std::string note_on_pairs(const Scenario& here, const Scenario& there, int beyond) {
-  const std::optional<int> pairs = pairs_of(here);
-  const std::optional<int> former = pairs_of(there);
+  const std::optional<int> pairs = pairs_of(here.experiment());
+  const std::optional<int> former = pairs_of(there.experiment());
   if (!pairs || !former || *pairs == *former) return {};
   if (*pairs > *former) {
     return fmt::format(

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "runner/experiments/scenario.hpp"
+#include "runner/experiments/kinds/scenario.hpp"
 
 namespace autoref::runner {
 

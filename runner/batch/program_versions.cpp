@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "runner/experiments/with_kind.hpp"
 #include "runner/io/checksum.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
@@ -31,19 +30,6 @@ struct VersionedTeam {
   std::vector<TeamSettings> variants;  // the team, or one for each value of a factor
 };
 using VersionedTeams = std::vector<VersionedTeam>;
-
-void add(TeamSettings& team, std::string path, VersionedTeams& all) {
-  all.push_back({&team, std::move(path), {team}});
-}
-
-void add(Teams& teams, std::string_view branch, VersionedTeams& all) {
-  for (auto& [name, team] : teams) add(team, fmt::format("{}.{}", branch, name), all);
-}
-
-void list(GameSettings& game, VersionedTeams& all) {
-  add(game.a, "teams.a", all);
-  add(game.b, "teams.b", all);
-}
 
 // Changes what determines the files; returns false for other settings.
 bool set(const std::string& name, const std::string& text, TeamSettings& team) {
@@ -75,32 +61,23 @@ void vary(const Factor& factor, VersionedTeam& team) {
   team.variants = std::move(variants);
 }
 
-void list(Sweep& sweep, VersionedTeams& all) {
-  list(sweep.base, all);
-  for (const Factor& factor : sweep.factors) {
+// The teams of the experiment, which must outlive them.
+VersionedTeams teams_of(Experiment& experiment) {
+  VersionedTeams all;
+  for (const Key& key : experiment.keys()) {
+    if (!key.teams) continue;
+    for (const TeamAt& at : key.teams()) all.push_back({at.team, at.path, {*at.team}});
+  }
+  for (const Factor& factor : experiment.varied()) {
     for (VersionedTeam& team : all) vary(factor, team);
   }
-}
-
-void list(JudgeSchedule& schedule, VersionedTeams& all) { list(schedule.base, all); }
-void list(NamedTeams& named, VersionedTeams& all) { add(named.teams, "teams", all); }
-void list(Gauntlet& gauntlet, VersionedTeams& all) {
-  add(gauntlet.teams, "teams", all);
-  add(gauntlet.challengers, "challengers", all);
-}
-void list(Situations& situations, VersionedTeams& all) {
-  add(situations.attackers, "attackers", all);
-  add(situations.defenders, "defenders", all);
-}
-void list(Tuning& tuning, VersionedTeams& all) {
-  add(tuning.team, "team", all);
-  add(tuning.opponents, "opponents", all);
+  return all;
 }
 
 VersionedTeams teams_of(Scenario& scenario) {
-  VersionedTeams all;
-  std::visit([&all](auto& content) { list(content, all); }, scenario.content);
-  return all;
+  if (auto* game = std::get_if<GameSettings>(&scenario.content))
+    return {{&game->a, "teams.a", {game->a}}, {&game->b, "teams.b", {game->b}}};
+  return teams_of(scenario.experiment());
 }
 
 [[noreturn]] void refuse(const std::string& team_path, const std::string& why) {

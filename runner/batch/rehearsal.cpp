@@ -257,9 +257,9 @@ class Rehearsals {
   const Clock::time_point began_ = Clock::now();
 };
 
-using Shares = std::vector<std::pair<double, std::string>>;  // by name, the largest first
+using CostShares = std::vector<std::pair<double, std::string>>;  // by name, the largest first
 
-void merge_least(Shares& shares) {
+void merge_least(CostShares& shares) {
   double others = 0;
   for (std::size_t i = kMostPrograms; i < shares.size(); ++i) others += shares[i].first;
   const std::string name = fmt::format("{} others", shares.size() - kMostPrograms);
@@ -271,7 +271,7 @@ void merge_least(Shares& shares) {
 // waits.
 std::string text_of_costs(const std::map<std::string, double>& programs_s, double all_s,
                           double duration_s) {
-  Shares shares;
+  CostShares shares;
   double of_all = 0;
   for (const auto& [name, wall_s] : programs_s) {
     shares.emplace_back(wall_s / all_s, name);

@@ -1,6 +1,6 @@
 #include "runner/batch/result_folder.hpp"
 #include "runner/batch/missing_results.hpp"
-#include "runner/experiments/reading/scenario_reader.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -59,7 +59,7 @@ Scenario scenario_in(const fs::path& folder) {
     throw InputError({folder.string()}, "", missing_results_text(folder));
   }
   Scenario scenario = read_scenario_text(*text, file.string());
-  if (keeps_rows(scenario)) return scenario;
+  if (!scenario.is_game()) return scenario;
   throw InputError({file.string()}, "kind",
                    fmt::format("this is of kind {}, not an experiment", kind_of(scenario)));
 }
@@ -96,12 +96,12 @@ std::set<std::string> ResultFolder::faults() const {
 }
 
 std::set<std::string> builds_in(const fs::path& path) {
-  return builds_of(read_rows(path / kGamesFolder, row_format(scenario_in(path))));
+  return builds_of(read_rows(path / kGamesFolder, row_format(scenario_in(path).experiment())));
 }
 
 ResultFolder open_results(const fs::path& path, const std::string& build) {
   const Scenario scenario = scenario_in(path);
-  const RowFormat format = row_format(scenario);
+  const RowFormat format = row_format(scenario.experiment());
   StoredRows stored = read_rows(path / kGamesFolder, format);
   const std::string its_build = chosen_build(stored, build, path);
   std::vector<std::string> lost = lost_games(path, stored);
@@ -149,7 +149,7 @@ std::string results_csv(const RowFormat& format, const RowsById& rows) {
 
 ExperimentResults write_results(const fs::path& folder, const Scenario& scenario,
                                 const RowFormat& format, const RowsById& rows) {
-  ExperimentResults results = results_of(scenario, rows);
+  ExperimentResults results = scenario.experiment().results(rows);
   replace_file(folder / kResultsFile, results_csv(format, rows));
   for (const ResultFile& file : results.files) replace_file(folder / file.name, file.content);
   return results;

@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "runner/batch/completed_games.hpp"
-#include "runner/batch/experiment_kinds.hpp"
-#include "runner/experiments/scenario.hpp"
+#include "runner/experiments/kinds/scenario.hpp"
 #include "runner/experiments/schedule.hpp"
 #include "runner/results/row_format.hpp"
 
@@ -56,8 +55,8 @@ std::vector<std::string> files_of_results(const std::filesystem::path& path);
 // run.
 std::string results_csv(const RowFormat& format, const RowsById& rows);
 
-// Writes results.csv and the files of results_of(). The same rows give the same files, byte for
-// byte.
+// Writes results.csv and the files of Experiment::results(). The same rows give the same files,
+// byte for byte.
 ExperimentResults write_results(const std::filesystem::path& folder, const Scenario& scenario,
                                 const RowFormat& format, const RowsById& rows);
 

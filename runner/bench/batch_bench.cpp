@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "runner/batch/experiment.hpp"
+#include "runner/experiments/kinds/sweep/sweep.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/command.hpp"
 #include "runner/io/errors.hpp"

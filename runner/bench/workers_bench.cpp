@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "runner/batch/experiment.hpp"
+#include "runner/experiments/kinds/sweep/sweep.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/json.hpp"

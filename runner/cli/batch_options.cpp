@@ -4,12 +4,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "runner/batch/experiment_kinds.hpp"
 #include "runner/batch/program_versions.hpp"
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/scenario_argument.hpp"
-#include "runner/experiments/overrides.hpp"
-#include "runner/experiments/reading/scenario_reader.hpp"
+#include "runner/experiments/kinds/registry.hpp"
+#include "runner/experiments/kinds/scenario.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/words.hpp"
 #include "runner/processes/workers.hpp"
@@ -26,7 +26,7 @@ void override_pairs(const std::string& text, Scenario& scenario) {
         {"--pairs"}, "",
         fmt::format("expected a whole number from 1 to {}, found '{}'", kMostPairs, text));
   }
-  blame("--pairs", [&] { set_pairs(scenario, *pairs); });
+  blame("--pairs", [&] { set_pairs(scenario.experiment(), *pairs); });
 }
 
 void override_seed(const std::string& text, Scenario& scenario) {
@@ -36,7 +36,7 @@ void override_seed(const std::string& text, Scenario& scenario) {
     throw InputError({"--seed"}, "",
                      fmt::format("expected a whole number from 0 to 2^64 - 1, found '{}'", text));
   }
-  set_master_seed(scenario, *seed);
+  set_master_seed(scenario.experiment(), *seed);
 }
 
 }  // namespace
@@ -72,8 +72,12 @@ void add_set_option(CLI::App& verb, std::vector<std::string>& sets) {
       ->allow_extra_args(false);
 }
 
-void add_batch_options(CLI::App& verb, BatchArguments& arguments, const std::string& about_file) {
-  add_scenario_argument(verb, arguments.file, about_file);
+std::string about_scenario(const std::vector<std::string>& verbs) {
+  return fmt::format("Scenario of kind {}.", kinds_played_by(verbs));
+}
+
+void add_batch_options(CLI::App& verb, BatchArguments& arguments) {
+  add_scenario_argument(verb, arguments.file, about_scenario(arguments.verbs));
   verb.add_option("-o,--output", arguments.folder,
                   "Folder for the results. Default: results/runs/<scenario>.")
       ->type_name("DIR");

@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <memory>
 
-#include "runner/batch/experiment_kinds.hpp"
 #include "runner/batch/rehearsal.hpp"
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/scenario_argument.hpp"
-#include "runner/experiments/scenario.hpp"
+#include "runner/experiments/kinds/scenario.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/table.hpp"
 #include "runner/io/terminal.hpp"
@@ -45,27 +44,19 @@ std::vector<Rehearsal> sorted(std::vector<Rehearsal> rehearsals) {
   return rehearsals;
 }
 
-// Replaces the number of a tuning's iteration, so that all iterations count as one variant:
-// "search-plus~zone-p0001-1" for "k0007-plus~zone-p0001-1".
-std::vector<ScheduledGame> without_iterations(std::vector<ScheduledGame> games) {
-  for (ScheduledGame& game : games) {
-    if (game.id.starts_with("k")) game.id = "search" + game.id.substr(game.id.find('-'));
-  }
-  return games;
-}
-
 }  // namespace
 
 int check_verb(const CheckArguments& arguments) {
   const Scenario scenario = read_experiment(arguments);
-  const std::vector<ScheduledGame> games = scheduled_games(scenario);
+  const Experiment& experiment = scenario.experiment();
+  const std::vector<ScheduledGame> games = experiment.games();
   if (arguments.games) {
     for (const ScheduledGame& game : games) fmt::print("{}\n", game.id);
     return kDone;
   }
   const int workers = arguments.worker_count();
   const std::vector<Rehearsal> rehearsals =
-      rehearse(is_tuning(scenario) ? without_iterations(games) : games,
+      rehearse(experiment.games_to_rehearse(),
                {[](const GameConfiguration& game, double most_wall_s) {
                   return play_part(game, most_wall_s, make_program_or_registered_team);
                 },
@@ -74,7 +65,7 @@ int check_verb(const CheckArguments& arguments) {
              games.size(), duration_text(duration_s(rehearsals, workers)), workers);
   const std::string programs = cost_of_programs(rehearsals, workers);
   if (!programs.empty()) fmt::print("{}\n", wrapped(programs, text_width(stdout)));
-  const std::string caveat = caveat_of_schedule(scenario);
+  const std::string caveat = experiment.caveat();
   if (!caveat.empty()) fmt::print("{}\n", caveat);
   const bool all_play =
       std::all_of(rehearsals.begin(), rehearsals.end(),
@@ -87,9 +78,7 @@ void add_check_verb(CLI::App& app, Chosen& chosen) {
       app.add_subcommand("check", "Validate an experiment and estimate how long it takes.");
   auto arguments = std::make_shared<CheckArguments>();
   arguments->verbs = {"run", "tune"};
-  add_scenario_argument(
-      *verb, arguments->file,
-      "Scenario of kind sweep, roundrobin, gauntlet, sprt, knockout, situations or tune.");
+  add_scenario_argument(*verb, arguments->file, about_scenario(arguments->verbs));
   verb->add_option("-j,--workers", arguments->workers,
                    "Parallel games to assume in the estimate. Default: one per processor.")
       ->type_name("N")

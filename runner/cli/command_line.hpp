@@ -10,7 +10,7 @@
 #include "runner/cli/play_one.hpp"
 #include "runner/cli/web_flags.hpp"
 
-#include "runner/experiments/scenario.hpp"
+#include "runner/experiments/kinds/scenario.hpp"
 #include "runner/live/live_options.hpp"
 #include "runner/live/live_referee.hpp"
 #include "runner/logs/log_recorder.hpp"
@@ -261,15 +261,17 @@ std::vector<std::string> inputs_of(const std::string& file, const std::string& c
                                    const Assignments& assignments);
 // Adds --set.
 void add_set_option(CLI::App& verb, std::vector<std::string>& sets);
-void add_batch_options(CLI::App& verb, BatchArguments& arguments, const std::string& about_file);
+void add_batch_options(CLI::App& verb, BatchArguments& arguments);
 // Adds --pairs and --seed.
 void add_override_options(CLI::App& verb, BatchArguments& arguments);
 void add_play_verb(CLI::App& app, Chosen& chosen);
 void add_live_verb(CLI::App& app, Chosen& chosen);
 void add_run_verb(CLI::App& app, Chosen& chosen);
 void add_tune_verb(CLI::App& app, Chosen& chosen);
-// Adds the options of a run, from --output to --quiet; `about_file` describes the scenario.
-void add_run_options(CLI::App& verb, RunArguments& arguments, const std::string& about_file);
+// Adds the options of a run, from --output to --quiet.
+void add_run_options(CLI::App& verb, RunArguments& arguments);
+// Describes the scenarios that these verbs play.
+std::string about_scenario(const std::vector<std::string>& verbs);
 void add_submit_verb(CLI::App& app, Chosen& chosen);
 void add_check_verb(CLI::App& app, Chosen& chosen);
 // Adds the folder and --build.

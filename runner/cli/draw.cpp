@@ -9,7 +9,6 @@
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/draw_situation.hpp"
 #include "runner/cli/output_file.hpp"
-#include "runner/experiments/overrides.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/words.hpp"
 #include "runner/logs/user_log.hpp"

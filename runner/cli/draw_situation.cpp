@@ -6,8 +6,8 @@
 
 #include "runner/cli/output_file.hpp"
 #include "runner/cli/scenario_argument.hpp"
-#include "runner/experiments/reading/scenario_reader.hpp"
-#include "runner/experiments/situations.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
+#include "runner/experiments/kinds/situations/situations.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/settings/fields.hpp"
 #include "runner/view/drawing.hpp"
@@ -46,7 +46,7 @@ RefereeSignal signal_of(const referee::Beginning& beginning) {
 int draw_situation(const DrawArguments& arguments) {
   const std::string scenario_file = scenario_to_read(arguments.log);
   const Scenario scenario = read_scenario(scenario_file);
-  const auto* situations = std::get_if<Situations>(&scenario.content);
+  const auto* situations = scenario.as<Situations>();
   if (situations == nullptr) {
     throw InputError(
         {scenario_file}, "kind",

@@ -7,8 +7,9 @@
 #include "runner/batch/experiment.hpp"
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/judged_results.hpp"
-#include "runner/experiments/reading/scenario_reader.hpp"
-#include "runner/experiments/scenario.hpp"
+#include "runner/experiments/kinds/judge/judge_schedule.hpp"
+#include "runner/experiments/kinds/scenario.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/judge/judged_rows.hpp"
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 
 Scenario read_judge(const JudgeArguments& arguments) {
   Scenario scenario = read_scenario(arguments.file, assignments_in(arguments.sets));
-  if (auto* schedule = std::get_if<JudgeSchedule>(&scenario.content)) {
+  if (auto* schedule = scenario.as<JudgeSchedule>()) {
     if (!arguments.seeds.empty()) blame("--seeds", [&] { keep_seed(*schedule, arguments.seeds); });
     return scenario;
   }
@@ -36,7 +37,7 @@ ExperimentReport judge_all(const JudgeArguments& arguments, const Scenario& scen
   options.build = build_id();
   options.workers = arguments.worker_count();
   options.allow_mixed_build = arguments.allow_mixed_build;
-  options.outcomes = judged_outcomes(std::get<JudgeSchedule>(scenario.content), options.folder);
+  options.outcomes = judged_outcomes(*scenario.as<JudgeSchedule>(), options.folder);
   options.progress = stderr;
   return run_experiment(scenario, options);
 }
@@ -71,7 +72,8 @@ void add_judge_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb =
       app.add_subcommand("judge", "Compare the referee's calls with the ground truth.");
   auto arguments = std::make_shared<JudgeArguments>();
-  add_batch_options(*verb, *arguments, "Scenario of kind judge.");
+  arguments->verbs = {"judge"};
+  add_batch_options(*verb, *arguments);
   verb->add_option("--seeds", arguments->seeds,
                    "Play only the games of one of the file's seeds. Default: all.")
       ->type_name("tuning|test");

@@ -20,7 +20,7 @@ constexpr const char* kFaultsFile = "faults.csv";
 }  // namespace
 
 bool is_judged(const Scenario& scenario) {
-  return std::holds_alternative<JudgeSchedule>(scenario.content);
+  return scenario.experiment().row_kind() == RowKind::kJudged;
 }
 
 void write_judged(const fs::path& folder, const JudgeReport& report) {

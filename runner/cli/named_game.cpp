@@ -70,7 +70,7 @@ std::string turned_id(const std::string& id) {
 
 const ScheduledGame& game_named(const ResultFolder& folder, const std::string& id) {
   if (const ScheduledGame* game = find_game_or_fault(folder, id)) return *game;
-  const bool has_sides = std::holds_alternative<Situations>(folder.scenario.content);
+  const bool has_sides = folder.scenario.experiment().row_kind() == RowKind::kScene;
   const std::string turned = has_sides ? "" : turned_id(id);
   const ScheduledGame* game = turned.empty() ? nullptr : find_game_or_fault(folder, turned);
   if (game == nullptr) refuse_game(folder, id, turned);

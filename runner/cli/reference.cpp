@@ -14,7 +14,8 @@ namespace autoref::runner {
 void add_reference_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb = app.add_subcommand("reference", "Print a page of the manual's reference.");
   auto page = std::make_shared<std::string>();
-  verb->add_option("PAGE", *page, "settings, verbs, rules or teams.")
+  verb->add_option("PAGE", *page,
+                   fmt::format("One of {}.", fmt::join(reference_page_names(), ", ")))
       ->required()
       ->check(one_of(reference_page_names()));
   verb->footer("Example:\n  autoref reference settings > docs/reference/settings.md");

@@ -52,13 +52,16 @@ std::string reference_table(const std::vector<std::vector<std::string>>& rows) {
   return text + "\n";
 }
 
-std::vector<std::string> reference_page_names() { return {"settings", "verbs", "rules", "teams"}; }
+std::vector<std::string> reference_page_names() {
+  return {"settings", "verbs", "rules", "teams", "scenario-files"};
+}
 
 std::string reference_page(const std::string& name, const DescribedVerb& program) {
   if (name == "settings") return settings_page();
   if (name == "verbs") return verbs_page(program);
   if (name == "rules") return rules_page();
   if (name == "teams") return team_parameters_page();
+  if (name == "scenario-files") return scenario_files_page();
   throw std::invalid_argument(fmt::format("there is no reference page '{}'", name));
 }
 

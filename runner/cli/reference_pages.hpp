@@ -21,6 +21,7 @@ std::string settings_page();
 std::string verbs_page(const DescribedVerb& program);
 std::string rules_page();
 std::string team_parameters_page();
+std::string scenario_files_page();
 
 // A page's first lines: its title, and which command prints it.
 std::string reference_head(const std::string& title, const std::string& name);

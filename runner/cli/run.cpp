@@ -67,7 +67,7 @@ void print_end(const Scenario& scenario, const ExperimentReport& report,
                const ExperimentOptions& options) {
   const std::string folder = options.folder.string();
   if (report.is_complete) return print_results(scenario, report, options.folder);
-  if (report.is_waiting && is_tuning(scenario)) {
+  if (report.is_waiting && scenario.experiment().games_of_a_round()) {
     fmt::print("{} of {} games are in {}; the next ones depend on {}; repeat the command{}\n",
                report.done, report.games, folder,
                report.killed_games > 0 ? fmt::format("{} games that are void because their workers "
@@ -125,7 +125,7 @@ int run_verb(const RunArguments& arguments) {
     print_end(scenario, report, options);
     fmt::print("{}", about_report);
   }
-  if (report.is_waiting && is_tuning(scenario)) return kInterrupted;
+  if (report.is_waiting && scenario.experiment().games_of_a_round()) return kInterrupted;
   if (!report.is_complete || report.void_games <= kMostVoid * report.games) return kDone;
   write_message(
       stderr,
@@ -134,8 +134,8 @@ int run_verb(const RunArguments& arguments) {
   return kTooManyVoid;
 }
 
-void add_run_options(CLI::App& verb, RunArguments& arguments, const std::string& about_file) {
-  add_batch_options(verb, arguments, about_file);
+void add_run_options(CLI::App& verb, RunArguments& arguments) {
+  add_batch_options(verb, arguments);
   add_override_options(verb, arguments);
   verb.add_option("--shard", arguments.shard,
                   "Play only shard I (from 0) of N; other runs play the rest.")
@@ -160,8 +160,7 @@ void add_run_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb =
       app.add_subcommand("run", "Run an experiment: a sweep, a tournament or a match.");
   auto arguments = std::make_shared<RunArguments>();
-  add_run_options(*verb, *arguments,
-                  "Scenario of kind sweep, roundrobin, gauntlet, sprt, knockout or situations.");
+  add_run_options(*verb, *arguments);
   verb->footer(
       "Ctrl-C lets the running games finish; a second one stops at once. The same command\n"
       "continues later; games of killed workers are played again. You can continue with more\n"

@@ -26,17 +26,17 @@ ShownRun::ShownRun(const Scenario& scenario, const std::string& name, const WebF
   if (web.address.empty()) return;
   web_.emplace(web_options_of(web), scenario.about.empty() ? name : scenario.about,
                [this](const std::string& id) { return games_.page(id); });
-  set_callbacks(scenario, options);
+  set_callbacks(options);
   write_message(stderr, fmt::format("watch at {}\n", web_->url()));
 }
 
-void ShownRun::set_callbacks(const Scenario& scenario, ExperimentOptions& options) {
+void ShownRun::set_callbacks(ExperimentOptions& options) {
   options.publish = [this](const GameCounts& counts, const std::string& text) {
     show_progress(counts, text);
   };
-  options.show = [this, &scenario](const ExperimentResults& results) {
+  options.show = [this](const ExperimentResults& results) {
     has_intervals_ = !results.groups.empty();
-    web_->show_results(run_results_html(scenario, results));
+    web_->show_results(run_results_html(results));
   };
   options.starting = [this](const ScheduledGame& game) { start(game); };
   options.ended = [this](const GameRow& row) { end_game(row); };

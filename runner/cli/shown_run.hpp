@@ -25,7 +25,7 @@ class ShownRun {
   void end();
 
  private:
-  void set_callbacks(const Scenario& scenario, ExperimentOptions& options);
+  void set_callbacks(ExperimentOptions& options);
   void show_progress(const GameCounts& counts, const std::string& text);
   void start(const ScheduledGame& game);
   void end_game(const GameRow& row);

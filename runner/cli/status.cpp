@@ -52,7 +52,8 @@ int status_verb(const FolderArguments& arguments) {
     print_judged_scores(report_of(folder));
     return kDone;
   }
-  const ExperimentResults results = results_of(folder.scenario, folder.completed_games.done);
+  const ExperimentResults results =
+      folder.scenario.experiment().results(folder.completed_games.done);
   fmt::print("\n{}", text_of(results.table, text_width(stdout)));
   if (!folder.is_complete() && !results.groups.empty()) {
     fmt::print("\n{}\n", kInterimWarning);

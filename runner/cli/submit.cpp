@@ -5,10 +5,9 @@
 #include <memory>
 #include <optional>
 
-#include "runner/batch/experiment_kinds.hpp"
 #include "runner/batch/slurm.hpp"
 #include "runner/cli/command_line.hpp"
-#include "runner/experiments/tuning_schedule.hpp"
+#include "runner/experiments/kinds/scenario.hpp"
 #include "runner/io/command.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
@@ -56,11 +55,10 @@ void check_time(const std::string& time) {
 // Returns the number of tasks: at most one per pair of legs, since a pair is never split between
 // tasks.
 int tasks_for(int wanted, const Scenario& scenario, std::size_t games) {
-  // The tasks of a tuning wait for each other after every iteration.
-  const auto* tuning = std::get_if<Tuning>(&scenario.content);
-  if (tuning != nullptr)
-    games = static_cast<std::size_t>(games_of_search(*tuning) / tuning->iterations);
-  if (tuning != nullptr && wanted == 0) return 1;
+  // Tasks that play in rounds wait for each other after every round.
+  const std::optional<std::size_t> round = scenario.experiment().games_of_a_round();
+  if (round && wanted == 0) return 1;
+  if (round) games = *round;
   const int pairs = static_cast<int>(games / 2);
   if (wanted == 0) return std::min(kDefaultTasks, pairs);
   if (wanted <= pairs) return wanted;
@@ -83,7 +81,7 @@ SlurmArray array_of(const SubmitArguments& arguments, const Scenario& scenario, 
   if (!arguments.seed.empty()) array.overrides.push_back("--seed=" + arguments.seed);
   array.tasks = tasks_for(arguments.tasks, scenario, games);
   array.verb = verb_of(scenario);
-  array.waits = is_tuning(scenario);
+  array.waits = scenario.experiment().games_of_a_round().has_value();
   array.workers = std::max(1, arguments.workers);
   array.time = arguments.time;
   array.partition = arguments.partition;
@@ -117,7 +115,7 @@ void print_commands(const std::string& scripts, const std::string& merging) {
 
 int submit_verb(const SubmitArguments& arguments) {
   const Scenario scenario = read_experiment(arguments);
-  const std::size_t games = scheduled_games(scenario).size();
+  const std::size_t games = scenario.experiment().games().size();
   const SlurmArray array = array_of(arguments, scenario, games);
   const fs::path folder = arguments.results_folder();
   create_folder(folder / kSlurmLogs);
@@ -147,9 +145,7 @@ void add_submit_verb(CLI::App& app, Chosen& chosen) {
       app.add_subcommand("submit", "Run an experiment on a cluster, as a Slurm job array.");
   auto arguments = std::make_shared<SubmitArguments>();
   arguments->verbs = {"run", "tune"};
-  add_batch_options(
-      *verb, *arguments,
-      "Scenario of kind sweep, roundrobin, gauntlet, sprt, knockout, situations or tune.");
+  add_batch_options(*verb, *arguments);
   add_override_options(*verb, *arguments);
   verb->get_option("--workers")->description("Games played in parallel in each task. Default: 1.");
   verb->add_flag("--slurm", arguments->slurm, "Use Slurm (required; the only supported scheduler).")

@@ -18,7 +18,7 @@ void add_tune_verb(CLI::App& app, Chosen& chosen) {
   auto arguments = std::make_shared<RunArguments>();
   arguments->verbs = {"tune"};
   arguments->wait_s = kDefaultWait_s;
-  add_run_options(*verb, *arguments, "Scenario of kind tune.");
+  add_run_options(*verb, *arguments);
   verb->add_option("--wait", arguments->wait_s,
                    "How long a shard waits for games of other shards, in s. Default: 600.")
       ->type_name("S")

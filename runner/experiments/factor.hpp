@@ -1,16 +1,17 @@
-// A setting varied by a sweep.
+// Settings that vary between the games of an experiment.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "runner/settings/game_settings.hpp"
 #include "runner/settings/setting_value.hpp"
 
 namespace autoref::runner {
 
-// A setting varied by a sweep, by its short path ("b.handicap"), and its values. The first value is
-// the baseline.
+// A setting by its short path ("b.handicap"), and its values. The first value is the baseline.
 struct Factor {
   std::string path;
   std::vector<SettingValue> values;
@@ -19,5 +20,20 @@ struct Factor {
 
 // The factor's values as numbers; nullopt if one of them is a word.
 std::optional<std::vector<double>> numbers_of(const Factor& factor);
+
+// All combinations of the factors' values; the last factor changes fastest.
+std::vector<std::vector<SettingValue>> combinations(const std::vector<Factor>& factors);
+
+// The base with the factors set to one value each. Throws SettingError if they contradict each
+// other.
+GameSettings configured(const GameSettings& base, const std::vector<Factor>& factors,
+                        const std::vector<SettingValue>& values);
+
+// The settings implied by presets and handicaps among the factors' values, except those the user
+// set explicitly. Maps each value, such as "match.rules=2014", to settings by full path. All values
+// of one factor set the same paths, and no two factors set the same path, so the values of a
+// combination never conflict.
+using SetByValues = std::map<std::string, std::map<std::string, std::string>>;
+SetByValues set_by_values(const GameSettings& base, const std::vector<Factor>& factors);
 
 }  // namespace autoref::runner

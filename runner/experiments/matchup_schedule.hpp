@@ -8,31 +8,23 @@
 #include <string_view>
 #include <vector>
 
-#include "runner/experiments/gauntlet.hpp"
-#include "runner/experiments/roundrobin.hpp"
+#include "runner/experiments/named_teams.hpp"
 #include "runner/experiments/schedule.hpp"
-#include "runner/experiments/sprt_match.hpp"
 
 namespace autoref::runner {
 
-// The games in playing order. The two legs of a pair are adjacent, and each pair number is played
-// in all matchups before the next. Within a pair number the teams take turns (playing_order.hpp):
-// at any time, they have played equally many games, except for one pair and the running games. Ids
-// look like "bold~zone-p0007-2".
+// The games of matchups in playing order, with `order` as the order of the matchups within a pair
+// number. The two legs of a pair are adjacent, and each pair number is played in all matchups
+// before the next. With an order of playing_order.hpp the teams take turns: at any time, they have
+// played equally many games, except for one pair and the running games. Ids look like
+// "bold~zone-p0007-2".
 //
 // A game depends only on its two teams, its pair and its leg, so adding teams or pairs changes no
 // other game. Sides, first kick-off and seed are those of leg_of(); equal pair numbers have equal
-// seeds in every matchup. Throws std::invalid_argument if a setting is invalid; the message starts
-// with the setting's path, such as "teams.bold.params.pass_risk".
-std::vector<ScheduledGame> scheduled_games(const RoundRobin& robin);
-
-// The games of a round robin between the two teams with the maximum number of pairs. The test
-// usually ends the match earlier (sprt_match_state.hpp).
-std::vector<ScheduledGame> scheduled_games(const SprtMatch& match);
-
-// A game equals the corresponding round-robin game if the challenger's name sorts before its
-// opponent's (compared as bytes); otherwise teams a and b are swapped.
-std::vector<ScheduledGame> scheduled_games(const Gauntlet& gauntlet);
+// seeds in every matchup. Throws SettingError if there are too many games. Does not check the
+// settings.
+std::vector<ScheduledGame> games_of(const NamedTeams& named, const std::vector<Matchup>& matchups,
+                                    const std::vector<std::size_t>& order, int pairs);
 
 // Schedules games between named teams, which share their settings. Does not check these.
 class MatchupScheduler {

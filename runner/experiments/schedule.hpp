@@ -1,4 +1,4 @@
-// The schedule of a sweep, and helpers shared with the schedules of other experiments.
+// The games of an experiment, and helpers that the schedules of all kinds share.
 #pragma once
 
 #include <cstdint>
@@ -6,10 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "runner/experiments/scenario.hpp"
 #include "runner/experiments/shared_settings.hpp"
 
 namespace autoref::runner {
+
+inline constexpr int kMostPairs = 9999;  // pairs of legs
 
 struct ScheduledGame {
   std::string id;                   // "b.handicap=0.8-p0007-2": values, pair, leg
@@ -29,18 +30,6 @@ struct ScheduledGame {
 // The game's configuration, with its id.
 GameConfiguration resolved(const ScheduledGame& game);
 
-// The games in playing order. The two legs of a pair are adjacent, and each pair number is played
-// with all values before the next, in combinations_order() (playing_order.hpp), so an interrupted
-// run is balanced.
-//
-// A game depends only on its own values, pair and leg, so adding values or pairs changes no other
-// game. Throws SettingError if values contradict each other.
-std::vector<ScheduledGame> scheduled_games(const Sweep& sweep);
-
-// The games returned by games_of() (judge_schedule.hpp); their `values` are the names of the
-// master seed (empty if it has none), the rule book and the camera.
-std::vector<ScheduledGame> scheduled_games(const JudgeSchedule& schedule);
-
 // The id of a game: "b.handicap=0.8-p0007-2" if `played` is "b.handicap=0.8", for pair 7 and leg 2.
 std::string game_id(std::string_view played, int pair, int leg);
 
@@ -59,9 +48,6 @@ LegSettings leg_of(std::uint64_t master_seed, int pair, int leg);
 // Throws SettingError if there are too many games for one experiment; `key` is the setting to
 // blame.
 void refuse_too_many(double games, std::string_view key = "pairs");
-
-// All combinations of the factors' values; the last factor changes fastest.
-std::vector<std::vector<SettingValue>> combinations(const std::vector<Factor>& factors);
 
 // A game's seed, below 2^53 so that programs that read numbers as doubles get it exactly. It does
 // not depend on the factors' values: games with different values but the same pair number share

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "runner/batch/program_files.hpp"
-#include "runner/experiments/reading/effective.hpp"
+#include "runner/experiments/kinds/effective.hpp"
 #include "runner/export/sqlite_file.hpp"
 #include "runner/game/event_log.hpp"
 #include "runner/io/checksum.hpp"

@@ -1,4 +1,5 @@
 #include "runner/judge/judge_report.hpp"
+#include "runner/experiments/kinds/judge/judge_schedule.hpp"
 
 #include <fmt/format.h>
 

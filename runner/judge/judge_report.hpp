@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "runner/experiments/judge_schedule.hpp"
+#include "runner/experiments/kinds/judge/judge_schedule.hpp"
 #include "runner/io/table.hpp"
 #include "runner/judge/judge_tally.hpp"
 #include "runner/results/game_row.hpp"

@@ -1,4 +1,5 @@
 #include "runner/judge/judged_rows.hpp"
+#include "runner/experiments/kinds/judge/judge_schedule.hpp"
 
 #include "runner/judge/judge_tables.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 constexpr std::size_t kLongestText = 90'000;  // a worker's answer is limited to 100 kB
 
 const JudgeSchedule& schedule_of(const ResultFolder& folder) {
-  return std::get<JudgeSchedule>(folder.scenario.content);
+  return *folder.scenario.as<JudgeSchedule>();
 }
 
 // Describes the fault with this number in the game's row; empty if there is no such fault.

@@ -9,7 +9,7 @@
 #include "runner/batch/outcomes.hpp"
 #include "runner/batch/program_files.hpp"
 #include "runner/batch/result_folder.hpp"
-#include "runner/experiments/judge_schedule.hpp"
+#include "runner/experiments/kinds/judge/judge_schedule.hpp"
 #include "runner/judge/evaluate_calls.hpp"
 #include "runner/judge/judge_report.hpp"
 

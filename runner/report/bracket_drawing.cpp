@@ -39,7 +39,7 @@ std::string tie_html(const TieResult& tie, const std::string& classes, const std
   std::string text = fmt::format(
       "<div class=\"tie{}\" style=\"grid-area:{}\"><div><p class=\"tie-name\">{}</p>{}{}", classes,
       area, html_text(tie.name), team_html(tie.teams[0]), team_html(tie.teams[1]));
-  if (!tie.decision.empty() && tie.decision != name_of(DecidedBy::kGoals))
+  if (!tie.decision.empty() && !tie.is_usual)
     text += fmt::format("<p class=\"tie-name\">{}</p>", html_text(tie.decision));
   return text + "</div></div>\n";
 }

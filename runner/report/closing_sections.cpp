@@ -36,7 +36,8 @@ Section void_section(const ResultFolder& folder) {
 }
 
 Section settings_section(const ResultFolder& folder, const std::string& direction) {
-  const std::vector<DefaultDifference> differences = differences_from_defaults(folder.scenario);
+  const std::vector<DefaultDifference> differences =
+      differences_from_defaults(folder.scenario.experiment());
   Table table{{{"setting", "value", "default"}}, 3};
   for (const DefaultDifference& difference : differences) {
     table.rows.push_back({difference.path, difference.here, difference.by_default});

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "runner/batch/experiment_kinds.hpp"
+#include "runner/experiments/kinds/scenario.hpp"
 
 namespace autoref::runner {
 

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <map>
-#include <type_traits>
+#include <memory>
+#include <stdexcept>
 
-#include "runner/batch/experiment_kinds.hpp"
-#include "runner/experiments/cells.hpp"
+#include "runner/experiments/kinds/scenario.hpp"
 #include "runner/experiments/reading/factor_reader.hpp"
 #include "runner/settings/fields.hpp"
 
@@ -14,7 +14,6 @@ namespace autoref::runner {
 namespace {
 
 using Values = std::map<std::string, std::string>;  // by path
-using Teams = std::map<std::string, TeamSettings>;
 
 constexpr const char* kNothing = "{}";  // the value of a branch without changes
 
@@ -53,47 +52,50 @@ void compare_games(GameSettings game, bool has_named_teams, std::vector<DefaultD
   compare(here, defaults_for(game), found);
 }
 
-void compare_teams(const GameSettings& base, const Teams& teams,
-                   std::vector<DefaultDifference>& found) {
+void compare_team(const GameSettings& base, const TeamAt& at,
+                  std::vector<DefaultDifference>& found) {
   GameSettings usual;
   set_by_path(usual, "match.rules", base.match.rules.name);
-  for (auto [name, team] : teams) {
-    const std::string prefix = fmt::format("teams.{}.", name);
-    compare(comparable_values(settings_of(team, base.types, prefix)),
-            comparable_values(settings_of(usual.a, usual.types, prefix)), found);
-  }
+  const std::string prefix = at.path + ".";
+  compare(comparable_values(settings_of(*at.team, base.types, prefix)),
+          comparable_values(settings_of(usual.a, usual.types, prefix)), found);
+}
+
+void compare_key(const Key& key, const GameSettings& base, std::vector<DefaultDifference>& found) {
+  if (key.base != nullptr) return compare_games(base, !key.teams, found);
+  if (!key.teams) return;
+  for (const TeamAt& at : key.teams()) compare_team(base, at, found);
 }
 
 // A setting that a factor varies, or that a varied preset sets, has no single value.
-void leave_out_factors(const Scenario& scenario, std::vector<DefaultDifference>& found) {
-  if (const auto* sweep = std::get_if<Sweep>(&scenario.content)) {
-    for (const auto& [value, settings] : set_by_values(*sweep)) {
-      std::erase_if(found, [&settings = settings](const auto& difference) {
-        return settings.contains(full_path(difference.path));
-      });
-    }
+void leave_out_factors(const GameSettings& base, const std::vector<Factor>& factors,
+                       std::vector<DefaultDifference>& found) {
+  for (const auto& [value, settings] : set_by_values(base, factors)) {
+    std::erase_if(found, [&settings = settings](const auto& difference) {
+      return settings.contains(full_path(difference.path));
+    });
   }
-  for (const std::string& factor : value_columns(scenario)) {
-    std::erase_if(found, [&](const auto& difference) { return difference.path == factor; });
+  for (const Factor& factor : factors) {
+    std::erase_if(found, [&](const auto& difference) { return difference.path == factor.path; });
   }
+}
+
+const GameSettings& base_of(const std::vector<Key>& keys) {
+  for (const Key& key : keys) {
+    if (key.base != nullptr) return *key.base;
+  }
+  throw std::logic_error("an experiment without a key for its base");
 }
 
 }  // namespace
 
-std::vector<DefaultDifference> differences_from_defaults(const Scenario& scenario) {
+std::vector<DefaultDifference> differences_from_defaults(const Experiment& experiment) {
+  const std::unique_ptr<Experiment> copy = experiment.copy();
+  const std::vector<Key> keys = copy->keys();
+  const GameSettings& base = base_of(keys);
   std::vector<DefaultDifference> found;
-  std::visit(
-      [&found](const auto& content) {
-        if constexpr (requires { content.base; }) {
-          constexpr bool kHasTeams = requires { Teams(content.teams); };
-          compare_games(content.base, kHasTeams, found);
-          if constexpr (kHasTeams) compare_teams(content.base, content.teams, found);
-          if constexpr (requires { content.challengers; })
-            compare_teams(content.base, content.challengers, found);
-        }
-      },
-      scenario.content);
-  leave_out_factors(scenario, found);
+  for (const Key& key : keys) compare_key(key, base, found);
+  leave_out_factors(base, copy->varied(), found);
   return found;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "runner/experiments/scenario.hpp"
+#include "runner/experiments/kinds/experiment.hpp"
 
 namespace autoref::runner {
 
@@ -16,6 +16,6 @@ struct DefaultDifference {
 
 // Differences in the settings common to all games and in those of each named team, from the
 // defaults of the experiment's rule book. Excludes settings determined by factors or the schedule.
-std::vector<DefaultDifference> differences_from_defaults(const Scenario& scenario);
+std::vector<DefaultDifference> differences_from_defaults(const Experiment& experiment);
 
 }  // namespace autoref::runner

@@ -32,13 +32,10 @@ std::string csv_of(const std::vector<Group>& groups, const std::vector<std::stri
   return csv;
 }
 
-std::string slope_text(const Scenario& scenario, const std::vector<Group>& groups) {
-  const auto* sweep = std::get_if<Sweep>(&scenario.content);
-  const std::optional<Slope> slope =
-      sweep == nullptr ? std::nullopt : slope_over_factor(sweep->factors, groups);
+std::string slope_text(const std::optional<Slope>& slope, const std::string& factor) {
   if (!slope) return "";
   return fmt::format(" Slope: {} goals per game per unit of {}.",
-                     mean_text(slope->mean, slope->interval), sweep->factors.front().path);
+                     mean_text(slope->mean, slope->interval), factor);
 }
 
 std::string curve_script(const NumericFactor& factor, const std::vector<Group>& groups) {
@@ -65,13 +62,14 @@ std::optional<Plot> difference_plot(const Scenario& scenario, const ExperimentRe
   Plot plot{"difference", "", csv_of(groups, names, false), ""};
   if (const auto factor = numeric_factor(scenario, groups)) {
     plot.about = fmt::format("Mean goal difference against {}; {}{}", factor->path, kWhatBarsAre,
-                             slope_text(scenario, groups));
+                             slope_text(results.slope, factor->path));
     plot.csv = csv_of(groups, names, true);
     plot.script = curve_script(*factor, groups);
     return plot;
   }
   plot.about = fmt::format("Mean goal difference of each {}; {}",
-                           value_columns(scenario).empty() ? "matchup" : "value", kWhatBarsAre);
+                           scenario.experiment().value_columns().empty() ? "matchup" : "value",
+                           kWhatBarsAre);
   plot.about += note_of_cut(names.size());
   names.resize(std::min(names.size(), kMostGroupsInPlot));
   plot.script = interval_rows_script("difference", names, axis_name(scenario),

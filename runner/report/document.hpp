@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "runner/analysis/knockout_report.hpp"
+#include "runner/experiments/kinds/results.hpp"
 
 namespace autoref::runner {
 

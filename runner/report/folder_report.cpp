@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 FolderReport write_one(ResultFolder folder, const fs::path& into, LostGames lost) {
   if (lost == LostGames::kKeep && !folder.lost.empty()) {
-    ExperimentResults results = results_of(folder.scenario, folder.completed_games.done);
+    ExperimentResults results = folder.scenario.experiment().results(folder.completed_games.done);
     return {std::move(folder), into, std::move(results), std::nullopt};
   }
   create_folder(into);

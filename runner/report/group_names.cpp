@@ -6,7 +6,7 @@
 
 namespace autoref::runner {
 std::vector<std::string> value_heads(const Scenario& scenario, const std::vector<Group>& groups) {
-  std::vector<std::string> heads = value_columns(scenario);
+  std::vector<std::string> heads = scenario.experiment().value_columns();
   if (groups.empty() || heads.size() == groups.front().values.size()) return heads;
   heads = {"a", "b"};
   heads.resize(groups.front().values.size());
@@ -14,12 +14,12 @@ std::vector<std::string> value_heads(const Scenario& scenario, const std::vector
 }
 
 std::string axis_name(const Scenario& scenario) {
-  const std::vector<std::string> paths = value_columns(scenario);
+  const std::vector<std::string> paths = scenario.experiment().value_columns();
   return paths.empty() ? "matchup" : listed(paths);
 }
 
 std::vector<std::string> names_of(const Scenario& scenario, const std::vector<Group>& groups) {
-  const char* between = value_columns(scenario).empty() ? " : " : ", ";
+  const char* between = scenario.experiment().value_columns().empty() ? " : " : ", ";
   std::vector<std::string> names;
   names.reserve(groups.size());
   for (const Group& group : groups) {
@@ -30,9 +30,9 @@ std::vector<std::string> names_of(const Scenario& scenario, const std::vector<Gr
 
 std::optional<NumericFactor> numeric_factor(const Scenario& scenario,
                                             const std::vector<Group>& groups) {
-  const auto* sweep = std::get_if<Sweep>(&scenario.content);
-  if (sweep == nullptr || sweep->factors.size() != 1 || groups.size() < 2) return std::nullopt;
-  const Factor& factor = sweep->factors.front();
+  const std::vector<Factor> factors = scenario.experiment().varied();
+  if (factors.size() != 1 || groups.size() < 2) return std::nullopt;
+  const Factor& factor = factors.front();
   const std::optional<std::vector<double>> values = numbers_of(factor);
   if (!values) return std::nullopt;
   return NumericFactor{factor.path, *values};

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "runner/analysis/groups.hpp"
-#include "runner/batch/experiment_kinds.hpp"
-#include "runner/experiments/scenario.hpp"
+#include "runner/experiments/kinds/scenario.hpp"
 
 namespace autoref::runner {
 

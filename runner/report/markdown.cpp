@@ -100,7 +100,7 @@ std::string tie_markdown(const TieResult& tie) {
   std::string text =
       fmt::format("{} {} : {} {}", team_markdown(a), a.goals, b.goals, team_markdown(b));
   if (a.goals.empty()) text = fmt::format("{} : {}", team_markdown(a), team_markdown(b));
-  if (tie.decision.empty() || tie.decision == name_of(DecidedBy::kGoals)) return text;
+  if (tie.decision.empty() || tie.is_usual) return text;
   return text + ", " + inline_text(tie.decision);
 }
 

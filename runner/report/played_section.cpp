@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <variant>
-
 #include "runner/io/checksum.hpp"
 #include "runner/io/words.hpp"
 #include "runner/report/sections.hpp"
@@ -9,19 +7,8 @@
 namespace autoref::runner {
 namespace {
 
-template <typename Content>
-std::string seed_text(const Content& content) {
-  return std::to_string(content.seed);
-}
-
-std::string seed_text(const JudgeSchedule& schedule) { return text_of(schedule.seeds); }
-
-std::string master_seed(const Scenario& scenario) {
-  return std::visit([](const auto& content) { return seed_text(content); }, scenario.content);
-}
-
 std::string kind_text(const Scenario& scenario) {
-  const std::vector<std::string> factors = value_columns(scenario);
+  const std::vector<std::string> factors = scenario.experiment().value_columns();
   return factors.empty() ? std::string(kind_of(scenario))
                          : fmt::format("{} of {}", kind_of(scenario), listed(factors));
 }
@@ -62,7 +49,7 @@ Section played_section(const ResultFolder& folder, const ExperimentResults& resu
                {kGamesRow, games_text(folder)},
                {"void games", std::to_string(folder.void_games())},
                {kBuildRow, folder.build.empty() ? "none" : folder.build},
-               {"master seed", master_seed(folder.scenario)},
+               {"master seed", seed_text(folder.scenario.experiment())},
                {kChecksumRow, rows_checksum(folder)}},
               2};
   if (!results.groups.empty()) {

@@ -5,8 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "runner/batch/experiment_kinds.hpp"
-#include "runner/experiments/scenario.hpp"
+#include "runner/experiments/kinds/scenario.hpp"
 #include "runner/report/plot.hpp"
 
 namespace autoref::runner {
@@ -40,7 +39,7 @@ std::optional<Plot> running_mean_plot(const Scenario& scenario, const Experiment
 std::optional<Plot> crosstable_plot(const ExperimentResults& results);
 
 // Each parameter of a tuning after every iteration, one panel per parameter.
-std::optional<Plot> tuning_path_plot(const Scenario& scenario, const ExperimentResults& results);
+std::optional<Plot> tuning_path_plot(const ExperimentResults& results);
 
 // Both ratings of each team with their 95 % intervals. Only with standings.
 std::optional<Plot> ratings_plot(const ExperimentResults& results);

@@ -7,12 +7,12 @@
 namespace autoref::runner {
 namespace {
 
-List meaning_of_results(const Scenario& scenario, const ExperimentResults& results) {
+List meaning_of_results(const ExperimentResults& results) {
   List list{{"All intervals are 95 % confidence intervals.",
              "Goals are mean ± standard deviation per game.",
              "a minus b is the mean goal difference per game. Its interval is Student's over pairs "
              "of legs with changed sides; a pair with a void game is left out."}};
-  if (std::holds_alternative<Sweep>(scenario.content) && results.groups.size() > 1) {
+  if (results.are_compared_with_first) {
     list.items.emplace_back(
         "From the first: the difference from the first value, over pairs with the same number; "
         "p is that of the paired t test, with Holm's correction over the table.");
@@ -85,16 +85,16 @@ std::string cross_text(const std::optional<CrossCell>& cell) {
 
 }  // namespace
 
-Section results_section(const ResultFolder& folder, const ExperimentResults& results) {
+Section results_section(const ExperimentResults& results) {
   Section section = {Heading{"Results"}, Verbatim{text_of(results.table)}};
-  for (Block& list : meaning_of(folder.scenario, results)) section.push_back(std::move(list));
+  for (Block& list : meaning_of(results)) section.push_back(std::move(list));
   return section;
 }
 
-Section meaning_of(const Scenario& scenario, const ExperimentResults& results) {
+Section meaning_of(const ExperimentResults& results) {
   Section lists;
-  if (!results.groups.empty()) lists.emplace_back(meaning_of_results(scenario, results));
-  if (results.tuning) lists.emplace_back(meaning_of_tuning());
+  if (!results.groups.empty()) lists.emplace_back(meaning_of_results(results));
+  if (results.search) lists.emplace_back(meaning_of_tuning());
   return lists;
 }
 

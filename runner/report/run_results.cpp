@@ -70,7 +70,7 @@ Section tournament_sections(const ExperimentResults& results) {
 
 }  // namespace
 
-std::string run_results_html(const Scenario& scenario, const ExperimentResults& results) {
+std::string run_results_html(const ExperimentResults& results) {
   Section section;
   if (!results.standings.empty()) {
     section = tournament_sections(results);
@@ -79,7 +79,7 @@ std::string run_results_html(const Scenario& scenario, const ExperimentResults& 
     section.emplace_back(Heading{results.ties.empty() ? "Results" : "Ties"});
     append_blocks(section, tables_of(results.table));
   }
-  append_blocks(section, meaning_of(scenario, results));
+  append_blocks(section, meaning_of(results));
   return html_fragment(section);
 }
 

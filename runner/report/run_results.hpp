@@ -3,8 +3,7 @@
 
 #include <string>
 
-#include "runner/batch/experiment_kinds.hpp"
-#include "runner/experiments/scenario.hpp"
+#include "runner/experiments/kinds/results.hpp"
 
 namespace autoref::runner {
 
@@ -15,6 +14,6 @@ inline constexpr std::size_t kMostCrossed = 60;
 
 // HTML for run_page() (view/page.hpp), of the report's blocks: the bracket of a cup, standings and
 // crosstable of a tournament, then the tables of all kinds and how to read them.
-std::string run_results_html(const Scenario& scenario, const ExperimentResults& results);
+std::string run_results_html(const ExperimentResults& results);
 
 }  // namespace autoref::runner

@@ -38,7 +38,7 @@ Layout layout_for(int panels) {
 
 std::vector<Panel> panels_of(const Scenario& scenario, const std::vector<Group>& groups) {
   const std::vector<std::string> names = names_of(scenario, groups);
-  const bool has_one_factor = value_columns(scenario).size() == 1;
+  const bool has_one_factor = scenario.experiment().value_columns().size() == 1;
   const std::string prefix = has_one_factor ? axis_name(scenario) + " " : "";
   std::vector<Panel> panels;
   for (std::size_t i = 0; i < groups.size(); ++i) {

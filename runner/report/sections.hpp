@@ -23,10 +23,10 @@ std::string rows_checksum(const ResultFolder& folder);  // CRC-32 of results.csv
 Section played_section(const ResultFolder& folder, const ExperimentResults& results);
 
 // The terminal's table, and the meaning of its intervals.
-Section results_section(const ResultFolder& folder, const ExperimentResults& results);
+Section results_section(const ExperimentResults& results);
 
 // How the numbers and intervals of the results are to be read.
-Section meaning_of(const Scenario& scenario, const ExperimentResults& results);
+Section meaning_of(const ExperimentResults& results);
 
 // Proportions of games won, drawn and lost, by group and by team in the standings.
 Section shares_section(const ResultFolder& folder, const ExperimentResults& results);

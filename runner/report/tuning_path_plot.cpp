@@ -17,24 +17,24 @@ constexpr double kPathMargin = 0.05;      // fraction of the span, above and bel
 constexpr std::size_t kMostPanels = 16;   // more would be unreadable
 constexpr std::size_t kLongestName = 60;  // characters
 
-std::string csv_of(const Tuning& tuning, const TuningState& state) {
+std::string csv_of(const SearchPath& path) {
   std::string csv = "panel,parameter,iteration,value,best\n";
-  for (std::size_t i = 0; i < tuning.parameters.size(); ++i) {
-    const TunedParameter& parameter = tuning.parameters[i];
-    const auto add = [&](int iteration, double value, double best) {
+  for (std::size_t i = 0; i < path.parameters.size(); ++i) {
+    const SearchedParameter& parameter = path.parameters[i];
+    const auto add = [&](std::size_t iteration, double value, double best) {
       csv += csv_line({std::to_string(i + 1), parameter.name, std::to_string(iteration),
                        text_of(value), text_of(best)}) +
              "\n";
     };
     add(0, parameter.start, parameter.start);
-    for (const TuningIteration& iteration : state.path)
-      add(iteration.number, iteration.after[i], iteration.best[i]);
+    for (std::size_t k = 0; k < parameter.values.size(); ++k)
+      add(k + 1, parameter.values[k], parameter.best[k]);
   }
   return csv;
 }
 
 // The panel of one parameter: its range, its start as a dashed line, the search and the best value.
-std::string panel_of(const TunedParameter& parameter, std::size_t number) {
+std::string panel_of(const SearchedParameter& parameter, std::size_t number) {
   const double margin = kPathMargin * (parameter.to - parameter.from);
   return fmt::format(
       "set title {0}\n"
@@ -53,7 +53,7 @@ std::string panel_of(const TunedParameter& parameter, std::size_t number) {
       kBlue, kVermilion);
 }
 
-std::string script_of(const Tuning& tuning, std::size_t panels) {
+std::string script_of(const SearchPath& path, std::size_t panels) {
   const auto count = static_cast<int>(panels);
   const int height_px = kPathTop_px + kPathBottom_px + count * kPathPanel_px;
   std::string script =
@@ -67,32 +67,33 @@ std::string script_of(const Tuning& tuning, std::size_t panels) {
           "set key at screen 0.97, screen 0.99 right top horizontal\n"
           "set multiplot layout {1},1 margins screen 0.09,0.97,{2:.4f},{3:.4f} spacing screen "
           "0,{4:.4f}\n",
-          std::max(1, tuning.iterations), count, static_cast<double>(kPathBottom_px) / height_px,
+          std::max(1, path.iterations), count, static_cast<double>(kPathBottom_px) / height_px,
           1 - static_cast<double>(kPathTop_px) / height_px,
           static_cast<double>(kPathBetween_px) / height_px);
   for (std::size_t i = 0; i < panels; ++i) {
     if (i + 1 == panels) script += "set format x\nset xlabel 'iteration'\n";
-    script += panel_of(tuning.parameters[i], i);
+    script += panel_of(path.parameters[i], i);
   }
   return script + "unset multiplot\n";
 }
 
 }  // namespace
 
-std::optional<Plot> tuning_path_plot(const Scenario& scenario, const ExperimentResults& results) {
-  const auto* tuning = std::get_if<Tuning>(&scenario.content);
-  if (tuning == nullptr || !results.tuning || results.tuning->path.empty()) return std::nullopt;
-  const std::size_t panels = std::min(kMostPanels, tuning->parameters.size());
+std::optional<Plot> tuning_path_plot(const ExperimentResults& results) {
+  if (!results.search) return std::nullopt;
+  const SearchPath& path = *results.search;
+  if (path.parameters.empty() || path.parameters.front().values.empty()) return std::nullopt;
+  const std::size_t panels = std::min(kMostPanels, path.parameters.size());
   Plot plot{
       "tuning_path",
       "Each tuned parameter by iteration, over its whole range: where the search was (thin), and "
       "the best value as known then, which averages over the last half of the iterations "
       "(thick). The dashed line is the start. A search that wanders over the range without a "
       "trend has not found any effect of the parameter in these games.",
-      csv_of(*tuning, *results.tuning), script_of(*tuning, panels)};
-  if (panels < tuning->parameters.size()) {
+      csv_of(path), script_of(path, panels)};
+  if (panels < path.parameters.size()) {
     plot.about += fmt::format(" Only the first {} of {} are drawn; the data file contains all.",
-                              panels, tuning->parameters.size());
+                              panels, path.parameters.size());
   }
   return plot;
 }

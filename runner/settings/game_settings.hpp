@@ -68,7 +68,8 @@ struct GameSettings {
   sim::RobotSpec robot;  // body, kicker and dribbler of every robot, unless its type overrides them
   RobotTypes types;      // for teams and players
   std::uint64_t seed = 42;
-  // Set by kinds of experiments, not by settings (runner/experiments/situations.hpp).
+  // Set by kinds of experiments, not by settings
+  // (runner/experiments/kinds/situations/situations.hpp).
   std::optional<StartState> start;
   std::optional<Scene> scene;
   // Full paths of the settings given explicitly; presets do not change them.

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "runner/experiments/reading/scenario_reader.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/lab/lab.hpp"
 #include "runner/settings/robot_types.hpp"

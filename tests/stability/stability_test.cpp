@@ -9,7 +9,7 @@
 #include <set>
 #include <sstream>
 
-#include "runner/experiments/reading/scenario_reader.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
 #include "runner/lab/lab.hpp"
 #include "runner/settings/robot_types.hpp"
 #include "tests/checkout.hpp"

@@ -8,6 +8,7 @@
 #include "runner/settings/fields.hpp"
 
 namespace autoref::runner {
+
 bool is_decided_by_schedule(std::string_view path) {
   return path == "match.a_plays" || path == "match.first_kickoff" || path == "seed";
 }
@@ -16,16 +17,18 @@ void refuse_decided(const YamlFile& file, const YamlLocation& location, std::str
   file.refuse(location, path, "set automatically for each game; leave it out here");
 }
 
-void FactorReader::read(const YamlEntry& factors, Sweep& sweep) {
+std::vector<Factor> FactorReader::read(const YamlEntry& factors, GameSettings& base) {
   const std::vector<YamlEntry> entries = file_.entries(factors, "factors", {});
   if (entries.empty())
     file_.refuse(factors.location, "factors",
                  "expected at least one factor, such as b.handicap: [1.0, 0.9]");
+  std::vector<Factor> all;
   for (const YamlEntry& entry : entries) {
     if (is_decided_by_schedule(entry.key)) refuse_decided(file_, entry.location, entry.key);
-    sweep.factors.push_back(read_factor(entry, sweep.base));
-    refuse_overlap(entry, sweep);
+    all.push_back(read_factor(entry, base));
+    refuse_overlap(entry, all, base);
   }
+  return all;
 }
 
 Factor FactorReader::read_factor(const YamlEntry& entry, GameSettings& base) {
@@ -67,17 +70,18 @@ SettingValue FactorReader::read_value(const YamlLocation& location, const std::s
   return value;
 }
 
-void FactorReader::refuse_overlap(const YamlEntry& entry, const Sweep& sweep) const {
-  const std::string& last = sweep.factors.back().path;
+void FactorReader::refuse_overlap(const YamlEntry& entry, const std::vector<Factor>& factors,
+                                  const GameSettings& base) const {
+  const std::string& last = factors.back().path;
   const auto refuse = [&](const std::string& other) {
     file_.refuse(entry.location, entry.key,
                  fmt::format("'{}' sets the same number; leave one out", other));
   };
-  for (std::size_t i = 0; i + 1 < sweep.factors.size(); ++i) {
-    const std::string& other = sweep.factors[i].path;
+  for (std::size_t i = 0; i + 1 < factors.size(); ++i) {
+    const std::string& other = factors[i].path;
     if (sets_same_number(last, other)) refuse(other);
   }
-  for (const std::string& given : sweep.base.given) {
+  for (const std::string& given : base.given) {
     if (last.ends_with(".handicap") && sets_same_number(full_path(last), given)) {
       refuse("base." + given);
     }

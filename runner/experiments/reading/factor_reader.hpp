@@ -1,11 +1,11 @@
-// Reads the factors of a sweep.
+// Reads factors and lists of values.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "runner/experiments/scenario.hpp"
+#include "runner/experiments/factor.hpp"
 #include "runner/settings/game_settings.hpp"
 #include "runner/settings/settings_reader.hpp"
 #include "runner/settings/yaml.hpp"
@@ -24,9 +24,8 @@ class FactorReader {
   FactorReader(const YamlFile& file, SettingLocations& locations)
       : file_(file), locations_(locations) {}
 
-  // Adds the factors to `sweep`, and the robot types named in them to the sweep's base. Throws
-  // InputError.
-  void read(const YamlEntry& factors, Sweep& sweep);
+  // Adds the robot types that the factors name to `base`. Throws InputError.
+  std::vector<Factor> read(const YamlEntry& factors, GameSettings& base);
 
   // Reads a list of distinct values of the setting at `path`. Adds the robot types named by these
   // values to `base`. Throws InputError.
@@ -38,7 +37,8 @@ class FactorReader {
   SettingValue read_value(const YamlLocation& location, const std::string& path,
                           const std::string& text, GameSettings& base) const;
   // Refuses two keys that set the same number, since the later one would silently win.
-  void refuse_overlap(const YamlEntry& entry, const Sweep& sweep) const;
+  void refuse_overlap(const YamlEntry& entry, const std::vector<Factor>& factors,
+                      const GameSettings& base) const;
 
   const YamlFile& file_;
   SettingLocations& locations_;

@@ -12,7 +12,8 @@
 
 namespace autoref::runner {
 
-void TopReader::allow(const std::vector<std::string>& keys) const {
+void TopReader::allow(const std::vector<std::string>& keys, std::vector<std::string> branches) {
+  branches_ = std::move(branches);
   std::vector<std::string> known = {"schema", "kind", "about"};
   known.insert(known.end(), keys.begin(), keys.end());
   refuse_unknown(file_, top_, known);
@@ -63,9 +64,7 @@ void TopReader::read_base(GameSettings& game, const Elsewhere& elsewhere) {
     throw InputError({assignment.flag}, "", "set automatically for each game; leave it out");
   }
   std::vector<std::string> others = {elsewhere.branch};
-  for (const char* branch : {"challengers", "attackers", "defenders", "team", "opponents"}) {
-    if (find(branch) != nullptr) others.emplace_back(branch);
-  }
+  others.insert(others.end(), branches_.begin(), branches_.end());
   assign_all(game, others);
 }
 

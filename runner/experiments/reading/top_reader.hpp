@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "runner/experiments/overrides.hpp"
 #include "runner/experiments/reading/base_reader.hpp"
+#include "runner/experiments/schedule.hpp"
 #include "runner/settings/assignments.hpp"
 #include "runner/settings/settings_reader.hpp"
 #include "runner/settings/yaml.hpp"
@@ -31,8 +31,9 @@ class TopReader {
   const YamlEntry* find(std::string_view key) const { return find_entry(top_, key); }
   const YamlEntry& required(std::string_view key) const { return required_entry(file_, top_, key); }
 
-  // Refuses all keys except these and those common to all scenarios.
-  void allow(const std::vector<std::string>& keys) const;
+  // Refuses all keys except these and those common to all scenarios. Settings of the command line
+  // below one of the `branches` are left to the key of that name.
+  void allow(const std::vector<std::string>& keys, std::vector<std::string> branches = {});
 
   std::string word(const YamlEntry& entry, std::string_view key,
                    const std::vector<std::string>& known) const;
@@ -65,6 +66,7 @@ class TopReader {
   const YamlFile& file_;
   const Assignments& assignments_;
   const std::vector<YamlEntry> top_;
+  std::vector<std::string> branches_;
   SettingLocations locations_;
 };
 

@@ -1,4 +1,5 @@
 #include "runner/analysis/standings.hpp"
+#include "runner/experiments/kinds/roundrobin/roundrobin.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -6,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "runner/analysis/standings_report.hpp"
-#include "runner/experiments/roundrobin.hpp"
 #include "runner/experiments/schedule.hpp"
 
 namespace autoref::runner {

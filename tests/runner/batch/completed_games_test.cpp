@@ -1,4 +1,5 @@
 #include "runner/batch/completed_games.hpp"
+#include "runner/experiments/kinds/sweep/sweep.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,9 +15,7 @@ namespace {
 
 const RowFormat kFakeFormat({"b.robots"});
 
-std::vector<ScheduledGame> scheduled_games() {
-  return scheduled_games(std::get<Sweep>(small_sweep().content));
-}
+std::vector<ScheduledGame> fake_schedule() { return small_sweep().as<Sweep>()->games(); }
 
 GameRow rows_played(const ScheduledGame& game, const GameRecord& record, const std::string& build) {
   GameRow row = row_of(game);
@@ -34,11 +33,11 @@ CompletedGames completed_games_of(const std::vector<GameRow>& in_files,
                                   bool allow_mixed_build = false) {
   RowsInFiles rows;
   for (const GameRow& row : in_files) rows.emplace(row.game_id, row);
-  return sort_rows(rows, scheduled_games(), kFakeFormat, "x", allow_mixed_build, "DIR", "");
+  return sort_rows(rows, fake_schedule(), kFakeFormat, "x", allow_mixed_build, "DIR", "");
 }
 
 TEST(CompletedGames, ContainsScheduledGames) {
-  const std::vector<ScheduledGame> games = scheduled_games();
+  const std::vector<ScheduledGame> games = fake_schedule();
   const CompletedGames completed_games =
       completed_games_of({rows_played(games[0]), rows_played(games[5])});
   EXPECT_EQ(completed_games.done.size(), 2U);
@@ -46,12 +45,12 @@ TEST(CompletedGames, ContainsScheduledGames) {
 }
 
 TEST(CompletedGames, CountsDuplicateRowsOnce) {
-  const ScheduledGame game = scheduled_games()[0];
+  const ScheduledGame game = fake_schedule()[0];
   EXPECT_EQ(completed_games_of({rows_played(game), rows_played(game)}).done.size(), 1U);
 }
 
 TEST(CompletedGames, ReportsNondeterminismIfTwoRowsOfOneGameDiffer) {
-  const ScheduledGame game = scheduled_games()[0];
+  const ScheduledGame game = fake_schedule()[0];
   GameRecord other = fake_game(resolved(game.settings.whole()));
   ++other.state_hash;
   try {
@@ -64,7 +63,7 @@ TEST(CompletedGames, ReportsNondeterminismIfTwoRowsOfOneGameDiffer) {
 }
 
 TEST(CompletedGames, PrefersTheOtherRowToThatOfAKilledGame) {
-  const ScheduledGame game = scheduled_games()[0];
+  const ScheduledGame game = fake_schedule()[0];
   GameRecord killed;
   killed.status = Status::kVoid;
   killed.void_reason = "its process was ended by signal 9 (Killed), in attempt 3";
@@ -78,18 +77,18 @@ TEST(CompletedGames, PrefersTheOtherRowToThatOfAKilledGame) {
 }
 
 TEST(CompletedGames, RefusesRowsOfAnotherBuild) {
-  EXPECT_THROW(completed_games_of({rows_played(scheduled_games()[0], "y")}), InputError);
+  EXPECT_THROW(completed_games_of({rows_played(fake_schedule()[0], "y")}), InputError);
 }
 
 TEST(CompletedGames, CountsAllowedRowsOfAnotherBuildSeparately) {
-  const ScheduledGame game = scheduled_games()[0];
+  const ScheduledGame game = fake_schedule()[0];
   const CompletedGames completed_games = completed_games_of({rows_played(game, "y")}, true);
   EXPECT_TRUE(completed_games.done.empty());
   EXPECT_EQ(completed_games.other_builds.at("y"), 1);
 }
 
 TEST(CompletedGames, RefusesAGameOfAnotherConfiguration) {
-  ScheduledGame game = scheduled_games()[0];
+  ScheduledGame game = fake_schedule()[0];
   GameSettings longer = game.settings.whole();
   longer.match.half_s = 60;
   game.settings = SharedSettings(longer);
@@ -97,7 +96,7 @@ TEST(CompletedGames, RefusesAGameOfAnotherConfiguration) {
 }
 
 TEST(CompletedGames, CountsUnscheduledGamesSeparately) {
-  ScheduledGame game = scheduled_games()[0];
+  ScheduledGame game = fake_schedule()[0];
   game.id = "b.robots=1-p0001-1";
   const CompletedGames completed_games = completed_games_of({rows_played(game)});
   EXPECT_TRUE(completed_games.done.empty());

@@ -1,5 +1,6 @@
 #include "runner/batch/experiment.hpp"
-#include "runner/experiments/reading/scenario_reader.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
+#include "runner/experiments/kinds/sweep/sweep.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -219,7 +220,7 @@ TEST(Experiment, CountsTheAttemptsOfAGameInItsRow) {
   run_experiment(small_sweep(1), options);
   std::multiset<int> attempts;
   const Scenario scenario = small_sweep(1);
-  const StoredRows stored = read_rows(folder / "run/games", row_format(scenario));
+  const StoredRows stored = read_rows(folder / "run/games", row_format(scenario.experiment()));
   for (const auto& [id, row] : stored.rows) attempts.insert(row.circumstances.attempt);
   EXPECT_EQ(attempts, (std::multiset<int>{1, 1, 3, 4}));
 }
@@ -324,7 +325,7 @@ TEST(Experiment, IsRefusedInAFolderOfAnotherConfigurationNamingTheDifferences) {
   const TemporaryFolder folder;
   run_experiment(small_sweep(), fake_options(folder.path()));
   Scenario changed = small_sweep();
-  std::get<Sweep>(changed.content).base.match.half_s = 60;
+  changed.as<Sweep>()->base.match.half_s = 60;
   try {
     run_experiment(changed, fake_options(folder.path()));
     FAIL();

@@ -8,6 +8,9 @@
 #include <vector>
 
 #include "runner/batch/experiment.hpp"
+#include "runner/experiments/kinds/roundrobin/roundrobin.hpp"
+#include "runner/experiments/kinds/sprt/sprt_match.hpp"
+#include "runner/experiments/kinds/sweep/sweep.hpp"
 #include "runner/settings/resolved.hpp"
 #include "tests/runner/support/temporary_folder.hpp"
 
@@ -57,7 +60,7 @@ inline Scenario small_sprt_match(int max_pairs = 40) {
   SprtMatch match;
   match.teams["team0"].robots = 6;
   match.teams["team1"].robots = 5;
-  match.sprt = {.d0 = 0, .d1 = -4, .min_pairs = 10, .max_pairs = max_pairs};
+  match.sprt = {.d0 = 0, .d1 = -4, .min_pairs = std::min(10, max_pairs), .max_pairs = max_pairs};
   match.seed = 2014;
   return {"A test.", match};
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "runner/experiments/kinds/tune/tuning.hpp"
 #include "tests/runner/batch/fake_games.hpp"
 
 namespace autoref::runner {

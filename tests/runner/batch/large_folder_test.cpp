@@ -8,7 +8,7 @@
 
 #include "referee/machine/machine.hpp"
 #include "runner/batch/result_folder.hpp"
-#include "runner/experiments/reading/effective.hpp"
+#include "runner/experiments/kinds/effective.hpp"
 #include "runner/io/files.hpp"
 #include "runner/results/shard.hpp"
 #include "tests/runner/batch/fake_games.hpp"
@@ -37,9 +37,9 @@ std::size_t fill(const std::filesystem::path& folder, int pairs) {
   create_folder(folder / kGamesFolder);
   std::ofstream(folder / kEffectiveFile) << effective_text(scenario);
   std::ofstream rows(folder / kGamesFolder / ShardIndex{}.file_name());
-  const RowFormat format = row_format(scenario);
+  const RowFormat format = row_format(scenario.experiment());
   rows << csv_line(format.names()) << '\n';
-  const std::vector<ScheduledGame> games = scheduled_games(scenario);
+  const std::vector<ScheduledGame> games = scenario.experiment().games();
   for (const ScheduledGame& game : games) rows << format.line(long_row(game)) << '\n';
   return games.size();
 }
@@ -78,14 +78,14 @@ double bytes_for_rows(int pairs, std::size_t& games) {
   games = fill(folder.path(), pairs);
   return bytes_needed([&folder] {
     const ResultFolder opened = open_results(folder.path());
-    results_of(opened.scenario, opened.completed_games.done);
+    opened.scenario.experiment().results(opened.completed_games.done);
   });
 }
 
 double bytes_for_schedule(int teams, std::size_t& games) {
   const Scenario scenario = small_roundrobin(std::vector<int>(teams, 6), 1);
-  games = scheduled_games(scenario).size();
-  return bytes_needed([&scenario] { scheduled_games(scenario); });
+  games = scenario.experiment().games().size();
+  return bytes_needed([&scenario] { scenario.experiment().games(); });
 }
 
 // `status` of 100,000 games needs less than 300 MB.

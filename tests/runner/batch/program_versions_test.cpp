@@ -1,12 +1,14 @@
 #include "runner/batch/program_versions.hpp"
+#include "runner/experiments/kinds/roundrobin/roundrobin.hpp"
+#include "runner/experiments/kinds/sweep/sweep.hpp"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <thread>
 
-#include "runner/experiments/reading/effective.hpp"
-#include "runner/experiments/reading/scenario_reader.hpp"
+#include "runner/experiments/kinds/effective.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
 #include "runner/io/csv.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/settings/fields.hpp"
@@ -42,7 +44,7 @@ class ProgramVersions : public testing::Test {
     robin.teams = {{"mine", team}, {"other", {}}};
     Scenario scenario{"", robin};
     note_program_versions(scenario);
-    const Teams teams = std::get<RoundRobin>(scenario.content).teams;
+    const Teams teams = scenario.as<RoundRobin>()->teams;
     EXPECT_EQ(teams.at("other").files_hash, "");
     return teams.at("mine").files_hash;
   }
@@ -109,7 +111,7 @@ TEST_F(ProgramVersions, AreOneForAllValuesOfAFactor) {
   const auto noted = [](Sweep of) {
     Scenario scenario{"", std::move(of)};
     note_program_versions(scenario);
-    return std::get<Sweep>(scenario.content).base.b.files_hash;
+    return scenario.as<Sweep>()->base.b.files_hash;
   };
   const std::string before = noted(sweep);
   write("team/two.py", "another");
@@ -127,7 +129,7 @@ TEST_F(ProgramVersions, OfAFactorMayBeInFoldersOfTheirOwn) {
   const auto noted = [&sweep] {
     Scenario scenario{"", sweep};
     note_program_versions(scenario);
-    return std::get<Sweep>(scenario.content).base.b.files_hash;
+    return scenario.as<Sweep>()->base.b.files_hash;
   };
   const std::string before = noted();
   EXPECT_EQ(before.size(), 16U);
@@ -151,10 +153,10 @@ TEST_F(ProgramVersions, AreKeptInTheFoldersScenario) {
   robin.teams = {{"mine", team()}, {"other", {}}};
   Scenario scenario{"A test.", robin};
   note_program_versions(scenario);
-  const std::string noted = std::get<RoundRobin>(scenario.content).teams.at("mine").files_hash;
+  const std::string noted = scenario.as<RoundRobin>()->teams.at("mine").files_hash;
   write("team/main.py", "changed");
   const Scenario read = read_scenario_text(effective_text(scenario), "effective.yaml");
-  EXPECT_EQ(std::get<RoundRobin>(read.content).teams.at("mine").files_hash, noted);
+  EXPECT_EQ(read.as<RoundRobin>()->teams.at("mine").files_hash, noted);
 }
 
 class VersionedRun : public ProgramVersions {
@@ -211,7 +213,7 @@ TEST_F(VersionedRun, StopsIfTheProgramIsChangedMeanwhile) {
     return fake_game(game);
   };
   EXPECT_THROW(run_experiment(scenario(5), options), InputError);
-  const StoredRows rows = read_rows(folder_ / "run/games", row_format(scenario(5)));
+  const StoredRows rows = read_rows(folder_ / "run/games", row_format(scenario(5).experiment()));
   EXPECT_EQ(rows.rows.size(), 1U);
 }
 

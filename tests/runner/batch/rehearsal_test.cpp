@@ -1,4 +1,6 @@
 #include "runner/batch/rehearsal.hpp"
+#include "runner/experiments/kinds/roundrobin/roundrobin.hpp"
+#include "runner/experiments/kinds/sweep/sweep.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,7 +11,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "runner/batch/experiment_kinds.hpp"
+#include "runner/experiments/kinds/scenario.hpp"
 #include "tests/runner/batch/fake_games.hpp"
 
 namespace autoref::runner {
@@ -35,7 +37,7 @@ class Rehearse : public testing::Test {
                     fmt::format("{} {}\n", game.b.robots.size(), game.match.half_s), std::ios::app);
       return PlayedPart{.void_reason = fake.play(game).void_reason};
     };
-    return rehearse(scheduled_games(scenario), {play, fake.workers, fake.longest_s});
+    return rehearse(scenario.experiment().games(), {play, fake.workers, fake.longest_s});
   }
   std::string games() const { return content_of(folder_ / "games"); }
 
@@ -58,7 +60,7 @@ TEST_F(Rehearse, PlaysWholeGamesIfThereIsTime) {
 
 TEST_F(Rehearse, PlaysNoLongerHalvesThanTheGame) {
   Scenario scenario = small_sweep(1);
-  std::get<Sweep>(scenario.content).base.match.half_s = 2;
+  scenario.as<Sweep>()->base.match.half_s = 2;
   rehearsed(scenario, {fake_game});
   EXPECT_TRUE(games().starts_with("6 2\n5 2\n")) << games();
   EXPECT_EQ(games().find("5 5\n"), std::string::npos) << games();
@@ -108,7 +110,7 @@ PlayedPart play_slowly(const GameConfiguration& game, double most_wall_s) {
 
 Scenario sweep_of_ten() {
   Scenario scenario = small_sweep(1);
-  auto& sweep = std::get<Sweep>(scenario.content);
+  auto& sweep = *scenario.as<Sweep>();
   sweep.factors = {{"sim.vision.ball_noise_m", {}}};
   for (int i = 0; i < 10; ++i) sweep.factors[0].values.emplace_back(i / 1000.0);
   return scenario;
@@ -116,7 +118,7 @@ Scenario sweep_of_ten() {
 
 TEST(RehearseSlowGames, TriesEveryVariantForAShareOfTheTime) {
   const std::vector<Rehearsal> rehearsals =
-      rehearse(scheduled_games(sweep_of_ten()), {play_slowly, 1, 4});
+      rehearse(sweep_of_ten().experiment().games(), {play_slowly, 1, 4});
   ASSERT_EQ(rehearsals.size(), 10U);
   for (const Rehearsal& rehearsal : rehearsals) {
     EXPECT_TRUE(rehearsal.was_tried) << rehearsal.played;
@@ -130,7 +132,7 @@ TEST_F(Rehearse, ReportsWhatShareOfAGameItsEstimateIsFrom) {
     return PlayedPart{.share = game.match.half_s > 100 ? 0.25 : 1};
   };
   const std::vector<Rehearsal> rehearsals =
-      rehearse(scheduled_games(small_sweep(1)), {play, 1, kAmple_s});
+      rehearse(small_sweep(1).experiment().games(), {play, 1, kAmple_s});
   EXPECT_DOUBLE_EQ(rehearsals[0].share, 0.25);
 }
 
@@ -138,7 +140,7 @@ TEST(WholeGame, StartsOnlyOnce) { EXPECT_NEAR(whole_game_s({{0.01, 0.53, 0.5}}),
 
 Scenario roundrobin_with_a_program() {
   Scenario scenario = small_roundrobin({6, 6}, 1);
-  std::get<RoundRobin>(scenario.content).teams["team1"].program.command = {"true"};
+  scenario.as<RoundRobin>()->teams["team1"].program.command = {"true"};
   return scenario;
 }
 
@@ -149,7 +151,7 @@ TEST(RehearsePrograms, SplitsTheTimeBetweenTheTeams) {
     return PlayedPart{.team_s = {0.02, 0.15}};
   };
   const std::vector<Rehearsal> rehearsals =
-      rehearse(scheduled_games(roundrobin_with_a_program()), {play, 1, 2});
+      rehearse(roundrobin_with_a_program().experiment().games(), {play, 1, 2});
   const auto& teams = rehearsals.at(0).teams;
   EXPECT_EQ(teams[1].name, "team1");
   EXPECT_TRUE(teams[1].is_program);
@@ -163,7 +165,7 @@ TEST(RehearsePrograms, IncludesTheirRepetition) {
     std::this_thread::sleep_for(duration<double>(0.2));
     return PlayedPart{.start_s = 0.1};
   };
-  const auto with = rehearse(scheduled_games(roundrobin_with_a_program()), {play, 1, kAmple_s});
+  const auto with = rehearse(roundrobin_with_a_program().experiment().games(), {play, 1, kAmple_s});
   EXPECT_GT(with[0].wall_s_a_game, 0.3);
 }
 
@@ -200,9 +202,9 @@ TEST(WholeGame, TakesNoLessTimeThanALongerPart) {
 
 TEST_F(Rehearse, EndsInTime) {
   Scenario scenario = small_sweep(1);
-  std::get<Sweep>(scenario.content).factors = {{"sim.vision.ball_noise_m", {}}};
+  scenario.as<Sweep>()->factors = {{"sim.vision.ball_noise_m", {}}};
   for (int i = 0; i < 100; ++i) {
-    std::get<Sweep>(scenario.content).factors[0].values.emplace_back(i / 1000.0);
+    scenario.as<Sweep>()->factors[0].values.emplace_back(i / 1000.0);
   }
   const auto play = [](const GameConfiguration& game) {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
@@ -237,7 +239,7 @@ TEST_F(Rehearse, ReportsWhyAGameIsVoid) {
 
 TEST_F(Rehearse, RemembersAVoidGameAfterGoodOnes) {
   const std::vector<Rehearsal> rehearsals =
-      rehearse(scheduled_games(small_sweep(1)),
+      rehearse(small_sweep(1).experiment().games(),
                {[this](const GameConfiguration& game, double /*most_wall_s*/) {
                   // Parts are played in workers, which share nothing but files.
                   const bool is_first_whole = game.match.half_s > 5 && games().empty();

@@ -6,9 +6,13 @@
 #include <cstdlib>
 
 #include "runner/batch/experiment.hpp"
-#include "runner/experiments/reading/effective.hpp"
-#include "runner/experiments/reading/scenario_reader.hpp"
-#include "runner/experiments/scenario.hpp"
+#include "runner/experiments/kinds/effective.hpp"
+#include "runner/experiments/kinds/judge/judge_schedule.hpp"
+#include "runner/experiments/kinds/knockout/knockout.hpp"
+#include "runner/experiments/kinds/scenario.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
+#include "runner/experiments/kinds/sprt/sprt_match.hpp"
+#include "runner/experiments/kinds/tune/tuning.hpp"
 #include "runner/experiments/schedule.hpp"
 #include "runner/judge/evaluate_calls.hpp"
 #include "runner/settings/resolved.hpp"
@@ -31,14 +35,14 @@ std::vector<std::string> scenario_files() {
 
 constexpr double kShortHalf_s = 5;
 
-// The minimum number of pairs that each kind allows.
-void make_few(Sweep& sweep) { sweep.pairs = 1; }
-void make_few(RoundRobin& robin) { robin.pairs = 1; }
-void make_few(Gauntlet& gauntlet) { gauntlet.pairs = 1; }
-void make_few(Situations& situations) { situations.pairs = 1; }
+void shorten(GameSettings& game) {
+  game.match.half_s = game.match.rules.extra_half_s = kShortHalf_s;
+}
+
+// The smallest numbers of games that those kinds allow which have other numbers than pairs.
 void make_few(SprtMatch& match) { match.sprt.min_pairs = match.sprt.max_pairs = 2; }
 void make_few(Tuning& tuning) {
-  tuning.iterations = tuning.pairs = 1;
+  tuning.iterations = 1;
   tuning.test.min_pairs = tuning.test.max_pairs = 2;
 }
 // The two best and the two worst teams: their games are seldom drawn, and need few shoot-outs and
@@ -50,26 +54,26 @@ void make_few(Knockout& knockout) {
     return std::find(order.begin(), order.end(), team.first) == order.end();
   });
 }
-void make_few(GameSettings& /*game*/) {}
 void make_few(JudgeSchedule& schedule) {
-  schedule.games = 2;
+  schedule.games_each = 2;
   schedule.seeds.resize(1);
 }
 
-void shorten(referee::Match& match) { match.half_s = match.rules.extra_half_s = kShortHalf_s; }
-void shorten(GameSettings& game) { shorten(game.match); }
-template <typename Many>
-void shorten(Many& many) {
-  shorten(many.base);
+template <typename... Kinds>
+void make_few_of(Scenario& scenario) {
+  const auto make = [](auto* experiment) {
+    if (experiment != nullptr) make_few(*experiment);
+  };
+  (make(scenario.as<Kinds>()), ...);
 }
 
 void shorten(Scenario& scenario) {
-  std::visit(
-      [](auto& content) {
-        shorten(content);
-        make_few(content);
-      },
-      scenario.content);
+  if (auto* game = std::get_if<GameSettings>(&scenario.content)) return shorten(*game);
+  for (const Key& key : scenario.experiment().keys()) {
+    if (key.base != nullptr) shorten(*key.base);
+    if (key.pairs != nullptr) *key.pairs = 1;
+  }
+  make_few_of<SprtMatch, Tuning, Knockout, JudgeSchedule>(scenario);
 }
 
 // Plays a game as from the checkout, where programs are found.
@@ -100,7 +104,7 @@ TEST_P(EveryScenario, PlaysShortenedGames) {
     EXPECT_EQ(play(resolved(*game)).status, Status::kOk);
     return;
   }
-  if (auto* schedule = std::get_if<JudgeSchedule>(&scenario.content)) {
+  if (auto* schedule = scenario.as<JudgeSchedule>()) {
     for (const JudgeGame& game : games_of(*schedule))
       EXPECT_EQ(evaluate_calls(resolved(game.settings.whole())).record.void_reason, "") << game.id;
     return;

@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(All, Shards, testing::Values(1, 2, 5));
 
 TEST(ScheduledGames, AreOneUnitIfTheyAreLegsOfAPair) {
   for (const Scenario& scenario : {small_sweep(), small_roundrobin({6, 5, 4})}) {
-    const std::vector<ScheduledGame> games = scheduled_games(scenario);
+    const std::vector<ScheduledGame> games = scenario.experiment().games();
     for (std::size_t i = 0; i < games.size(); ++i) EXPECT_EQ(games[i].unit, i / 2);
   }
 }

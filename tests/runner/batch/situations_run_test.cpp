@@ -4,9 +4,10 @@
 #include "runner/batch/experiment.hpp"
 #include "runner/batch/result_folder.hpp"
 #include "runner/batch/verify.hpp"
+#include "runner/experiments/kinds/situations/situations.hpp"
 #include "runner/results/shard.hpp"
 #include "tests/runner/batch/fake_games.hpp"
-#include "tests/runner/experiments/small_situations.hpp"
+#include "tests/runner/experiments/kinds/situations/small_situations.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -48,7 +49,7 @@ TEST(SituationsRun, ContinuesAndIsVerified) {
   const TemporaryFolder folder;
   Scenario scenario = small_situations();
   run_experiment(scenario, real_options(folder.path(), 1));
-  std::get<Situations>(scenario.content).pairs = 3;
+  scenario.as<Situations>()->pairs = 3;
   const ExperimentReport report = run_experiment(scenario, real_options(folder.path(), 1));
   EXPECT_EQ(report.played, 8);
   EXPECT_EQ(report.done, 24);
@@ -62,7 +63,7 @@ TEST(SituationsRun, RefusesToContinueWithOtherPositions) {
   const TemporaryFolder folder;
   Scenario scenario = small_situations();
   run_experiment(scenario, real_options(folder.path(), 1));
-  std::get<Situations>(scenario.content).situations.at("rest").ball.x_m = 0.5;
+  scenario.as<Situations>()->situations.at("rest").ball.x_m = 0.5;
   try {
     run_experiment(scenario, real_options(folder.path(), 1));
     FAIL() << "continued";

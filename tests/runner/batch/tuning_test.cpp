@@ -1,7 +1,9 @@
 // Tunings with fake games: the same path for every number of workers and shards, and after kills.
 #include <gtest/gtest.h>
+
 #include <sys/wait.h>
 #include <unistd.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -11,7 +13,9 @@
 #include <thread>
 
 #include "runner/batch/result_folder.hpp"
-#include "runner/experiments/reading/scenario_reader.hpp"
+#include "runner/experiments/kinds/roundrobin/roundrobin.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
+#include "runner/experiments/kinds/tune/tuning.hpp"
 #include "runner/io/errors.hpp"
 #include "tests/runner/batch/fake_tuning.hpp"
 
@@ -117,17 +121,17 @@ INSTANTIATE_TEST_SUITE_P(Of, TunedFolder, testing::Values("spsa", "self", "cma_e
 TEST(Tuning, FindsABetterTeamAndSaysSo) {
   const TemporaryFolder folder;
   const ExperimentReport report = tune(folder.path(), small_tuning("spsa"));
-  ASSERT_TRUE(report.results.tuning);
-  EXPECT_EQ(report.results.tuning->test.state.verdict, ThreeWayVerdict::kBetter);
+  ASSERT_TRUE(report.results.search);
+  EXPECT_EQ((*report.results.json)["tuning"]["verdict"], "better");
   EXPECT_NE(text_of(report.results.table).find("The result is better than the start"),
             std::string::npos)
       << text_of(report.results.table);
-  EXPECT_NEAR(report.results.tuning->best.front(), kBestRisk, 0.2);
+  EXPECT_NEAR(report.results.search->parameters.front().best.back(), kBestRisk, 0.2);
 }
 
 TEST(Tuning, DoesNotCallAnEqualTeamBetter) {
   Scenario scenario = small_tuning("spsa");
-  Tuning& tuning = std::get<Tuning>(scenario.content);
+  Tuning& tuning = *scenario.as<Tuning>();
   tuning.parameters.front().start = kBestRisk;  // nothing is left to improve
   const TemporaryFolder folder;
   const ExperimentReport report = tune(folder.path(), scenario);
@@ -137,7 +141,7 @@ TEST(Tuning, DoesNotCallAnEqualTeamBetter) {
 
 // The test's games must not be those that the search has seen.
 TEST(Tuning, TestsWithSeedsOfItsOwn) {
-  const std::vector<ScheduledGame> games = scheduled_games(small_tuning("spsa"));
+  const std::vector<ScheduledGame> games = small_tuning("spsa").experiment().games();
   std::set<std::uint64_t> searched;
   std::set<std::uint64_t> tested;
   for (const ScheduledGame& game : games)
@@ -148,7 +152,7 @@ TEST(Tuning, TestsWithSeedsOfItsOwn) {
 
 TEST(Tuning, PlaysAllCandidatesOfAnIterationWithTheSameSeeds) {
   std::map<std::string, std::set<std::uint64_t>> seeds;  // by candidate
-  for (const ScheduledGame& game : scheduled_games(small_tuning("cma_es"))) {
+  for (const ScheduledGame& game : small_tuning("cma_es").experiment().games()) {
     if (game.id.starts_with("k0002-")) seeds[game.team_a].insert(game.settings.leg().seed);
   }
   ASSERT_GT(seeds.size(), 2U);
@@ -188,7 +192,7 @@ TEST(Tuning, RefusesAFolderOfAnotherSearch) {
   const TemporaryFolder folder;
   Scenario scenario = small_tuning("spsa");
   tune(folder.path(), scenario);
-  std::get<Tuning>(scenario.content).gain = 0.5;
+  scenario.as<Tuning>()->gain = 0.5;
   try {
     tune(folder.path(), scenario);
     FAIL() << "was accepted";
@@ -207,7 +211,7 @@ TEST(Tuning, ResultCanBePastedIntoAScenario) {
   teams.insert(teams.find("\n  params") + 1, "  ");
   const Scenario robin = read_scenario_text(
       "schema: 1\nkind: roundrobin\npairs: 1\nseed: 1\nteams:\n  zone: {}\n" + teams, "x.yaml");
-  const TeamSettings& tuned = std::get<RoundRobin>(robin.content).teams.at("tuned");
+  const TeamSettings& tuned = robin.as<RoundRobin>()->teams.at("tuned");
   EXPECT_EQ(tuned.strategy, "cobalt");
   EXPECT_NEAR(tuned.params.at("pass_risk"), kBestRisk, 0.2);
 }

@@ -3,7 +3,7 @@
 
 #include "runner/io/errors.hpp"
 #include "tests/runner/cli/answer.hpp"
-#include "tests/runner/experiments/small_situations.hpp"
+#include "tests/runner/experiments/kinds/situations/small_situations.hpp"
 #include "tests/runner/support/has_part.hpp"
 #include "tests/runner/support/temporary_folder.hpp"
 

@@ -1,6 +1,8 @@
 // The reference pages of the manual are what the program prints.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "runner/cli/reference_pages.hpp"
 #include "runner/io/errors.hpp"
 #include "tests/checkout.hpp"
@@ -32,7 +34,11 @@ TEST_P(ReferencePage, IsTheOneInTheManual) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, ReferencePage, testing::ValuesIn(reference_page_names()),
-                         [](const auto& test) { return test.param; });
+                         [](const auto& test) {
+                           std::string name = test.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 TEST(ReferencePages, GiveEachSettingItsDefaultRangeAndMeaning) {
   const std::string line = page_line_of(printed("settings"), "`half_s`");

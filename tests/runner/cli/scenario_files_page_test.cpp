@@ -1,4 +1,4 @@
-// docs/reference/scenario-files.md lists the keys that each kind of file accepts.
+// docs/reference/scenario-files.md and other-files.md list the keys that each kind of file accepts.
 #include <gtest/gtest.h>
 
 #include <cctype>
@@ -52,7 +52,10 @@ const Part kParts[] = {
      "kind: lab\nduration_s: 1\nrobots: [{side: west, commands: [{zzz: 1}]}]\n"}};
 
 std::vector<SchemaSection> page_sections() {
-  return sections_of("docs/reference/scenario-files.md");
+  std::vector<SchemaSection> sections = sections_of("docs/reference/scenario-files.md");
+  for (SchemaSection& section : sections_of("docs/reference/other-files.md"))
+    sections.push_back(std::move(section));
+  return sections;
 }
 
 // The words after `label` in a message: "label a, b, c".

@@ -77,7 +77,7 @@ TEST_F(ShownRunTest, ShowsResultsProgressAndGames) {
 TEST_F(ShownRunTest, WarnsOfInterimIntervalsWhileGamesAreMissing) {
   const Scenario scenario = small_roundrobin({6, 16}, 2);
   show(scenario);
-  options_.show(results_of(scenario, {}));
+  options_.show(scenario.experiment().results({}));
   options_.publish({.total = 4, .done = 1}, "1/4 games");
   EXPECT_TRUE(has(messages()["progress"]["remark"], "Do not stop early"));
 }

@@ -1,4 +1,5 @@
 #include "runner/experiments/matchup_schedule.hpp"
+#include "runner/experiments/kinds/roundrobin/roundrobin.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +25,7 @@ RoundRobin robin_of(const std::vector<std::string>& names, int pairs) {
 
 std::vector<std::string> ids_of(const RoundRobin& robin) {
   std::vector<std::string> ids;
-  for (const ScheduledGame& game : scheduled_games(robin)) ids.push_back(game.id);
+  for (const ScheduledGame& game : robin.games()) ids.push_back(game.id);
   return ids;
 }
 
@@ -44,7 +45,7 @@ TEST(RoundRobinSchedule, SpreadsPairsOverAllMatchupsWithTheirLegsBackToBack) {
 TEST(RoundRobinSchedule, GivesEachTeamItsOwnSettingsAndName) {
   RoundRobin robin = robin_of({"zone", "bold"}, 1);
   robin.base.match.half_s = 60;
-  const ScheduledGame game = scheduled_games(robin).back();
+  const ScheduledGame game = robin.games().back();
   EXPECT_EQ(game.team_a, "bold");
   EXPECT_EQ(game.settings.whole().a.robots, robin.teams["bold"].robots);
   EXPECT_EQ(game.settings.whole().b.robots, robin.teams["zone"].robots);
@@ -53,7 +54,7 @@ TEST(RoundRobinSchedule, GivesEachTeamItsOwnSettingsAndName) {
 
 TEST(RoundRobinSchedule, DerivesSeedAndSidesFromMasterSeedPairAndLegOnly) {
   std::map<std::pair<int, int>, std::set<std::uint64_t>> seeds;
-  for (const ScheduledGame& game : scheduled_games(robin_of({"zone", "bold", "calm"}, 4))) {
+  for (const ScheduledGame& game : robin_of({"zone", "bold", "calm"}, 4).games()) {
     seeds[{game.pair, game.leg}].insert(game.settings.whole().seed);
     EXPECT_EQ(game.settings.whole().match.a_plays, game.leg == 1 ? Side::kWest : Side::kEast);
   }
@@ -67,10 +68,10 @@ TEST(RoundRobinSchedule, KeepsAllGamesWhenTeamsOrPairsAreAdded) {
   std::map<std::string, std::uint64_t> hashes;
   RoundRobin many = robin_of({"zone", "bold"}, 5);
   many.teams["calm"] = {};
-  for (const ScheduledGame& game : scheduled_games(many)) {
+  for (const ScheduledGame& game : many.games()) {
     hashes[game.id] = configuration_hash(game.settings.whole());
   }
-  for (const ScheduledGame& game : scheduled_games(robin_of({"zone", "bold"}, 2))) {
+  for (const ScheduledGame& game : robin_of({"zone", "bold"}, 2).games()) {
     EXPECT_EQ(hashes.at(game.id), configuration_hash(game.settings.whole())) << game.id;
   }
 }
@@ -79,7 +80,7 @@ TEST(RoundRobinSchedule, NamesTheInvalidSetting) {
   RoundRobin robin = robin_of({"zone", "bold"}, 1);
   robin.teams["bold"].params["shots"] = 1;
   try {
-    scheduled_games(robin);
+    robin.games();
     FAIL();
   } catch (const std::invalid_argument& error) {
     EXPECT_TRUE(std::string(error.what()).starts_with("teams.bold.params.shots: "));

@@ -1,4 +1,7 @@
 #include "runner/experiments/playing_order.hpp"
+#include "runner/experiments/kinds/gauntlet/gauntlet.hpp"
+#include "runner/experiments/kinds/situations/situations.hpp"
+#include "runner/experiments/kinds/sweep/sweep.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +10,10 @@
 #include <map>
 #include <set>
 
-#include "runner/batch/experiment_kinds.hpp"
+#include "runner/experiments/kinds/scenario.hpp"
 #include "runner/results/shard.hpp"
 #include "tests/runner/batch/fake_games.hpp"
-#include "tests/runner/experiments/small_situations.hpp"
+#include "tests/runner/experiments/kinds/situations/small_situations.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -48,8 +51,9 @@ int widest_spread(const std::vector<ScheduledGame>& games, NamesOf names_of) {
 }
 
 std::vector<ScheduledGame> robin_games(int teams, int pairs = 3) {
-  return scheduled_games(
-      small_roundrobin(std::vector<int>(static_cast<std::size_t>(teams), 6), pairs));
+  return small_roundrobin(std::vector<int>(static_cast<std::size_t>(teams), 6), pairs)
+      .experiment()
+      .games();
 }
 
 class RoundRobinOrder : public testing::TestWithParam<int> {};
@@ -75,7 +79,7 @@ TEST(RoundRobinOrderOfTwo, IsTheirMatchup) {
 
 Scenario sweep_of_two_factors() {
   Scenario scenario = small_sweep(2);
-  auto& sweep = std::get<Sweep>(scenario.content);
+  auto& sweep = *scenario.as<Sweep>();
   sweep.factors = {{"b.robots", {}}, {"sim.vision.ball_noise_m", {}}};
   for (const int robots : {3, 4, 5, 6}) sweep.factors[0].values.emplace_back(robots);
   for (int i = 0; i < 6; ++i) sweep.factors[1].values.emplace_back(i / 1000.0);
@@ -83,7 +87,7 @@ Scenario sweep_of_two_factors() {
 }
 
 TEST(SweepOrder, PlaysEveryValueOfAFactorEquallyOften) {
-  const std::vector<ScheduledGame> games = scheduled_games(sweep_of_two_factors());
+  const std::vector<ScheduledGame> games = sweep_of_two_factors().experiment().games();
   EXPECT_EQ(games.size(), 96U);
   EXPECT_EQ(widest_spread(games, first_value_of), 2);
   EXPECT_EQ(widest_spread(games, second_value_of), 2);
@@ -109,7 +113,7 @@ Gauntlet gauntlet_of(int challengers, int teams) {
 }
 
 TEST(GauntletOrder, LetsChallengersAndTheFieldPlayEquallyOften) {
-  const std::vector<ScheduledGame> games = scheduled_games(Scenario{"", gauntlet_of(4, 6)});
+  const std::vector<ScheduledGame> games = Scenario{"", gauntlet_of(4, 6)}.experiment().games();
   EXPECT_EQ(widest_spread(games, attackers_of), 2);
   EXPECT_EQ(widest_spread(games, defenders_of), 2);
 }
@@ -122,7 +126,7 @@ TEST(SituationsOrder, LetsEverybodyPlayEquallyOften) {
     situations.attackers[name] = attackers;
     situations.defenders[name] = defenders;
   }
-  const std::vector<ScheduledGame> games = scheduled_games(Scenario{"", situations});
+  const std::vector<ScheduledGame> games = Scenario{"", situations}.experiment().games();
   EXPECT_EQ(widest_spread(games, first_value_of), 2);
   EXPECT_EQ(widest_spread(games, attackers_of), 2);
   EXPECT_EQ(widest_spread(games, defenders_of), 2);
@@ -130,7 +134,7 @@ TEST(SituationsOrder, LetsEverybodyPlayEquallyOften) {
 
 TEST(PlayingOrder, KeepsTheLegsOfAPairTogether) {
   for (const Scenario& scenario : {sweep_of_two_factors(), small_roundrobin({6, 5, 4, 3, 2}, 2)}) {
-    const std::vector<ScheduledGame> games = scheduled_games(scenario);
+    const std::vector<ScheduledGame> games = scenario.experiment().games();
     for (std::size_t i = 0; i < games.size(); i += 2) {
       EXPECT_EQ(games[i].id.substr(0, games[i].id.size() - 1) + "2", games[i + 1].id);
     }
@@ -159,7 +163,7 @@ TEST(PlayingOrder, GivesEveryShardAboutAsManyGamesOfEveryTeam) {
 }
 
 TEST(PlayingOrder, GivesEveryShardAllValuesOfAFactor) {
-  const std::vector<ScheduledGame> games = scheduled_games(small_sweep(40));
+  const std::vector<ScheduledGame> games = small_sweep(40).experiment().games();
   for (const int number : {0, 1}) {
     EXPECT_EQ(widest_spread(games_of_shard(games, number, 2), first_value_of), 2);
   }

@@ -1,4 +1,5 @@
 #include "runner/experiments/shared_settings.hpp"
+#include "runner/experiments/kinds/roundrobin/roundrobin.hpp"
 
 #include <gtest/gtest.h>
 
@@ -57,7 +58,7 @@ TEST(SharedSettings, TurnTheStartOfASceneIfTeamAPlaysInTheEast) {
 TEST(SharedSettings, OfATeamAreTheSameObjectInAllItsGames) {
   RoundRobin robin;
   for (const char* name : {"a", "b", "c"}) robin.teams[name].robots = 3;
-  const std::vector<ScheduledGame> games = scheduled_games(robin);
+  const std::vector<ScheduledGame> games = robin.games();
   ASSERT_EQ(games.size(), 6U);
   EXPECT_EQ(&games[0].settings.a(), &games[2].settings.a());  // a~b and a~c
   EXPECT_EQ(&games[2].settings.b(), &games[4].settings.b());  // a~c and b~c

@@ -4,8 +4,9 @@
 #include <set>
 #include <stdexcept>
 
-#include "runner/experiments/reading/scenario_reader.hpp"
-#include "runner/experiments/scenario.hpp"
+#include "runner/experiments/kinds/judge/judge_schedule.hpp"
+#include "runner/experiments/kinds/scenario.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/judge/judge_report.hpp"
 #include "runner/judge/judge_tables.hpp"
@@ -23,9 +24,7 @@ constexpr const char* kFile =
     "schema: 1\nkind: judge\nbase: { match: { half_s: 20 } }\n"
     "cameras: [none, realistic]\nmatchups: [basic~basic]\ngames: 2\nseed: 3\n";
 
-JudgeSchedule schedule() {
-  return std::get<JudgeSchedule>(read_scenario_text(kFile, "x.yaml").content);
-}
+JudgeSchedule schedule() { return *read_scenario_text(kFile, "x.yaml").as<JudgeSchedule>(); }
 
 ground_truth::Verdict verdict(ground_truth::Outcome outcome) {
   ground_truth::Verdict verdict;
@@ -153,7 +152,7 @@ TEST(JudgeSchedule, RefusesToKeepAnUnknownSeed) {
 TEST(JudgeSchedule, DealsTheSameTeamsToEveryCamera) {
   JudgeSchedule dealt = schedule();
   dealt.teams = {"rowdy", "basic", "zone"};
-  dealt.games = 12;
+  dealt.games_each = 12;
   const std::vector<JudgeGame> games = games_of(dealt);
   std::set<std::string> matchups;
   for (std::size_t i = 0; i < games.size(); i += 2) {
@@ -227,7 +226,7 @@ JudgeReport report_on(const std::vector<int>& goals) {
   schedule.rules = {"paper", "2014"};
   schedule.cameras = {"none"};
   schedule.seeds = {{"test", "5", 5}};
-  schedule.games = 1;
+  schedule.games_each = 1;
   RowsById rows;
   for (const JudgeGame& game : games_of(schedule)) {
     const auto count = static_cast<std::size_t>(goals[rows.size()]);
@@ -286,7 +285,7 @@ TEST(JudgeReport, NamesItsSeeds) {
 TEST(JudgeReport, ListsCallsBeforeTheirEvents) {
   JudgeSchedule schedule;
   schedule.cameras = {"none"};
-  schedule.games = 1;
+  schedule.games_each = 1;
   const JudgeGame game = games_of(schedule).front();
   ground_truth::Verdict right = verdict(ground_truth::Outcome::kRight);
   right.time_s = 2;

@@ -1,4 +1,5 @@
 #include "runner/report/plots.hpp"
+#include "runner/experiments/kinds/gauntlet/gauntlet.hpp"
 
 #include <gtest/gtest.h>
 

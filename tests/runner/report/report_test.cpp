@@ -1,4 +1,6 @@
 #include "runner/report/report.hpp"
+#include "runner/experiments/kinds/knockout/knockout.hpp"
+#include "runner/experiments/kinds/sweep/sweep.hpp"
 
 #include <gtest/gtest.h>
 
@@ -189,7 +191,7 @@ TEST_F(Report, NamesVoidGamesAndWhy) {
 
 TEST_F(Report, ListsWhatIsNotTheDefault) {
   Scenario sweep = small_sweep(1);
-  std::get<Sweep>(sweep.content).base.match.half_s = 77;
+  sweep.as<Sweep>()->base.match.half_s = 77;
   run_experiment(sweep, fake_options(folder_.path()));
   reported(folder_.path());
   EXPECT_TRUE(has(markdown(), "| match.half\\_s | 77.0 | 600.0 |\n")) << markdown();

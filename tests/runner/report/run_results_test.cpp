@@ -1,4 +1,5 @@
 #include "runner/report/run_results.hpp"
+#include "runner/experiments/kinds/knockout/knockout.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,9 +15,7 @@ std::string shown_after_a_run(const Scenario& scenario) {
   std::string html;
   ExperimentOptions options = fake_options(folder.path());
   options.publish = [](const GameCounts&, const std::string&) {};
-  options.show = [&](const ExperimentResults& results) {
-    html = run_results_html(scenario, results);
-  };
+  options.show = [&](const ExperimentResults& results) { html = run_results_html(results); };
   run_experiment(scenario, options);
   return html;
 }
@@ -53,7 +52,7 @@ TEST(RunResults, AreOfLimitedLength) {
   TextTable table{{{"value", "games"}}};
   for (int i = 0; i < 100'000; ++i) table.rows.push_back({std::to_string(i), "1"});
   results.table = {table};
-  const std::string html = run_results_html(small_sweep(), results);
+  const std::string html = run_results_html(results);
   EXPECT_LT(html.size(), 20'000U);
   EXPECT_TRUE(has(html, "<p>and 99800 more</p>")) << html;
 }
@@ -65,7 +64,7 @@ TEST(RunResults, NeverContainMarkupOfNames) {
                    BracketPlace{},
                    {{{"<b>", true, "<i>", false}, {"\"><u>", false, "", false}}},
                    "<s>"}};
-  const std::string html = run_results_html(small_sweep(), results);
+  const std::string html = run_results_html(results);
   for (const char* const tag : {"<img", "<script", "<b>", "<i>", "<u>", "<s>"})
     EXPECT_FALSE(has(html, tag)) << tag;
 }

@@ -1,4 +1,5 @@
 #include "runner/results/row_format.hpp"
+#include "runner/experiments/kinds/sweep/sweep.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ namespace {
 const RowFormat kFormat({"b.robots"});
 
 GameRow sample_row() {
-  const ScheduledGame game = scheduled_games(std::get<Sweep>(small_sweep().content)).front();
+  const ScheduledGame game = small_sweep().as<Sweep>()->games().front();
   GameRow row = row_of(game);
   row.record = fake_game(resolved(game.settings.whole()));
   row.circumstances = {.build = "build",

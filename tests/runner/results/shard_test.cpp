@@ -1,4 +1,5 @@
 #include "runner/results/shard.hpp"
+#include "runner/experiments/kinds/sweep/sweep.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -113,7 +114,7 @@ TEST(Shard, RefusesDevices) { EXPECT_THROW(Shard("/dev/full", "head"), InputOutp
 const RowFormat kShardFormat({"b.robots"});
 
 std::string row_line() {
-  const ScheduledGame game = scheduled_games(std::get<Sweep>(small_sweep().content)).front();
+  const ScheduledGame game = small_sweep().as<Sweep>()->games().front();
   GameRow row = row_of(game);
   row.record = fake_game(resolved(game.settings.whole()));
   return kShardFormat.line(row);

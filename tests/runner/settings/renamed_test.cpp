@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runner/experiments/reading/scenario_reader.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/settings/fields.hpp"
 #include "tests/runner/cli/answer.hpp"

@@ -5,8 +5,8 @@
 
 #include <stdexcept>
 
-#include "runner/experiments/reading/scenario_reader.hpp"
-#include "runner/experiments/scenario.hpp"
+#include "runner/experiments/kinds/scenario.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
 
 namespace autoref::runner {
 namespace {

@@ -1,14 +1,15 @@
 // Robot types: their files, and how scenarios, sweeps and flags name them.
 #include "runner/settings/robot_types.hpp"
+#include "runner/experiments/kinds/sweep/sweep.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "runner/experiments/reading/effective.hpp"
-#include "runner/experiments/reading/scenario_reader.hpp"
-#include "runner/experiments/scenario.hpp"
+#include "runner/experiments/kinds/effective.hpp"
+#include "runner/experiments/kinds/scenario.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
 #include "runner/experiments/schedule.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/settings/fields.hpp"
@@ -38,9 +39,7 @@ class ScenarioWithTypes : public testing::Test {
   GameSettings game(const std::string& text) const {
     return std::get<GameSettings>(read(kTypesGame + text).content);
   }
-  Sweep sweep(const std::string& text) const {
-    return std::get<Sweep>(read(kTypesSweep + text).content);
-  }
+  Sweep sweep(const std::string& text) const { return *read(kTypesSweep + text).as<Sweep>(); }
   std::string refusal(const std::string& text) const {
     try {
       read(text);
@@ -65,9 +64,10 @@ TEST_F(ScenarioWithTypes, FindsThemRelativeToItself) {
 }
 
 TEST_F(ScenarioWithTypes, VariesThemAsFactorsWithReadableIds) {
-  const std::vector<ScheduledGame> games =
-      scheduled_games(sweep("factors:\n  b.type: [none, robots/slow.yaml]\n"
-                            "  b.players.3.handicap: [1.0, 0.7]\n"));
+  const std::vector<ScheduledGame> games = sweep(
+                                               "factors:\n  b.type: [none, robots/slow.yaml]\n"
+                                               "  b.players.3.handicap: [1.0, 0.7]\n")
+                                               .games();
   ASSERT_EQ(games.size(), 8U);
   const auto both = std::find_if(games.begin(), games.end(), [](const ScheduledGame& game) {
     return game.id == "b.type=slow+b.players.3.handicap=0.7-p0001-2";
@@ -81,9 +81,11 @@ TEST_F(ScenarioWithTypes, VariesThemAsFactorsWithReadableIds) {
 }
 
 TEST_F(ScenarioWithTypes, VariesATypeTogetherWithTheTeamsValues) {
-  const std::vector<ScheduledGame> games = scheduled_games(
-      sweep("base: { teams: { b: { type: robots/fast.yaml, robot: { mass_kg: 3 } } } }\n"
-            "factors: { b.type: [robots/slow.yaml] }\n"));
+  const std::vector<ScheduledGame> games =
+      sweep(
+          "base: { teams: { b: { type: robots/fast.yaml, robot: { mass_kg: 3 } } } }\n"
+          "factors: { b.type: [robots/slow.yaml] }\n")
+          .games();
   const GameSettings it = games[0].settings.whole();
   EXPECT_EQ(speed_mps(it, 0), 2.2);
   EXPECT_EQ(spec_of(it, it.b, "teams.b").robots[0].body.mass_kg, 3);
@@ -101,8 +103,8 @@ TEST_F(ScenarioWithTypes, IsReproducedFromItsEffectiveText) {
 TEST_F(ScenarioWithTypes, HasItsSweepReproducedFromTheEffectiveText) {
   const Scenario scenario = read(kTypesSweep + "factors: { b.type: [none, robots/slow.yaml] }\n");
   const Scenario back = read_scenario_text(effective_text(scenario), "elsewhere/effective.yaml");
-  const std::vector<ScheduledGame> games = scheduled_games(std::get<Sweep>(scenario.content));
-  const std::vector<ScheduledGame> games_back = scheduled_games(std::get<Sweep>(back.content));
+  const std::vector<ScheduledGame> games = scenario.as<Sweep>()->games();
+  const std::vector<ScheduledGame> games_back = back.as<Sweep>()->games();
   ASSERT_EQ(games_back.size(), games.size());
   for (std::size_t i = 0; i < games.size(); ++i) {
     EXPECT_EQ(games_back[i].id, games[i].id);

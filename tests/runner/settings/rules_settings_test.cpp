@@ -1,9 +1,9 @@
 // match.rules applies a rule book; anything else in the file overrides it.
 #include <gtest/gtest.h>
 
-#include "runner/experiments/reading/effective.hpp"
-#include "runner/experiments/reading/scenario_reader.hpp"
-#include "runner/experiments/scenario.hpp"
+#include "runner/experiments/kinds/effective.hpp"
+#include "runner/experiments/kinds/scenario.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
 #include "runner/settings/fields.hpp"
 
 namespace autoref::runner {

@@ -4,6 +4,11 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "runner/experiments/kinds/gauntlet/gauntlet.hpp"
+#include "runner/experiments/kinds/judge/judge_schedule.hpp"
+#include "runner/experiments/kinds/knockout/knockout.hpp"
+#include "runner/experiments/kinds/sweep/sweep.hpp"
+#include "runner/experiments/kinds/tune/tuning.hpp"
 #include "runner/export/export_folder.hpp"
 #include "runner/io/csv.hpp"
 #include "runner/judge/judge_report.hpp"
@@ -11,7 +16,7 @@
 #include "runner/report/plots.hpp"
 #include "tests/runner/batch/fake_games.hpp"
 #include "tests/runner/batch/fake_tuning.hpp"
-#include "tests/runner/experiments/small_situations.hpp"
+#include "tests/runner/experiments/kinds/situations/small_situations.hpp"
 #include "tests/runner/support/written_names.hpp"
 
 namespace autoref::runner {
@@ -28,7 +33,7 @@ WrittenNames head_in_folder(const Scenario& scenario, const std::string& file) {
   EXPECT_TRUE(run_experiment(scenario, fake_options(folder.path())).is_complete);
   EXPECT_TRUE(std::filesystem::exists(folder / file)) << file;
   WrittenNames names = head_of(content_of(folder / file));
-  for (const std::string& factor : value_columns(scenario)) {
+  for (const std::string& factor : scenario.experiment().value_columns()) {
     std::replace(names.begin(), names.end(), factor, std::string("FACTOR"));
   }
   return names;
@@ -51,14 +56,14 @@ Scenario small_knockout() {
 
 Scenario factorial() {
   Scenario scenario = small_sweep();
-  std::get<Sweep>(scenario.content).factors.push_back({"a.robots", {6, 4}});
+  scenario.as<Sweep>()->factors.push_back({"a.robots", {6, 4}});
   return scenario;
 }
 
 // With PARAMETER for the name of the only parameter.
 WrittenNames tuning_columns() {
   Scenario scenario = small_tuning("spsa");
-  std::get<Tuning>(scenario.content).parameters.resize(1);
+  scenario.as<Tuning>()->parameters.resize(1);
   WrittenNames names = head_in_folder(scenario, "tune.csv");
   for (std::string& name : names) {
     if (name == "pass_risk") name = "PARAMETER";
@@ -135,10 +140,7 @@ std::vector<Artefact> written_csv() {
       {"results.csv", results_columns},
       {"games/*.csv", circumstances_columns},
       {"Calls", calls_columns},
-      {"games/*.csv of autoref judge",
-       [] {
-         return row_format({"A test.", JudgeSchedule{}}).names();
-       }},
+      {"games/*.csv of autoref judge", [] { return row_format(JudgeSchedule{}).names(); }},
       {"summary.csv of a sweep", [] { return head_in_folder(small_sweep(), "summary.csv"); }},
       {"summary.csv of a round robin or gauntlet",
        [] {

@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "runner/experiments/kinds/knockout/knockout.hpp"
 #include "runner/game/event_log.hpp"
 #include "runner/game/game_event.hpp"
 #include "runner/judge/judge_report.hpp"
@@ -14,7 +15,7 @@
 #include "tests/runner/batch/fake_games.hpp"
 #include "tests/runner/batch/fake_tuning.hpp"
 #include "tests/runner/cli/answer.hpp"
-#include "tests/runner/experiments/small_situations.hpp"
+#include "tests/runner/experiments/kinds/situations/small_situations.hpp"
 #include "tests/runner/support/written_names.hpp"
 
 namespace autoref::runner {

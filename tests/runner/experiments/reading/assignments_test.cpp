@@ -1,7 +1,8 @@
 // What --set can and cannot change in scenarios.
 #include <gtest/gtest.h>
 
-#include "runner/experiments/reading/scenario_reader.hpp"
+#include "runner/experiments/kinds/roundrobin/roundrobin.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
 #include "runner/io/errors.hpp"
 
 namespace autoref::runner {
@@ -40,7 +41,7 @@ TEST(Set, ReachesTheBaseAndTeamsByName) {
   const Assignments sets =
       assignments_in({"teams.one.players.2.handicap=0.5", "teams.two.params.shot_mps=5",
                       "match.half_s=7", "match.rules=2026-a"});
-  const auto robin = std::get<RoundRobin>(read_scenario_text(text, "x.yaml", sets).content);
+  const auto robin = *read_scenario_text(text, "x.yaml", sets).as<RoundRobin>();
   EXPECT_EQ(robin.base.match.half_s, 7);
   EXPECT_EQ(robin.teams.at("one").robots, 11);
   EXPECT_EQ(robin.teams.at("one").players.at(2).speed_factor, 0.5);

@@ -4,8 +4,9 @@
 
 #include <functional>
 
-#include "runner/experiments/reading/effective.hpp"
-#include "runner/experiments/reading/scenario_reader.hpp"
+#include "runner/experiments/kinds/effective.hpp"
+#include "runner/experiments/kinds/roundrobin/roundrobin.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/processor_time.hpp"
 #include "runner/lab/lab.hpp"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "runner/experiments/reading/scenario_reader.hpp"
-#include "runner/experiments/scenario.hpp"
+#include "runner/experiments/kinds/scenario.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
 #include "runner/io/errors.hpp"
 
 namespace autoref::runner {

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "runner/experiments/reading/scenario_reader.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
 #include "tests/runner/experiments/reading/mistake.hpp"
 
 namespace autoref::runner {

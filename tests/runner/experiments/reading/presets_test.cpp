@@ -4,8 +4,9 @@
 
 #include <set>
 
-#include "runner/experiments/reading/effective.hpp"
-#include "runner/experiments/reading/scenario_reader.hpp"
+#include "runner/experiments/kinds/effective.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
+#include "runner/experiments/kinds/sweep/sweep.hpp"
 #include "runner/experiments/schedule.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/settings/fields.hpp"
@@ -165,13 +166,13 @@ TEST(Presets, LeaveTheFilesSettingsAloneIfChosenOnTheCommandLine) {
 
 Sweep preset_sweep_of(const std::string& lines) {
   const std::string text = "schema: 1\nkind: sweep\npairs: 1\nseed: 1\n" + lines;
-  return std::get<Sweep>(read_scenario_text(text, "x.yaml").content);
+  return *read_scenario_text(text, "x.yaml").as<Sweep>();
 }
 
 // The games' configurations by cell name.
 std::map<std::string, GameSettings> cells_of(const Sweep& sweep) {
   std::map<std::string, GameSettings> cells;
-  for (const ScheduledGame& game : scheduled_games(sweep)) {
+  for (const ScheduledGame& game : sweep.games()) {
     cells[game.id.substr(0, game.id.find("-p"))] = game.settings.whole();
   }
   return cells;
@@ -228,7 +229,7 @@ TEST(Presets, ReadTheSameFromTheEffectiveFile) {
         "factors: { b.players.3.dribbler.preset: [perfect, default], b.robots: [6, 5] }\n"}) {
     const Sweep sweep = preset_sweep_of(lines);
     const std::string text = effective_text({"A sweep.", sweep});
-    const auto again = std::get<Sweep>(read_scenario_text(text, "effective.yaml").content);
+    const auto again = *read_scenario_text(text, "effective.yaml").as<Sweep>();
     EXPECT_EQ(effective_text({"A sweep.", again}), text);
     const auto cells = cells_of(sweep);
     const auto cells_again = cells_of(again);

@@ -1,0 +1,66 @@
+// The reference page of scenario files: the keys of each kind.
+#include <fmt/format.h>
+
+#include "runner/cli/reference_pages.hpp"
+#include "runner/experiments/kinds/registry.hpp"
+#include "runner/experiments/kinds/scenario.hpp"
+
+namespace autoref::runner {
+namespace {
+
+constexpr const char* kAboutFiles =
+    "Each kind of scenario, with all of its keys. Every file also has `schema: 1`, its `kind`, and "
+    "may have `about`, one sentence that reports show. The keys of `teams`, `match`, `field`, "
+    "`sim` and `base` are [settings](settings.md); [scenarios](../scenarios.md) and "
+    "[experiments](../experiments.md) explain and show them. Robot types and scenes of the lab "
+    "have [files of their own](other-files.md).\n\n";
+
+const std::vector<KeyRow> kGameRows = {
+    {"`types`", "robot types by name", "what `type` may name, instead of a file"},
+    {"`teams`", "`a` and `b`", "the two teams"},
+    {"`match`", "settings", "rule book, halves, who commands"},
+    {"`field`", "settings", "sizes of the field"},
+    {"`sim`", "settings", "world, robots, cameras"},
+    {"`seed`", "whole number; 42", "random seed of the game"}};
+
+std::string section(const std::string& title, std::string_view about,
+                    const std::vector<KeyRow>& keys) {
+  std::vector<std::vector<std::string>> rows = {{"name", "value", "meaning"}};
+  for (const KeyRow& key : keys) rows.push_back({key.names, key.value, key.about});
+  return fmt::format("## {}\n\n{}{}{}", title, about, about.empty() ? "" : "\n\n",
+                     reference_table(rows));
+}
+
+// A link to a section of this page, whose anchor has no colon.
+std::string link_to(std::string title) {
+  std::string anchor;
+  for (const char c : title) {
+    if (c != ':') anchor += c == ' ' ? '-' : c;
+  }
+  return fmt::format("see [below](#{})", anchor);
+}
+
+std::string sections_of(const Kind& kind) {
+  const std::unique_ptr<Experiment> experiment = kind.make();
+  std::vector<KeyRow> rows;
+  std::string below;
+  for (const Key& key : experiment->keys()) {
+    const bool has_below = !key.below.rows.empty();
+    const std::string title = fmt::format("{}: {}", kind.name, key.below.title);
+    rows.push_back({code_span(key.name), has_below ? link_to(title) : key.value, key.about});
+    if (has_below) below += section(title, key.below.about, key.below.rows);
+  }
+  return section(std::string(kind.name), kind.about, rows) + below;
+}
+
+}  // namespace
+
+std::string scenario_files_page() {
+  std::string page = reference_head("Keys of scenario files", "scenario-files") + kAboutFiles +
+                     section(std::string(kGameKind), "One game, for `play` and `live`.", kGameRows);
+  for (const Kind* kind : kinds_of_experiments()) page += sections_of(*kind);
+  page.pop_back();
+  return page;
+}
+
+}  // namespace autoref::runner

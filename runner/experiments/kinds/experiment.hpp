@@ -1,0 +1,123 @@
+// What a kind of experiment is. Each kind is one folder beside this file: a struct with what the
+// user sets, derived from ExperimentOf, and a line in registry.cpp. Reading and writing its files,
+// --set, --pairs and --seed, resuming, shards, verification, reports and the reference page follow
+// from what the struct answers here.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runner/experiments/factor.hpp"
+#include "runner/experiments/kinds/keys.hpp"
+#include "runner/experiments/kinds/results.hpp"
+#include "runner/experiments/schedule.hpp"
+#include "runner/results/game_row.hpp"
+#include "runner/results/row_format.hpp"
+
+namespace autoref::runner {
+
+class Experiment;
+
+struct Kind {
+  std::string_view name;                            // in `kind:`
+  std::string_view about;                           // one sentence
+  std::unique_ptr<Experiment> (*make)() = nullptr;  // with its defaults
+  std::string_view verb = "run";                    // of `autoref`, that plays it
+};
+
+// The games an experiment needs, given its rows so far.
+struct Schedule {
+  std::vector<ScheduledGame> games;  // in playing order
+  // Number of games needed. If less than games.size(), only the first ones count; if more, some
+  // future games are not known yet.
+  std::size_t needed = 0;
+};
+
+class Experiment {
+ public:
+  virtual ~Experiment() = default;
+
+  virtual const Kind& kind() const = 0;
+  virtual std::unique_ptr<Experiment> copy() const = 0;
+
+  // The keys of its scenario file, in the order of effective.yaml. They refer to this object, and
+  // must not outlive it.
+  virtual std::vector<Key> keys() = 0;
+  // The settings of its base that vary between its games.
+  virtual std::vector<Factor> varied() const { return {}; }
+
+  // The games known in advance, in playing order. Throws SettingError or std::invalid_argument if
+  // the settings contradict each other.
+  virtual std::vector<ScheduledGame> games() const = 0;
+  // How the games actually played may differ from games(), for messages; empty if they cannot
+  // differ.
+  virtual std::string caveat() const { return {}; }
+  // The games, with ids from which games that take equally long can be seen: all of one value or
+  // matchup.
+  virtual std::vector<ScheduledGame> games_to_rehearse() const { return games(); }
+  // Whether schedule() depends on the rows. If it does not, all of games() are needed.
+  virtual bool follows_its_rows() const { return false; }
+  // `rows` are those of the games played so far.
+  virtual Schedule schedule(const RowsById& rows) const;
+  // Whether these rows make all remaining games unnecessary.
+  virtual bool is_decided(const RowsById& rows) const;
+  // The games of a round, if all games are played in equally large rounds that depend on all rows
+  // of earlier ones, so that shards wait for each other.
+  virtual std::optional<std::size_t> games_of_a_round() const { return std::nullopt; }
+  // Why it has no number of pairs, if none of its keys is one.
+  virtual std::string why_no_pairs() const { return {}; }
+
+  virtual RowKind row_kind() const { return RowKind::kPlayed; }
+  // Names of the row columns with a game's values (ScheduledGame::values).
+  virtual std::vector<std::string> value_columns() const { return {}; }
+
+  // Computes the results from the rows that count.
+  virtual ExperimentResults results(const RowsById& rows) const = 0;
+};
+
+template <typename Its>
+class ExperimentOf : public Experiment {
+ public:
+  const Kind& kind() const override { return Its::kKind; }
+  std::unique_ptr<Experiment> copy() const override {
+    return std::make_unique<Its>(static_cast<const Its&>(*this));
+  }
+  static std::unique_ptr<Experiment> make() { return std::make_unique<Its>(); }
+};
+
+// Reads the scenario file. Throws InputError.
+void read_keys(TopReader& top, Experiment& experiment);
+
+// The rows of needed games, which the results are computed from.
+RowsById counted(const Schedule& schedule, RowsById rows);
+
+// The format of the experiment's rows.
+RowFormat row_format(const Experiment& experiment);
+
+// The settings in which two experiments of one kind differ: "match.half_s is 60.0 here and 600.0
+// there; ...". Empty if no setting differs or if the kinds differ. Ignores factor values and teams
+// that occur in only one of the experiments, since they belong to different games.
+std::string changes_between(const Experiment& here, const Experiment& there);
+
+// The number of pairs of legs per combination or matchup, or the maximum of an SPRT match; nullopt
+// if the kind has none.
+std::optional<int> pairs_of(const Experiment& experiment);
+
+// The experiment's master seed; nullopt if it has several with names.
+std::optional<std::uint64_t> master_seed_of(const Experiment& experiment);
+
+// The seed or seeds as text, for reports.
+std::string seed_text(const Experiment& experiment);
+
+// Throws std::invalid_argument if the experiment cannot have this many pairs.
+void set_pairs(Experiment& experiment, int pairs);
+
+// Replaces all named seeds, too.
+void set_master_seed(Experiment& experiment, std::uint64_t seed);
+
+}  // namespace autoref::runner

@@ -1,0 +1,50 @@
+#include "runner/experiments/kinds/group_results.hpp"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "runner/analysis/standings_report.hpp"
+#include "runner/io/table_columns.hpp"
+
+namespace autoref::runner {
+namespace {
+
+ProgressTable standings_shown(const std::vector<Standing>& standings, const std::string& noun) {
+  const Cells to_spare = are_rated(standings) ? Cells{kStrengthHead, kGoalRatingHead, kGamesHead}
+                                              : Cells{kGoalDifferenceHead, kGamesHead};
+  std::vector<Cells> rows = standings_rows(standings);
+  std::vector<std::size_t> dispensable = columns_named(rows.front(), to_spare);
+  return {std::move(rows), kStandingsColumns, noun + "s", std::move(dispensable)};
+}
+
+}  // namespace
+
+ProgressTable groups_shown(std::vector<Cells> rows, std::vector<Align> columns, std::string noun) {
+  std::vector<std::size_t> dispensable =
+      columns_named(rows.front(), {kGoalsBHead, kGoalsAHead, kVoidHead});
+  return {std::move(rows), std::move(columns), std::move(noun), std::move(dispensable)};
+}
+
+ProgressTable matchups_shown(const std::vector<Group>& matchups) {
+  ProgressTable table = groups_shown(matchups_rows(matchups), kMatchupsColumns, "matchups");
+  for (const std::size_t column : columns_named(table.rows.front(), {kGamesHead, kDifferenceHead}))
+    table.dispensable.push_back(column);
+  return table;
+}
+
+// Puts the standings first, since a small screen shows only the first part.
+ExperimentResults tournament_results(std::vector<Group> matchups, std::vector<Standing> standings,
+                                     const std::string& noun) {
+  ExperimentResults results;
+  results.files = {{"summary.csv", "a row per matchup", matchups_csv(matchups)},
+                   {"standings.csv", "a row per " + noun, standings_csv(standings)}};
+  results.table = {matchups_table(matchups), "\n", standings_table(standings)};
+  results.shown = {standings_shown(standings, noun), matchups_shown(matchups)};
+  results.json = std::make_shared<Json>(
+      Json{{"standings", json_of(standings)}, {"groups", json_of(matchups)}});
+  results.groups = std::move(matchups);
+  results.standings = std::move(standings);
+  return results;
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,24 @@
+// The results of kinds whose games are grouped by values or by matchup.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "runner/experiments/kinds/results.hpp"
+
+namespace autoref::runner {
+
+// A table of groups while the experiment runs. On a narrow screen it first drops the goals, since
+// their difference is shown, and the void games, since the progress bar counts them.
+ProgressTable groups_shown(std::vector<Cells> rows, std::vector<Align> columns, std::string noun);
+
+// The same for matchups, which can also do without the number of games: it is the sum of the wins,
+// draws and losses on the right.
+ProgressTable matchups_shown(const std::vector<Group>& matchups);
+
+// The results of a tournament. `noun` is who stands in the standings, in the singular: "team" or
+// "challenger".
+ExperimentResults tournament_results(std::vector<Group> matchups, std::vector<Standing> standings,
+                                     const std::string& noun);
+
+}  // namespace autoref::runner

@@ -1,0 +1,79 @@
+#include "runner/experiments/kinds/situations/scene_reader.hpp"
+
+#include <fmt/format.h>
+
+#include "runner/io/words.hpp"
+#include "runner/settings/mapping.hpp"
+#include "soccer/named.hpp"
+#include "soccer/parameters.hpp"
+
+namespace autoref::runner {
+namespace {
+
+// One measure, or a mapping of measures to weights.
+SceneWeights weights_in(const YamlFile& file, const YamlEntry& entry, const std::string& path) {
+  const std::vector<std::string> measures = parameter_names<SceneWeights>();
+  SceneWeights weights{0, 0, 0, 0};
+  if (entry.value.IsMap()) {
+    Mapping(file, entry, path, measures).parameters(weights);
+    if (weights == SceneWeights{0, 0, 0, 0})
+      file.refuse(entry.location, path, "all weights are 0; give at least one");
+    return weights;
+  }
+  const std::string expected = fmt::format(
+      "one of {}, or a weight for each such as {{ goal: 1, gained_m: 0.1 }}", listed(measures));
+  const std::string word = file.scalar(entry, path, expected, false);
+  SceneWeights::visit(weights, [&word](double& weight, const Parameter& about) {
+    if (about.name == word) weight = 1;
+  });
+  if (weights == SceneWeights{0, 0, 0, 0}) {
+    file.refuse(
+        value_location(entry), path,
+        fmt::format("expected {}, found '{}'{}", expected, word, suggestion(word, measures)));
+  }
+  return weights;
+}
+
+void read_ends(const YamlFile& file, const YamlEntry& entry, const std::string& path,
+               Scene& scene) {
+  std::vector<std::string> known = all_names<SceneEnd>();
+  std::erase(known, name_of(SceneEnd::kTime));  // which ends every scene
+  scene.ends = {};
+  scene.ends[static_cast<std::size_t>(SceneEnd::kTime)] = true;
+  for (const std::string& word : file.words(entry, path)) {
+    const std::optional<SceneEnd> end = find_named<SceneEnd>(word);
+    if (!end || *end == SceneEnd::kTime) {
+      file.refuse(value_location(entry), path,
+                  fmt::format("expected a list of {}, found '{}'{}", listed(known), word,
+                              suggestion(word, known)));
+    }
+    scene.ends[static_cast<std::size_t>(*end)] = true;
+  }
+}
+
+}  // namespace
+
+std::vector<Key> scene_keys(const std::shared_ptr<Scene>& scene) {
+  std::vector<Key> keys = {
+      {"lasts_s", "above 0, at most 600 s; 10 s", "seconds of play in a scene"},
+      {"score", "`goal`, `conceded`, `ball_kept` or `gained_m`, or weights of them; `goal`",
+       "what a scene is worth"},
+      {"ends_on", "list of `goal`, `ball_out`, `foul`, `stop`; all", "what ends a scene early"}};
+  keys.front().read = [scene](TopReader& top) {
+    read_scene(top.file(), top.entries(), "", *scene);
+  };
+  return keys;
+}
+
+void read_scene(const YamlFile& file, const std::vector<YamlEntry>& entries,
+                std::string_view branch, Scene& scene) {
+  const std::string prefix = branch.empty() ? "" : fmt::format("{}.", branch);
+  if (const YamlEntry* entry = find_entry(entries, "lasts_s"))
+    assign_entry(file, *entry, {prefix + "lasts_s", &scene.lasts_s, {0, 600, true}, {}, "s", ""});
+  if (const YamlEntry* entry = find_entry(entries, "score"))
+    scene.weights = weights_in(file, *entry, prefix + "score");
+  if (const YamlEntry* entry = find_entry(entries, "ends_on"))
+    read_ends(file, *entry, prefix + "ends_on", scene);
+}
+
+}  // namespace autoref::runner

@@ -1,0 +1,34 @@
+// The results of situations as CSV files and as text tables.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "runner/experiments/kinds/situations/scene_groups.hpp"
+#include "runner/io/csv.hpp"
+#include "runner/io/json.hpp"
+#include "runner/io/table.hpp"
+
+namespace autoref::runner {
+
+// summary.csv: one row per situation and teams.
+std::string scenes_csv(const std::vector<SceneGroup>& groups);
+
+// differences.csv: one row per situation, defenders and two attacking teams.
+std::string scene_differences_csv(const std::vector<SceneDifference>& differences);
+
+// The text table; the first row is the header.
+std::vector<Cells> scenes_rows(const std::vector<SceneGroup>& groups);
+
+// Alignment of its columns.
+inline const std::vector<Align> kScenesColumns = {Align::kLeft, Align::kLeft, Align::kLeft};
+
+// Both tables as lines of text.
+TextBlocks scenes_table(const std::vector<SceneGroup>& groups,
+                        const std::vector<SceneDifference>& differences);
+
+// [{"situation": "corner", "attackers": "cobalt", "defenders": "zone", "scenes": 200,
+//   "void_scenes": 0, "goals": 31, "mean_score": 0.155}, ...]; without scenes, the mean is null.
+Json json_of(const std::vector<SceneGroup>& groups);
+
+}  // namespace autoref::runner

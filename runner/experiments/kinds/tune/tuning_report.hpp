@@ -1,0 +1,44 @@
+// A tuning's results as files and text.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "runner/experiments/kinds/tune/tuning_state.hpp"
+#include "runner/io/csv.hpp"
+#include "runner/io/json.hpp"
+#include "runner/io/table.hpp"
+
+namespace autoref::runner {
+
+// "better", "worse", "not shown", "undecided", or "none" while more pairs are needed.
+std::string name_of(ThreeWayVerdict verdict);
+
+// tune.csv: a row per iteration, and one for the start: each parameter at the centre of the search
+// and its best value as known then, the mean score of the candidates, and their difference.
+std::string tuning_csv(const Tuning& tuning, const TuningState& state);
+
+// summary.csv: the test of the result against the start.
+std::string tuning_test_csv(const Tuning& tuning, const TuningState& state);
+
+// result.yaml: the tuned team as it stands in a scenario, and in comments how good it is.
+std::string result_yaml(const Tuning& tuning, const TuningState& state);
+
+// Table of the parameters: start, current value, range.
+std::vector<Cells> parameter_rows(const Tuning& tuning, const TuningState& state);
+inline const std::vector<Align> kParameterColumns = {Align::kLeft};
+
+// What the test says, in plain words, or how far the search is.
+std::string comparison_text(const Tuning& tuning, const TuningState& state);
+
+// Both.
+TextBlocks tuning_table(const Tuning& tuning, const TuningState& state);
+
+// {"iteration": 12, "iterations": 100, "parameters": [{"name": "pass_risk", "start": 0.5,
+//  "best": 0.53}], "verdict": "none", "gain": null, "low95": null, "high95": null, "pairs": 0}.
+Json json_of(const Tuning& tuning, const TuningState& state);
+
+// For the plot of the search.
+SearchPath search_path(const Tuning& tuning, const TuningState& state);
+
+}  // namespace autoref::runner
