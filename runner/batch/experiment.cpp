@@ -7,13 +7,11 @@
 #include <algorithm>
 #include <chrono>
 #include <optional>
-#include <set>
 #include <stdexcept>
 
-#include "runner/batch/completed_games.hpp"
-#include "runner/batch/folder_changes.hpp"
 #include "runner/batch/program_versions.hpp"
 #include "runner/batch/result_folder.hpp"
+#include "runner/batch/run_games.hpp"
 #include "runner/io/csv.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
@@ -75,7 +73,7 @@ class ExperimentRun {
         options_(options),
         format_(row_format(scenario.experiment())),
         outcomes_(options.outcomes ? *options.outcomes : outcomes_of_records(scenario, options)),
-        there_(scenario_of_folder(options.folder)),
+        games_(scenario, options, format_),
         progress_(options.progress, options.style) {
     progress_.show([this] { return view_so_far(); });
     if (options.publish) progress_.publish(options.publish);
@@ -87,146 +85,88 @@ class ExperimentRun {
     // afterwards.
     shard_.emplace(options_.folder / kGamesFolder / options_.shard.file_name(),
                    csv_line(format_.names()), options_.patience_s);
-    take_with_notes();
-    set_killed_games_aside();
-    is_decided_ = scenario_.experiment().is_decided(rows_);
+    for (const std::string& note : games_.open()) progress_.say(note);
     // Written only now: the rows have been checked, and a row played with other settings would have
     // thrown.
     replace_file(options_.folder / kEffectiveFile, effective_text(scenario_));
-    progress_.expect(counts());
+    progress_.expect(games_.counts());
     ExperimentReport report;
     report.is_interrupted = play_all(report.played) == Ending::kInterrupted;
     keep_file();
     if (report.is_interrupted) progress_.keep_tables();
-    progress_.expect(counts());
-    rows_ = counted(schedule_, std::move(rows_));
-    report.games = static_cast<int>(schedule_.needed);
-    report.done = static_cast<int>(rows_.size());
-    report.is_complete = report.done == report.games;
-    for (const auto& [id, row] : rows_) {
-      report.void_games += is_void(row.record) ? 1 : 0;
-      report.killed_games += is_killed(row) ? 1 : 0;
-      report.unrepeatable_games += row.record.is_repeatable.value_or(true) ? 0 : 1;
-    }
-    report.is_waiting = schedule_.needed > schedule_.games.size() && !report.is_interrupted;
-    if (report.is_complete && !options_.outcomes) conclude(report);
+    progress_.expect(games_.counts());
+    sum_up(report);
     return report;
   }
 
  private:
-  RowInventory take(RowsInFiles rows) const {
-    return take_row_inventory(scenario_, std::move(rows), format_, options_.build,
-                              options_.allow_mixed_build, options_.folder, changes());
-  }
-
-  void take_with_notes() {
-    StoredRows stored = read_rows(options_.folder / kGamesFolder, format_);
-    const bool has_rows = !stored.rows.empty();
-    if (there_ && has_rows) refuse_other_seed(scenario_, *there_, options_.folder);
-    RowInventory row_inventory = take(std::move(stored.rows));
-    schedule_ = std::move(row_inventory.schedule);
-    rows_ = std::move(row_inventory.completed_games.done);
-    if (!stored.damaged.empty() && !missing_games().empty()) {
-      progress_.say(fmt::format(
-          "damaged rows that do not count: {}, the first at {}; their games will be replayed",
-          stored.damaged.size(), stored.damaged.front().at));
+  void sum_up(ExperimentReport& report) {
+    games_.drop_uncounted_rows();
+    const Schedule& schedule = games_.schedule();
+    const RowsById& rows = games_.rows();
+    report.games = static_cast<int>(schedule.needed);
+    report.done = static_cast<int>(rows.size());
+    report.is_complete = report.done == report.games;
+    for (const auto& [id, row] : rows) {
+      report.void_games += is_void(row.record) ? 1 : 0;
+      report.killed_games += is_killed(row) ? 1 : 0;
+      report.unrepeatable_games += row.record.is_repeatable.value_or(true) ? 0 : 1;
     }
-    note_other_games(row_inventory.completed_games.other_games, has_rows);
-    for (const auto& [build, count] : row_inventory.completed_games.other_builds) {
-      progress_.say(fmt::format("{} rows are from build {}; they do not count", count, build));
-    }
-  }
-
-  void note_other_games(int count, bool has_rows) {
-    const std::string pairs =
-        there_ && has_rows ? note_on_pairs(scenario_, *there_, count) : std::string();
-    if (!pairs.empty()) return progress_.say(pairs);
-    if (count == 0) return;
-    progress_.say(fmt::format(
-        "{} rows belong to games that are not in the scenario; they do not count", count));
-  }
-
-  // Every run replays the games that are void because their workers were killed.
-  void set_killed_games_aside() {
-    for (const ScheduledGame& game : schedule_.games) {
-      const auto row = rows_.find(game.id);
-      if (row == rows_.end() || !has(game)) continue;
-      if (is_killed(row->second)) again_.insert(game.id);
-    }
-    for (const std::string& id : again_) rows_.erase(id);
-    if (again_.empty()) return;
-    progress_.say(
-        fmt::format("{} games are void because their workers were killed; they are "
-                    "replayed",
-                    again_.size()));
-    schedule_ = scenario_.experiment().schedule(rows_);
+    report.is_waiting = schedule.needed > schedule.games.size() && !report.is_interrupted;
+    if (report.is_complete && !options_.outcomes)
+      report.results = write_results(options_.folder, scenario_, format_, rows);
   }
 
   // Rereads the folder, since other shards may have played games in the meantime.
-  void look_around() {
+  void look_at_other_shards() {
     keep_file();
     const Clock::time_point began = Clock::now();
-    rows_ = take(read_rows(options_.folder / kGamesFolder, format_).rows).completed_games.done;
-    for (const std::string& id : again_) rows_.erase(id);
+    games_.reread();
     const Clock::duration looking = Clock::now() - began;
     next_look_ =
         Clock::now() + std::chrono::duration_cast<Clock::duration>(looking / kLookingShare);
-  }
-
-  // Differences from the scenario the folder was created with; empty if that is unknown.
-  std::string changes() const {
-    return there_ ? changes_between(scenario_.experiment(), there_->experiment()) : std::string();
   }
 
   // Plays until every needed game of this shard that is already known has a row. Terminates because
   // every round except the last adds rows.
   Ending play_all(int& played_games) {
     while (true) {
-      const std::vector<std::size_t> missing = missing_games();
+      const std::vector<std::size_t> missing = games_.missing();
       if (missing.empty()) {
         const Waited waited = wait_for_others();
         if (waited == Waited::kInterrupted) return Ending::kInterrupted;
-        if (waited == Waited::kInVain) return Ending::kDone;
+        if (waited == Waited::kGaveUp) return Ending::kDone;
         continue;
       }
       const Ending ending = play(missing, played_games);
-      if (options_.shard.of > 1) look_around();
-      if (scenario_.experiment().follows_its_rows())
-        schedule_ = scenario_.experiment().schedule(rows_);
-      progress_.expect(counts());
-      if (ending == Ending::kInterrupted && !missing_games().empty()) return ending;
+      if (options_.shard.of > 1) look_at_other_shards();
+      games_.schedule_next();
+      progress_.expect(games_.counts());
+      if (ending == Ending::kInterrupted && !games_.missing().empty()) return ending;
     }
   }
 
-  enum class Waited { kForRows, kInVain, kInterrupted };
-
-  // Whether games that are known, but belong to other shards, are missing before the next ones are
-  // known.
-  bool depends_on_others() const {
-    if (options_.shard.of == 1 || schedule_.needed <= schedule_.games.size()) return false;
-    return std::any_of(schedule_.games.begin(), schedule_.games.end(),
-                       [this](const ScheduledGame& game) { return !rows_.contains(game.id); });
-  }
+  enum class Waited { kForRows, kGaveUp, kInterrupted };
 
   // Waits until other shards have added rows, at most for wait_s.
   Waited wait_for_others() {
-    if (options_.wait_s <= 0 || !depends_on_others()) return Waited::kInVain;
+    if (options_.wait_s <= 0 || !games_.depends_on_others()) return Waited::kGaveUp;
     EndSignals signals;
     const Clock::time_point began = Clock::now();
     const auto waited_s = [began] {
       return std::chrono::duration<double>(Clock::now() - began).count();
     };
-    const std::size_t rows = rows_.size();
+    const std::size_t rows = games_.rows().size();
     bool is_silent = true;
     for (int pause_ms = kShortestPause_ms; waited_s() < options_.wait_s;
          pause_ms = std::min(2 * pause_ms, kLongestPause_ms)) {
       pollfd signal{signals.descriptor(), POLLIN, 0};
       poll(&signal, 1, pause_ms);
       if (signals.count() > 0) return Waited::kInterrupted;
-      look_around();
-      if (rows_.size() > rows) {
-        schedule_ = scenario_.experiment().schedule(rows_);
-        progress_.expect(counts());
+      look_at_other_shards();
+      if (games_.rows().size() > rows) {
+        games_.schedule_next();
+        progress_.expect(games_.counts());
         return Waited::kForRows;
       }
       if (is_silent && waited_s() > kSilentWait_s) {
@@ -236,39 +176,13 @@ class ExperimentRun {
       }
       progress_.tick();
     }
-    return Waited::kInVain;
-  }
-
-  bool has(const ScheduledGame& game) const { return options_.shard.has(game.unit, game.variants); }
-
-  std::vector<std::size_t> missing_games() const {
-    std::vector<std::size_t> missing;
-    for (std::size_t i = 0; i < std::min(schedule_.needed, schedule_.games.size()); ++i) {
-      const ScheduledGame& game = schedule_.games[i];
-      if (has(game) && !rows_.contains(game.id)) missing.push_back(i);
-    }
-    return missing;
-  }
-
-  // Counts this shard's needed games, and all games that are not known yet.
-  GameCounts counts() const {
-    const std::size_t known = std::min(schedule_.needed, schedule_.games.size());
-    GameCounts counts{.total = static_cast<int>(schedule_.needed - known), .voids = 0};
-    for (std::size_t i = 0; i < known; ++i) {
-      const ScheduledGame& game = schedule_.games[i];
-      if (!has(game)) continue;
-      const auto row = rows_.find(game.id);
-      ++counts.total;
-      counts.done += row == rows_.end() ? 0 : 1;
-      *counts.voids += row != rows_.end() && is_void(row->second.record) ? 1 : 0;
-    }
-    return counts;
+    return Waited::kGaveUp;
   }
 
   ProgressView view_so_far() const {
     if (!scenario_.experiment().follows_its_rows())
-      return outcomes_.view(rows_);  // all of them count
-    return outcomes_.view(counted(schedule_, rows_));
+      return outcomes_.view(games_.rows());  // all of them count
+    return outcomes_.view(games_.counted_rows());
   }
 
   void announce_ending(int running) {
@@ -281,22 +195,24 @@ class ExperimentRun {
   Ending play(const std::vector<std::size_t>& games, int& played_games) {
     const WorkerOptions workers{options_.workers, options_.attempts, options_.longest_game_s};
     std::function<bool()> is_enough;
-    if (scenario_.experiment().follows_its_rows()) is_enough = [this] { return is_decided_; };
-    const WorkerCalls calls{
-        [this](std::size_t i) { return format_.line(played(outcomes_, schedule_.games[i])); },
-        [&](const JobResult& result) {
-          keep(result);
-          ++played_games;
-        },
-        [&] {
-          if (Clock::now() >= next_sync_) count_written();
-          progress_.tick();
-        },
-        is_enough,
-        [this](int running) { announce_ending(running); },
-        [this](std::size_t i) {
-          if (options_.starting) options_.starting(schedule_.games[i]);
-        }};
+    if (scenario_.experiment().follows_its_rows())
+      is_enough = [this] { return games_.is_decided(); };
+    const WorkerCalls calls{[this](std::size_t i) {
+                              return format_.line(played(outcomes_, games_.schedule().games[i]));
+                            },
+                            [&](const JobResult& result) {
+                              keep(result);
+                              ++played_games;
+                            },
+                            [&] {
+                              if (Clock::now() >= next_sync_) count_written();
+                              progress_.tick();
+                            },
+                            is_enough,
+                            [this](int running) { announce_ending(running); },
+                            [this](std::size_t i) {
+                              if (options_.starting) options_.starting(games_.schedule().games[i]);
+                            }};
     try {
       const Ending ending = do_jobs(games, workers, calls);
       count_written();
@@ -313,7 +229,7 @@ class ExperimentRun {
   // Throws std::logic_error if the worker sent anything other than a row.
   GameRow row_from(const JobResult& result) const {
     if (!result.failure.empty()) {
-      GameRow row = row_of(schedule_.games[result.job]);
+      GameRow row = row_of(games_.schedule().games[result.job]);
       row.record = void_record(result.failure);
       return row;
     }
@@ -350,7 +266,7 @@ class ExperimentRun {
   void keep_file() {
     if (shard_->is_intact()) return;
     std::vector<std::string> lines;
-    for (const auto& [id, row] : rows_) {
+    for (const auto& [id, row] : games_.rows()) {
       if (row.circumstances.shard == options_.shard.name()) lines.push_back(format_.line(row));
     }
     for (const GameRow& row : written_) lines.push_back(format_.line(row));
@@ -372,42 +288,32 @@ class ExperimentRun {
     for (GameRow& row : written_) count(std::move(row));
     written_.clear();
     if (!scenario_.experiment().follows_its_rows()) return;
-    if (options_.shard.of > 1 && Clock::now() >= next_look_) look_around();
-    is_decided_ = scenario_.experiment().is_decided(rows_);
+    if (options_.shard.of > 1 && Clock::now() >= next_look_) look_at_other_shards();
+    games_.decide();
   }
 
   void count(GameRow row) {
     const std::string& reason = row.record.void_reason;
     if (!reason.empty()) progress_.say(fmt::format("{} is void: {}", row.game_id, reason));
-    again_.erase(row.game_id);
     if (options_.ended) options_.ended(row);
     const bool is_void_game = is_void(row.record);
-    const std::string id = row.game_id;
-    rows_[id] = std::move(row);
+    games_.add(std::move(row));
     progress_.game_done(is_void_game);  // may display the rows
-  }
-
-  void conclude(ExperimentReport& report) const {
-    report.results = write_results(options_.folder, scenario_, format_, rows_);
   }
 
   const Scenario& scenario_;
   const ExperimentOptions& options_;
   const RowFormat format_;
   const Outcomes outcomes_;
+  RunGames games_;  // their schedule is unchanged while workers play
   ProgramWatch programs_{scenario_};
   const std::string host_ = host_name();
   const std::string cpu_ = cpu_name();
-  std::optional<Shard> shard_;   // locked during run()
-  Schedule schedule_;            // unchanged while workers play
-  RowsById rows_;                // of scheduled games, including those that are not needed
-  std::set<std::string> again_;  // ids of killed games still to be replayed
-  bool is_decided_ = false;
+  std::optional<Shard> shard_;  // locked during run()
   Clock::time_point next_look_;
-  Clock::time_point next_sync_;          // before then, rows are written, but not synced
-  std::vector<GameRow> written_;         // played, but not yet counted
-  const std::optional<Scenario> there_;  // the scenario of earlier runs in this folder
-  Progress progress_;                    // last, so destroyed first: it displays the other members
+  Clock::time_point next_sync_;   // before then, rows are written, but not synced
+  std::vector<GameRow> written_;  // played, but not yet counted
+  Progress progress_;             // last, so destroyed first: it displays the other members
 };
 
 }  // namespace

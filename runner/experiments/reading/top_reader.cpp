@@ -86,6 +86,14 @@ void TopReader::refuse_assignment(const std::string& path) const {
   }
 }
 
+void TopReader::refuse_assignments(const std::string& branch, const std::string& message) const {
+  for (const Assignment& assignment : assignments_) {
+    const std::string path = full_path(assignment.path);
+    if (branch.ends_with('.') ? path.starts_with(branch) : path == branch)
+      throw InputError({assignment.flag}, "", message);
+  }
+}
+
 void TopReader::check(const std::function<void()>& work) const {
   try {
     work();

@@ -55,6 +55,10 @@ class TopReader {
   // Refuses a command-line setting of `path`, a short path that the file varies.
   void refuse_assignment(const std::string& path) const;
 
+  // Refuses command-line settings below a branch such as "teams.", or of a path without a final
+  // dot, which would have no effect.
+  void refuse_assignments(const std::string& branch, const std::string& message) const;
+
   // Calls `work`. Turns a SettingError into an InputError with the setting's location in the file.
   void check(const std::function<void()>& work) const;
 

@@ -40,6 +40,7 @@ struct JudgeSchedule : ExperimentOf<JudgeSchedule> {
   std::vector<Factor> varied() const override;
   // The games returned by games_of().
   std::vector<ScheduledGame> games() const override;
+  std::string why_no_pairs() const override { return "it has a number of games"; }
   RowKind row_kind() const override { return RowKind::kJudged; }
   std::vector<std::string> value_columns() const override { return {"seeds", "rules", "camera"}; }
   // Throws std::logic_error: the calls of judged games are summed up in runner/judge.

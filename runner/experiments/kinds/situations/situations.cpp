@@ -22,13 +22,6 @@ namespace {
 
 constexpr const char* kRemedy = "list teams by name under `attackers` and `defenders`";
 
-void refuse_assigned_teams(const Assignments& assignments) {
-  for (const Assignment& assignment : assignments) {
-    if (full_path(assignment.path).starts_with("teams."))
-      throw InputError({assignment.flag}, "", "name a team instead, such as attackers.NAME.robots");
-  }
-}
-
 int fewest_robots(const Teams& teams) {
   int fewest = kMaxRobots;
   for (const auto& [name, team] : teams) fewest = std::min(fewest, team.robots);
@@ -86,7 +79,7 @@ Key situations_key(Situations& all, std::shared_ptr<const Scene> scene) {
 Key base_of_scenes_key(GameSettings& base) {
   Key key = base_without_teams_key(base, kRemedy, "of every scene");
   key.read = [read_base = key.read](TopReader& top) {
-    refuse_assigned_teams(top.assignments());
+    top.refuse_assignments("teams.", "name a team instead, such as attackers.NAME.robots");
     read_base(top);
   };
   return key;
