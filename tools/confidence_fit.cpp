@@ -120,7 +120,7 @@ void print_table(const CallsByName& calls, std::string_view seed, int games) {
 }
 
 int main_of(const std::string& file, int games) {
-  JudgeSchedule schedule = *read_scenario(file).as<JudgeSchedule>();
+  JudgeSchedule schedule = read_scenario(file).get<JudgeSchedule>();
   if (schedule.seeds.size() > 1) keep_seed(schedule, "tuning");
   if (games > 0) schedule.games_each = games;
   CallsByName calls;

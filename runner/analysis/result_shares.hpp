@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
+#include <variant>
 
 #include "runner/analysis/interval_columns.hpp"
 #include "runner/io/table_columns.hpp"

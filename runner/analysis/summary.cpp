@@ -104,8 +104,7 @@ std::vector<Cells> summary_rows(const std::vector<Factor>& factors,
   return rows;
 }
 
-std::string slope_text(const std::vector<Factor>& factors, const std::vector<Group>& groups) {
-  const std::optional<Slope> slope = slope_over_factor(factors, groups);
+std::string slope_text(const std::vector<Factor>& factors, const std::optional<Slope>& slope) {
   if (!slope) return {};
   const std::string text =
       fmt::format("a minus b changes by {:+.2f} per unit of {}", slope->mean, factors.front().path);
@@ -114,10 +113,10 @@ std::string slope_text(const std::vector<Factor>& factors, const std::vector<Gro
                             slope->interval->high);
 }
 
-TextBlocks summary_table(const std::vector<Factor>& factors, const std::vector<Group>& groups) {
+TextBlocks summary_table(const std::vector<Factor>& factors, const std::vector<Group>& groups,
+                         const std::optional<Slope>& slope) {
   TextBlocks blocks = {without_void_games({summary_rows(factors, groups), {}, factors.size()})};
-  const std::string slope = slope_text(factors, groups);
-  if (!slope.empty()) blocks.emplace_back("\n" + slope);
+  if (slope) blocks.emplace_back("\n" + slope_text(factors, slope));
   return blocks;
 }
 

@@ -35,12 +35,14 @@ std::optional<Slope> slope_over_factor(const std::vector<Factor>& factors,
 // the numbers and fractions of games won, drawn and lost.
 std::string summary_csv(const std::vector<Factor>& factors, const std::vector<Group>& groups);
 
-// The text table, starting with its header, and the line about the slope, empty if there is none.
+// The text table, starting with its header, and the line about the slope_over_factor(), empty if
+// it is unknown.
 std::vector<Cells> summary_rows(const std::vector<Factor>& factors,
                                 const std::vector<Group>& groups);
-std::string slope_text(const std::vector<Factor>& factors, const std::vector<Group>& groups);
+std::string slope_text(const std::vector<Factor>& factors, const std::optional<Slope>& slope);
 
 // Both as lines of text.
-TextBlocks summary_table(const std::vector<Factor>& factors, const std::vector<Group>& groups);
+TextBlocks summary_table(const std::vector<Factor>& factors, const std::vector<Group>& groups,
+                         const std::optional<Slope>& slope);
 
 }  // namespace autoref::runner

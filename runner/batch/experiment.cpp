@@ -26,7 +26,6 @@
 namespace autoref::runner {
 namespace {
 
-namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 // For experiments with teams, where rows store the games' records.
@@ -140,7 +139,7 @@ class ExperimentRun {
       }
       const Ending ending = play(missing, played_games);
       if (options_.shard.of > 1) look_at_other_shards();
-      games_.schedule_next();
+      games_.update_schedule();
       progress_.expect(games_.counts());
       if (ending == Ending::kInterrupted && !games_.missing().empty()) return ending;
     }
@@ -165,7 +164,7 @@ class ExperimentRun {
       if (signals.count() > 0) return Waited::kInterrupted;
       look_at_other_shards();
       if (games_.rows().size() > rows) {
-        games_.schedule_next();
+        games_.update_schedule();
         progress_.expect(games_.counts());
         return Waited::kForRows;
       }
@@ -289,7 +288,7 @@ class ExperimentRun {
     written_.clear();
     if (!scenario_.experiment().follows_its_rows()) return;
     if (options_.shard.of > 1 && Clock::now() >= next_look_) look_at_other_shards();
-    games_.decide();
+    games_.update_decision();
   }
 
   void count(GameRow row) {

@@ -68,7 +68,7 @@ VersionedTeams teams_of(Experiment& experiment) {
     if (!key.teams) continue;
     for (const TeamAt& at : key.teams()) all.push_back({at.team, at.path, {*at.team}});
   }
-  for (const Factor& factor : experiment.varied()) {
+  for (const Factor& factor : experiment.varied_settings()) {
     for (VersionedTeam& team : all) vary(factor, team);
   }
   return all;

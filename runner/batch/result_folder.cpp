@@ -109,7 +109,7 @@ ResultFolder open_results(const fs::path& path, const std::string& build) {
       take_row_inventory(scenario, std::move(stored.rows), format, its_build, true, path, {});
   RowsById& done = row_inventory.completed_games.done;
   const std::size_t played = done.size();
-  done = counted(row_inventory.schedule, std::move(done));
+  done = needed_rows(row_inventory.schedule, std::move(done));
   const auto beyond = static_cast<int>(played - done.size());
   ResultFolder folder{path,
                       scenario,

@@ -7,6 +7,7 @@
 
 #include "runner/batch/folder_changes.hpp"
 #include "runner/batch/result_folder.hpp"
+#include "runner/results/scores.hpp"
 
 namespace autoref::runner {
 
@@ -15,20 +16,20 @@ RunGames::RunGames(const Scenario& scenario, const ExperimentOptions& options,
     : scenario_(scenario),
       options_(options),
       format_(format),
-      former_(scenario_of_folder(options.folder)) {}
+      former_(scenario_of_folder(options.folder)),
+      changes_(former_ ? changes_between(scenario.experiment(), former_->experiment())
+                       : std::string()) {}
 
-RowInventory RunGames::take(RowsInFiles rows) const {
-  const std::string changes =
-      former_ ? changes_between(scenario_.experiment(), former_->experiment()) : std::string();
+RowInventory RunGames::inventory_of(RowsInFiles rows) const {
   return take_row_inventory(scenario_, std::move(rows), format_, options_.build,
-                            options_.allow_mixed_build, options_.folder, changes);
+                            options_.allow_mixed_build, options_.folder, changes_);
 }
 
 std::vector<std::string> RunGames::open() {
   StoredRows stored = read_rows(options_.folder / kGamesFolder, format_);
   const bool has_rows = !stored.rows.empty();
   if (former_ && has_rows) refuse_other_seed(scenario_, *former_, options_.folder);
-  RowInventory row_inventory = take(std::move(stored.rows));
+  RowInventory row_inventory = inventory_of(std::move(stored.rows));
   schedule_ = std::move(row_inventory.schedule);
   rows_ = std::move(row_inventory.completed_games.done);
   std::vector<std::string> notes;
@@ -69,7 +70,8 @@ void RunGames::set_killed_games_aside(std::vector<std::string>& notes) {
 }
 
 void RunGames::reread() {
-  rows_ = take(read_rows(options_.folder / kGamesFolder, format_).rows).completed_games.done;
+  rows_ =
+      inventory_of(read_rows(options_.folder / kGamesFolder, format_).rows).completed_games.done;
   for (const std::string& id : to_replay_) rows_.erase(id);
 }
 
@@ -79,11 +81,11 @@ void RunGames::add(GameRow row) {
   rows_[id] = std::move(row);
 }
 
-void RunGames::schedule_next() {
+void RunGames::update_schedule() {
   if (scenario_.experiment().follows_its_rows()) schedule_ = scenario_.experiment().schedule(rows_);
 }
 
-void RunGames::decide() { is_decided_ = scenario_.experiment().is_decided(rows_); }
+void RunGames::update_decision() { is_decided_ = scenario_.experiment().is_decided(rows_); }
 
 std::vector<std::size_t> RunGames::missing() const {
   std::vector<std::size_t> missing;

@@ -17,6 +17,8 @@
 
 namespace autoref::runner {
 
+// Knows which games there are and which of them have rows, from this run, earlier ones and other
+// shards. Plays and writes nothing; the run (run_experiment()) asks it what to play next.
 class RunGames {
  public:
   // All must outlive it.
@@ -28,27 +30,29 @@ class RunGames {
   // build.
   std::vector<std::string> open();
 
-  // Reads them again, since other shards may have played games in the meantime.
+  // Reads them again, since other shards may have played games in the meantime. Leaves the schedule
+  // as it is. Throws like open().
   void reread();
 
   // A game has been played, and its row is on the disk.
   void add(GameRow row);
 
-  // Finds out which games the rows so far make necessary, if the experiment depends on them: the
-  // first for the next games, the second for whether they decide it.
-  void schedule_next();
-  void decide();
+  // Computes the schedule again, if it depends on the rows.
+  void update_schedule();
+  // Computes is_decided() again.
+  void update_decision();
 
   const Schedule& schedule() const { return schedule_; }
-  // Of scheduled games, including those that are not needed.
+  // Of scheduled games, including those that are not needed until drop_uncounted_rows().
   const RowsById& rows() const { return rows_; }
   // Of the games that are needed.
-  RowsById counted_rows() const { return counted(schedule_, rows_); }
+  RowsById counted_rows() const { return needed_rows(schedule_, rows_); }
   // Keeps only those.
-  void drop_uncounted_rows() { rows_ = counted(schedule_, std::move(rows_)); }
+  void drop_uncounted_rows() { rows_ = needed_rows(schedule_, std::move(rows_)); }
   bool is_decided() const { return is_decided_; }
 
-  // Indices of this shard's needed games without a row, as far as they are known.
+  // Indices into schedule().games: this shard's needed games without a row, as far as they are
+  // known.
   std::vector<std::size_t> missing() const;
   // Counts this shard's needed games, and all games that are not known yet.
   GameCounts counts() const;
@@ -57,7 +61,7 @@ class RunGames {
   bool depends_on_others() const;
 
  private:
-  RowInventory take(RowsInFiles rows) const;
+  RowInventory inventory_of(RowsInFiles rows) const;
   void set_killed_games_aside(std::vector<std::string>& notes);
   std::string note_on_other_games(int count, bool has_rows) const;
   bool has(const ScheduledGame& game) const { return options_.shard.has(game.unit, game.variants); }
@@ -66,6 +70,7 @@ class RunGames {
   const ExperimentOptions& options_;
   const RowFormat& format_;
   const std::optional<Scenario> former_;  // the scenario of earlier runs in this folder
+  const std::string changes_;             // since then; empty if it is unknown
   Schedule schedule_;
   RowsById rows_;
   std::set<std::string> to_replay_;  // ids of killed games still to be replayed

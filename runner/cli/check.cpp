@@ -56,11 +56,11 @@ int check_verb(const CheckArguments& arguments) {
   }
   const int workers = arguments.worker_count();
   const std::vector<Rehearsal> rehearsals =
-      rehearse(experiment.games_to_rehearse(),
-               {[](const GameConfiguration& game, double most_wall_s) {
-                  return play_part(game, most_wall_s, make_program_or_registered_team);
-                },
-                workers});
+      rehearse(experiment.rehearsed(games), {[](const GameConfiguration& game, double most_wall_s) {
+                                               return play_part(game, most_wall_s,
+                                                                make_program_or_registered_team);
+                                             },
+                                             workers});
   fmt::print("{}\n{} games, about {} with {} in parallel\n", table_of(sorted(rehearsals)),
              games.size(), duration_text(duration_s(rehearsals, workers)), workers);
   const std::string programs = cost_of_programs(rehearsals, workers);

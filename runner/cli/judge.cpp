@@ -37,7 +37,7 @@ ExperimentReport judge_all(const JudgeArguments& arguments, const Scenario& scen
   options.build = build_id();
   options.workers = arguments.worker_count();
   options.allow_mixed_build = arguments.allow_mixed_build;
-  options.outcomes = judged_outcomes(*scenario.as<JudgeSchedule>(), options.folder);
+  options.outcomes = judged_outcomes(scenario.get<JudgeSchedule>(), options.folder);
   options.progress = stderr;
   return run_experiment(scenario, options);
 }

@@ -45,10 +45,14 @@ std::string sections_of(const Kind& kind) {
   std::vector<KeyRow> rows;
   std::string below;
   for (const Key& key : experiment->keys()) {
-    const bool has_below = !key.below.rows.empty();
-    const std::string title = fmt::format("{}: {}", kind.name, key.below.title);
-    rows.push_back({code_span(key.name), has_below ? link_to(title) : key.value, key.about});
-    if (has_below) below += section(title, key.below.about, key.below.rows);
+    if (!key.below) {
+      rows.push_back({code_span(key.name), key.value, key.about});
+      continue;
+    }
+    const KeysBelow inner = key.below();
+    const std::string title = fmt::format("{}: {}", kind.name, inner.title);
+    rows.push_back({code_span(key.name), link_to(title), key.about});
+    below += section(title, inner.about, inner.rows);
   }
   return section(std::string(kind.name), kind.about, rows) + below;
 }

@@ -1,6 +1,7 @@
 // Experiments between named teams.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -17,6 +18,12 @@ struct NamedTeams {
   GameSettings base;  // its teams, seed, a_plays and first_kickoff are ignored
   Teams teams;
   std::uint64_t seed = 1;  // master seed of the experiment
+};
+
+// The range of team counts that an experiment accepts.
+struct TeamCount {
+  std::size_t least = 2;
+  std::size_t most = SIZE_MAX;
 };
 
 // The names of two teams that play each other.

@@ -40,6 +40,8 @@ std::string json_text(const Json& value) {
   return text;
 }
 
+Json json_number(std::optional<double> number) { return number ? Json(*number) : Json(); }
+
 double rounded(double number, int decimals) {
   const double scale = std::pow(10.0, decimals);
   return std::round(number * scale) / scale;

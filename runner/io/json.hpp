@@ -3,6 +3,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 
 namespace autoref::runner {
@@ -14,6 +15,9 @@ using Json = nlohmann::ordered_json;
 // text that reads back equal (2 rather than 2.0), or null if it is not finite. Bytes that are not
 // UTF-8 become U+FFFD.
 std::string json_text(const Json& value);
+
+// The number, or null if it is missing.
+Json json_number(std::optional<double> number);
 
 // Rounds `number` to `decimals` decimals, for shorter JSON.
 double rounded(double number, int decimals);

@@ -16,7 +16,7 @@ struct AsCell {
 };
 
 struct AsJson {
-  Json operator()(std::optional<double> number) const { return number ? Json(*number) : Json(); }
+  Json operator()(std::optional<double> number) const { return json_number(number); }
   Json operator()(const auto& value) const { return value; }
 };
 

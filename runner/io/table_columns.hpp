@@ -64,7 +64,8 @@ Cells cells_of(const TableColumns<Row>& columns, const Row& row) {
 }
 
 // Appends the columns to a table: their names to its head, which is the first of `rows`, and a cell
-// about each of `items` to the rows below, one for each.
+// about each of `items` to the rows below, one for each. Throws std::out_of_range if there are
+// fewer rows.
 template <typename Row>
 void append_columns(std::vector<Cells>& rows, const TableColumns<Row>& columns,
                     const std::vector<Row>& items) {
@@ -91,7 +92,7 @@ void add_members(Json& object, const TableColumns<Row>& columns, const Row& row)
 // The position of the column with this head. Throws std::logic_error if the table does not have it.
 std::size_t column_named(const Cells& heads, std::string_view name);
 
-// The positions of several columns, in the order of `names`.
+// The positions of several columns, in the order of `names`. Throws likewise.
 std::vector<std::size_t> columns_named(const Cells& heads, const Cells& names);
 
 // Formats one line per row as CSV.

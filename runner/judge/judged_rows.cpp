@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kLongestText = 90'000;  // a worker's answer is limited to 100 kB
 
 const JudgeSchedule& schedule_of(const ResultFolder& folder) {
-  return *folder.scenario.as<JudgeSchedule>();
+  return folder.scenario.get<JudgeSchedule>();
 }
 
 // Describes the fault with this number in the game's row; empty if there is no such fault.

@@ -13,12 +13,10 @@
 namespace autoref::runner {
 namespace {
 
-using Values = std::map<std::string, std::string>;  // by path
-
 constexpr const char* kNothing = "{}";  // the value of a branch without changes
 
-Values comparable_values(const std::vector<Setting>& settings) {
-  Values values;
+TextByPath comparable_values(const std::vector<Setting>& settings) {
+  TextByPath values;
   for (const Setting& setting : settings) {
     if (!is_alias(setting) && !is_decided_by_schedule(setting.path)) {
       values[setting.path] = value_of(setting);
@@ -27,7 +25,8 @@ Values comparable_values(const std::vector<Setting>& settings) {
   return values;
 }
 
-void compare(const Values& here, const Values& defaults, std::vector<DefaultDifference>& found) {
+void compare(const TextByPath& here, const TextByPath& defaults,
+             std::vector<DefaultDifference>& found) {
   for (const auto& [path, value] : here) {
     const auto usual = defaults.find(path);
     const std::string by_default = usual == defaults.end() ? kNothing : usual->second;
@@ -35,17 +34,17 @@ void compare(const Values& here, const Values& defaults, std::vector<DefaultDiff
   }
 }
 
-Values defaults_for(const GameSettings& game) {
+TextByPath defaults_for(const GameSettings& game) {
   GameSettings usual;
   // The rule book sets other values too; only deviations from these are of interest.
   set_by_path(usual, "match.rules", game.match.rules.name);
-  Values values = comparable_values(settings_of(usual));
+  TextByPath values = comparable_values(settings_of(usual));
   values["match.rules"] = referee::Match{}.rules.name;
   return values;
 }
 
 void compare_games(GameSettings game, bool has_named_teams, std::vector<DefaultDifference>& found) {
-  Values here = comparable_values(settings_of(game));
+  TextByPath here = comparable_values(settings_of(game));
   if (has_named_teams) {
     std::erase_if(here, [](const auto& value) { return value.first.starts_with("teams."); });
   }
@@ -95,7 +94,7 @@ std::vector<DefaultDifference> differences_from_defaults(const Experiment& exper
   const GameSettings& base = base_of(keys);
   std::vector<DefaultDifference> found;
   for (const Key& key : keys) compare_key(key, base, found);
-  leave_out_factors(base, copy->varied(), found);
+  leave_out_factors(base, copy->varied_settings(), found);
   return found;
 }
 

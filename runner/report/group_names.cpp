@@ -30,7 +30,7 @@ std::vector<std::string> names_of(const Scenario& scenario, const std::vector<Gr
 
 std::optional<NumericFactor> numeric_factor(const Scenario& scenario,
                                             const std::vector<Group>& groups) {
-  const std::vector<Factor> factors = scenario.experiment().varied();
+  const std::vector<Factor> factors = scenario.experiment().varied_settings();
   if (factors.size() != 1 || groups.size() < 2) return std::nullopt;
   const Factor& factor = factors.front();
   const std::optional<std::vector<double>> values = numbers_of(factor);

@@ -1,35 +1,41 @@
 #include "runner/experiments/kinds/experiment.hpp"
+#include "runner/experiments/reading/top_reader.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
+#include <memory>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 namespace autoref::runner {
 namespace {
 
-// Whether an entry of `key`, which has games of its own, is one of `others`.
-bool is_in_both(const Key& key, const Key& other, const std::string& path) {
-  const auto is_of = [&](const std::string& name) {
-    const std::string entry = name.empty() ? key.name : fmt::format("{}.{}", key.name, name);
-    return path == entry || path.starts_with(entry + ".");
-  };
+// The entry of a key that a path leads to: "zone" for "teams.zone.robots", "" for the key itself.
+std::string_view entry_in(std::string_view path, const Key& key) {
+  if (path.size() == key.name.size()) return {};
+  path.remove_prefix(key.name.size() + 1);
+  return path.substr(0, path.find('.'));
+}
+
+// Keeps only values of entries that the same key of another experiment has, too.
+void keep_common_entries(const Key& key, const Key& other, TextByPath& values) {
   const std::vector<std::string> names = other.entries();
-  return std::any_of(names.begin(), names.end(), is_of);
+  const std::set<std::string_view> others(names.begin(), names.end());
+  std::erase_if(values,
+                [&](const auto& value) { return !others.contains(entry_in(value.first, key)); });
 }
 
 // The values of one experiment's keys that another one should share.
-TextByPath comparable_values(const std::vector<Key>& keys, const std::vector<Key>& others) {
+TextByPath shared_values(const std::vector<Key>& keys, const std::vector<Key>& others) {
+  assert(keys.size() == others.size());
   TextByPath all;
   for (std::size_t i = 0; i < keys.size(); ++i) {
     if (!keys[i].values) continue;
     TextByPath values = keys[i].values();
-    if (keys[i].entries) {
-      std::erase_if(values, [&key = keys[i], &other = others[i]](const auto& value) {
-        return !is_in_both(key, other, value.first);
-      });
-    }
+    if (keys[i].entries) keep_common_entries(keys[i], others[i], values);
     all.merge(values);
   }
   return all;
@@ -50,7 +56,7 @@ std::string differences(const TextByPath& here, const TextByPath& there) {
   return text;
 }
 
-// Calls `work` for a copy's keys.
+// Calls `work` for the keys of a copy, since keys can change their experiment.
 template <typename Work>
 auto with_keys(const Experiment& experiment, const Work& work) {
   const std::unique_ptr<Experiment> copy = experiment.copy();
@@ -85,7 +91,7 @@ void read_keys(TopReader& top, Experiment& experiment) {
   }
 }
 
-RowsById counted(const Schedule& schedule, RowsById rows) {
+RowsById needed_rows(const Schedule& schedule, RowsById rows) {
   std::set<std::string_view> needed;
   for (std::size_t i = 0; i < std::min(schedule.needed, schedule.games.size()); ++i)
     needed.insert(schedule.games[i].id);
@@ -103,8 +109,7 @@ std::string changes_between(const Experiment& here, const Experiment& there) {
   const std::unique_ptr<Experiment> other = there.copy();
   const std::vector<Key> its_keys = one->keys();
   const std::vector<Key> other_keys = other->keys();
-  return differences(comparable_values(its_keys, other_keys),
-                     comparable_values(other_keys, its_keys));
+  return differences(shared_values(its_keys, other_keys), shared_values(other_keys, its_keys));
 }
 
 std::optional<int> pairs_of(const Experiment& experiment) {
@@ -141,8 +146,13 @@ void set_pairs(Experiment& experiment, int pairs) {
   }
   for (const Key& key : experiment.keys()) {
     if (key.pairs == nullptr) continue;
-    *key.pairs = pairs;
-    experiment.games();  // throws if the number contradicts other settings
+    const int former = std::exchange(*key.pairs, pairs);
+    try {
+      experiment.games();  // throws if the number contradicts other settings
+    } catch (...) {
+      *key.pairs = former;
+      throw;
+    }
     return;
   }
   throw std::invalid_argument(

@@ -4,8 +4,8 @@
 // from what the struct answers here.
 #pragma once
 
-#include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,7 +27,7 @@ struct Kind {
   std::string_view name;                            // in `kind:`
   std::string_view about;                           // one sentence
   std::unique_ptr<Experiment> (*make)() = nullptr;  // with its defaults
-  std::string_view verb = "run";                    // of `autoref`, that plays it
+  std::string_view verb = "run";                    // the verb of `autoref` that plays it
 };
 
 // The games an experiment needs, given its rows so far.
@@ -43,31 +43,32 @@ class Experiment {
   virtual ~Experiment() = default;
 
   virtual const Kind& kind() const = 0;
+  // An independent experiment with the same settings.
   virtual std::unique_ptr<Experiment> copy() const = 0;
 
-  // The keys of its scenario file, in the order of effective.yaml. They refer to this object, and
-  // must not outlive it.
+  // The keys of its scenario file, in the order of effective.yaml; always the same ones. They refer
+  // to this object, and must not outlive it.
   virtual std::vector<Key> keys() = 0;
   // The settings of its base that vary between its games.
-  virtual std::vector<Factor> varied() const { return {}; }
+  virtual std::vector<Factor> varied_settings() const { return {}; }
 
-  // The games known in advance, in playing order. Throws SettingError or std::invalid_argument if
-  // the settings contradict each other.
+  // The games known in advance, in playing order. Throws std::invalid_argument if the settings
+  // contradict each other; if that is a SettingError, it names one of them.
   virtual std::vector<ScheduledGame> games() const = 0;
   // How the games actually played may differ from games(), for messages; empty if they cannot
   // differ.
   virtual std::string caveat() const { return {}; }
-  // The games, with ids from which games that take equally long can be seen: all of one value or
-  // matchup.
-  virtual std::vector<ScheduledGame> games_to_rehearse() const { return games(); }
+  // The games of games(), as `autoref check` plays samples of them: those whose ids differ only in
+  // pair and leg are expected to take equally long.
+  virtual std::vector<ScheduledGame> rehearsed(std::vector<ScheduledGame> all) const { return all; }
   // Whether schedule() depends on the rows. If it does not, all of games() are needed.
   virtual bool follows_its_rows() const { return false; }
-  // `rows` are those of the games played so far.
+  // `rows` are those of the games played so far. Throws like games().
   virtual Schedule schedule(const RowsById& rows) const;
-  // Whether these rows make all remaining games unnecessary.
+  // Whether these rows make all remaining games unnecessary. Throws like games().
   virtual bool is_decided(const RowsById& rows) const;
   // The games of a round, if all games are played in equally large rounds that depend on all rows
-  // of earlier ones, so that shards wait for each other.
+  // of earlier ones, so that shards wait for each other. Throws like games().
   virtual std::optional<std::size_t> games_of_a_round() const { return std::nullopt; }
   // Why it has no number of pairs, if none of its keys is one.
   virtual std::string why_no_pairs() const { return {}; }
@@ -76,7 +77,8 @@ class Experiment {
   // Names of the row columns with a game's values (ScheduledGame::values).
   virtual std::vector<std::string> value_columns() const { return {}; }
 
-  // Computes the results from the rows that count.
+  // Computes the results from the rows that are needed. Throws std::logic_error for judged games,
+  // whose calls are summed up elsewhere.
   virtual ExperimentResults results(const RowsById& rows) const = 0;
 };
 
@@ -90,11 +92,12 @@ class ExperimentOf : public Experiment {
   static std::unique_ptr<Experiment> make() { return std::make_unique<Its>(); }
 };
 
-// Reads the scenario file. Throws InputError.
+// Reads the scenario file and applies the command line's settings. Throws InputError, and then
+// leaves the experiment partly read.
 void read_keys(TopReader& top, Experiment& experiment);
 
 // The rows of needed games, which the results are computed from.
-RowsById counted(const Schedule& schedule, RowsById rows);
+RowsById needed_rows(const Schedule& schedule, RowsById rows);
 
 // The format of the experiment's rows.
 RowFormat row_format(const Experiment& experiment);
@@ -111,10 +114,11 @@ std::optional<int> pairs_of(const Experiment& experiment);
 // The experiment's master seed; nullopt if it has several with names.
 std::optional<std::uint64_t> master_seed_of(const Experiment& experiment);
 
-// The seed or seeds as text, for reports.
+// The seed or seeds as text, for reports; empty if no key is a seed.
 std::string seed_text(const Experiment& experiment);
 
-// Throws std::invalid_argument if the experiment cannot have this many pairs.
+// Throws std::invalid_argument if the experiment cannot have this many pairs, and leaves it as it
+// was.
 void set_pairs(Experiment& experiment, int pairs);
 
 // Replaces all named seeds, too.

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "runner/experiments/reading/factor_reader.hpp"
+#include "runner/experiments/reading/named_teams_reader.hpp"
 #include "runner/experiments/reading/settings_text.hpp"
+#include "runner/experiments/reading/top_reader.hpp"
 #include "runner/io/yaml_scalar.hpp"
 
 namespace autoref::runner {
@@ -49,11 +52,14 @@ std::vector<TeamAt> teams_at(const std::string& branch, Teams& teams) {
 
 }  // namespace
 
-std::vector<KeyRow> rows_of(const std::vector<Setting>& settings) {
+std::vector<KeyRow> rows_of(const std::vector<Setting>& settings,
+                            const std::vector<std::string>& required) {
   std::vector<KeyRow> rows;
   for (const Setting& setting : settings) {
-    rows.push_back({fmt::format("`{}`", setting.path.substr(setting.path.rfind('.') + 1)),
-                    fmt::format("{}; {}", expected_of(setting), value_of(setting)),
+    const std::string name = setting.path.substr(setting.path.rfind('.') + 1);
+    const bool is_required = std::find(required.begin(), required.end(), name) != required.end();
+    rows.push_back({fmt::format("`{}`", name),
+                    expected_of(setting) + (is_required ? "" : "; " + value_of(setting)),
                     std::string(setting.about)});
   }
   return rows;

@@ -6,16 +6,15 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "runner/experiments/factor.hpp"
 #include "runner/experiments/named_teams.hpp"
-#include "runner/experiments/reading/named_teams_reader.hpp"
-#include "runner/experiments/reading/top_reader.hpp"
 #include "runner/settings/fields.hpp"
 
 namespace autoref::runner {
+
+class TopReader;
 
 using TextByPath = std::map<std::string, std::string>;
 
@@ -40,8 +39,10 @@ struct KeysBelow {
   std::vector<KeyRow> rows;
 };
 
-// A row for each setting, by its last name, with what it may be and its default.
-std::vector<KeyRow> rows_of(const std::vector<Setting>& settings);
+// A row for each setting, by its last name, with what it may be and its present value, which is the
+// default in a new experiment. Those in `required` have no default.
+std::vector<KeyRow> rows_of(const std::vector<Setting>& settings,
+                            const std::vector<std::string>& required = {});
 
 // A key of a kind's scenario file, and everything that depends on it. A function that is not set
 // means that the key has nothing of the sort.
@@ -58,7 +59,8 @@ struct Key {
   std::function<std::string()> text = {};
   // Settings that must not change while a results folder has rows.
   std::function<TextByPath()> values = {};
-  // Names of entries that have games of their own, so that a folder goes on if some are added.
+  // Names of the key's entries whose games depend on no other entry. A folder with rows may gain or
+  // lose such entries.
   std::function<std::vector<std::string>()> entries = {};
   // Teams that play, by path.
   std::function<std::vector<TeamAt>()> teams = {};
@@ -67,7 +69,7 @@ struct Key {
   std::function<std::optional<std::uint64_t>()> seed = {};
   std::function<void(std::uint64_t)> set_seed = {};
   std::function<std::string()> seed_text = {};
-  KeysBelow below = {};
+  std::function<KeysBelow()> below = {};
   // Settings shared by all games.
   GameSettings* base = nullptr;
 };
@@ -90,7 +92,7 @@ Key teams_key(NamedTeams& named, std::string about, TeamCount count = {});
 Key pairs_key(int& pairs, std::string about);
 Key seed_key(std::uint64_t& seed);
 
-// What AutoRef writes into effective.yaml, and nobody else: the settings that each value of the
+// `set_by_values`, which AutoRef writes into effective.yaml: the settings that each value of the
 // factors sets. Refuses a file in which they have been changed.
 Key set_by_values_key(const GameSettings& base, std::function<std::vector<Factor>()> factors);
 

@@ -3,6 +3,7 @@
 
 #include <concepts>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,7 +14,8 @@
 
 namespace autoref::runner {
 
-// An experiment of any kind, as a value: a copy is an experiment of its own.
+// An experiment of any kind, as a value: a copy is an experiment of its own. One that has been
+// moved from can only be destroyed or assigned to.
 class AnyExperiment {
  public:
   // NOLINTNEXTLINE(google-explicit-constructor): it is the experiment
@@ -45,6 +47,13 @@ struct Scenario {
   // Throw std::logic_error for a single game.
   Experiment& experiment();
   const Experiment& experiment() const;
+
+  // The experiment of this kind. Throws std::logic_error for another one.
+  template <std::derived_from<Experiment> Its>
+  const Its& get() const {
+    if (const Its* its = as<Its>()) return *its;
+    throw std::logic_error("the scenario is of another kind than " + std::string(Its::kKind.name));
+  }
 
   // The experiment if it is of this kind, otherwise null.
   template <std::derived_from<Experiment> Its>

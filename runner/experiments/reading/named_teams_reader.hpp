@@ -11,12 +11,6 @@
 
 namespace autoref::runner {
 
-// The range of team counts that an experiment accepts.
-struct TeamCount {
-  std::size_t least = 2;
-  std::size_t most = SIZE_MAX;
-};
-
 class NamedTeamsReader {
  public:
   // All must outlive the reader. Records the locations of the teams' settings in `locations`.

@@ -55,8 +55,8 @@ class TopReader {
   // Refuses a command-line setting of `path`, a short path that the file varies.
   void refuse_assignment(const std::string& path) const;
 
-  // Refuses command-line settings below a branch such as "teams.", or of a path without a final
-  // dot, which would have no effect.
+  // Refuses command-line settings that would have no effect: those below `branch` if it ends with a
+  // dot, otherwise that of exactly this path.
   void refuse_assignments(const std::string& branch, const std::string& message) const;
 
   // Calls `work`. Turns a SettingError into an InputError with the setting's location in the file.

@@ -126,15 +126,15 @@ TEST(SummaryTable, ComparesEachValueWithTheFirst) {
                                                {"5", 1, {{4, 0}, {4, 0}}},
                                                {"5", 2, {{6, 0}, {6, 0}}},
                                                {"5", 3, {{2, 0}, {2, 0}}}});
-  const std::string table = text_of(summary_table(kRobots, groups));
+  const std::string table =
+      text_of(summary_table(kRobots, groups, slope_over_factor(kRobots, groups)));
   EXPECT_NE(table.find("+2.00 [-0.48, +4.48]   0.074\n"), std::string::npos) << table;
 }
 
 TEST(SummaryTable, HasScoresDifferencesAndVoidGames) {
-  const std::string table =
-      text_of(summary_table(kRobots, groups_of({{"6", 1, {{1, 1}, {3, 1}}},
-                                                {"6", 2, {{1, 1}, {1, 1}}},
-                                                {"5", 1, {void_leg(4, 0)}}})));
+  const std::vector<Group> groups = groups_of(
+      {{"6", 1, {{1, 1}, {3, 1}}}, {"6", 2, {{1, 1}, {1, 1}}}, {"5", 1, {void_leg(4, 0)}}});
+  const std::string table = text_of(summary_table(kRobots, groups, std::nullopt));
   // The pairs' differences are 1 and 0: mean 0.5, t(0.975, 1) = 12.706, standard error 0.5.
   EXPECT_NE(table.find("+0.50 [-5.85, +6.85]"), std::string::npos) << table;
   EXPECT_NE(table.find("1.50 ± 1.00"), std::string::npos) << table;

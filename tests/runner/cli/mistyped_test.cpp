@@ -92,8 +92,8 @@ TEST(Messages, DoNotBeginWithTheNameOfAnArgument) {
   EXPECT_EQ(message({"rules", "nosuch"}).find("autoref: unknown rule book 'nosuch'. Known"), 0U);
   EXPECT_EQ(message({"teams", "nosuch"}).find("autoref: unknown team 'nosuch'. Known"), 0U);
   EXPECT_EQ(message({"reference", "verb"}),
-            "autoref: reference: expected one of settings, verbs, rules, teams, found 'verb'; did "
-            "you mean 'verbs'? `autoref help reference` lists its options\n");
+            "autoref: reference: expected one of settings, verbs, rules, teams, scenario-files, "
+            "found 'verb'; did you mean 'verbs'? `autoref help reference` lists its options\n");
   EXPECT_EQ(message({"team", "check", "'"}),
             "autoref: the command of the team: a quote (') is not closed\n");
   EXPECT_EQ(message({"view"}),

@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 
+#include "runner/experiments/kinds/registry.hpp"
 #include "runner/io/errors.hpp"
 #include "tests/runner/cli/answer.hpp"
 #include "tests/runner/support/schema_tables.hpp"
@@ -18,31 +19,23 @@ using Names = std::set<std::string>;
 // A file with the unknown key `zzz` in the part that a section describes.
 struct Part {
   std::string section;
-  const char* verb;
+  std::string_view verb;
   std::string yaml;
 };
 
-const Part kParts[] = {
+const std::vector<Part> kParts = {
     {"game", "play", "kind: game\nzzz: 1\n"},
-    {"sweep", "run", "kind: sweep\nzzz: 1\n"},
-    {"roundrobin", "run", "kind: roundrobin\nzzz: 1\n"},
-    {"gauntlet", "run", "kind: gauntlet\nzzz: 1\n"},
-    {"sprt", "run", "kind: sprt\nzzz: 1\n"},
     {"sprt: the test", "run",
      "kind: sprt\nseed: 1\nteams: {x: {strategy: basic}, y: {strategy: zone}}\nsprt: {zzz: 1}\n"},
-    {"knockout", "run", "kind: knockout\nzzz: 1\n"},
-    {"situations", "run", "kind: situations\nzzz: 1\n"},
     {"situations: one situation", "run",
      "kind: situations\nattackers: {x: {strategy: basic}}\ndefenders: {y: {strategy: basic}}\n"
      "situations: {corner: {zzz: 1}}\n"},
-    {"tune", "tune", "kind: tune\nzzz: 1\n"},
     {"tune: a parameter", "tune",
      "kind: tune\nseed: 1\nteam: {strategy: basic}\niterations: 1\npairs: 1\n"
      "tune: {shot_mps: {zzz: 1}}\n"},
     {"tune: the test", "tune",
      "kind: tune\nseed: 1\nteam: {strategy: basic}\niterations: 1\npairs: 1\n"
      "tune: {shot_mps: {start: 5}}\ntest: {zzz: 1}\n"},
-    {"judge", "judge", "kind: judge\nzzz: 1\n"},
     {"judge: seeds", "judge",
      "kind: judge\nrules: [paper]\ncameras: [none]\nteams: [basic]\ngames: 2\nseeds: {zzz: 1}\n"},
     {"lab", "lab", "kind: lab\nzzz: 1\n"},
@@ -50,6 +43,16 @@ const Part kParts[] = {
     {"lab: a robot", "lab", "kind: lab\nduration_s: 1\nrobots: [{zzz: 1}]\n"},
     {"lab: a command", "lab",
      "kind: lab\nduration_s: 1\nrobots: [{side: west, commands: [{zzz: 1}]}]\n"}};
+
+// Those, and each kind of experiment.
+std::vector<Part> all_parts() {
+  std::vector<Part> parts = kParts;
+  for (const Kind* kind : kinds_of_experiments()) {
+    const std::string name(kind->name);
+    parts.push_back({name, kind->verb, "kind: " + name + "\nzzz: 1\n"});
+  }
+  return parts;
+}
 
 std::vector<SchemaSection> page_sections() {
   std::vector<SchemaSection> sections = sections_of("docs/reference/scenario-files.md");
@@ -71,11 +74,11 @@ Names listed_after(const std::string& label, const std::string& message) {
 }
 
 // What the program says about a file with this text.
-std::string complaint(const char* verb, const std::string& text) {
+std::string complaint(std::string_view verb, const std::string& text) {
   const TemporaryFolder folder;
   const std::string file = (folder / "file.yaml").string();
   write_content(file, "schema: 1\n" + text);
-  const Answer answer = answer_to({verb, file.c_str()});
+  const Answer answer = answer_to({std::string(verb).c_str(), file.c_str()});
   EXPECT_EQ(answer.code, kBadInput) << text;
   return answer.err;
 }
@@ -98,11 +101,13 @@ TEST_P(ScenarioFilesPage, ListsTheKeysThatAreAccepted) {
   FAIL() << "no section " << GetParam().section;
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, ScenarioFilesPage, testing::ValuesIn(kParts), [](const auto& test) {
-  std::string name;
-  for (const char c : test.param.section) name += std::isalpha(c) != 0 ? std::string(1, c) : "";
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Of, ScenarioFilesPage, testing::ValuesIn(all_parts()),
+                         [](const auto& test) {
+                           std::string name;
+                           for (const char c : test.param.section)
+                             name += std::isalpha(c) != 0 ? std::string(1, c) : "";
+                           return name;
+                         });
 
 TEST(ScenarioFilesPages, HaveASectionForEveryKind) {
   Names kinds = listed_after("expected one of ", complaint("run", "kind: zzz\n"));

@@ -3,6 +3,7 @@
 #include "runner/experiments/kinds/group_results.hpp"
 #include "runner/experiments/matchup_schedule.hpp"
 #include "runner/experiments/playing_order.hpp"
+#include "runner/experiments/reading/top_reader.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -32,8 +33,8 @@ NamedTeams everyone_in(const Gauntlet& gauntlet) {
 
 }  // namespace
 
-const Kind Gauntlet::kKind = {"gauntlet", "Each challenger against each team of a fixed field.",
-                              make};
+constinit const Kind Gauntlet::kKind = {
+    "gauntlet", "Each challenger against each team of a fixed field.", make};
 
 std::vector<Matchup> matchups_of(const Gauntlet& gauntlet) {
   std::vector<Matchup> matchups;

@@ -5,12 +5,15 @@
 
 #include "runner/experiments/kinds/judge/judge_schedule.hpp"
 #include "runner/experiments/reading/factor_reader.hpp"
+#include "runner/experiments/reading/top_reader.hpp"
 #include "runner/io/words.hpp"
 #include "runner/settings/fields.hpp"
 
 namespace autoref::runner {
 namespace {
 
+constexpr const char* kSeedValue =
+    "whole number from 0 to 2^64 - 1, or the first eight hexadecimal digits of a commit";
 constexpr int kMostJudged = 9999;
 constexpr const char* kTuningSeed = "tuning";
 constexpr const char* kTestSeed = "test";
@@ -60,8 +63,7 @@ void read_matchups(const TopReader& top, JudgeSchedule& schedule) {
 
 NamedSeed seed_of(const YamlFile& file, const YamlEntry& entry) {
   const std::string path = "seeds." + entry.key;
-  const std::string expected =
-      "a whole number from 0 to 2^64 - 1, or the first eight hexadecimal digits of a commit";
+  const std::string expected = fmt::format("a {}", kSeedValue);
   const std::string text = file.scalar(entry, path, expected, false);
   std::optional<std::uint64_t> seed = seed_in(text);
   if (!seed && text.size() == kCommitDigits) seed = hexadecimal_in(text);
@@ -146,7 +148,7 @@ bool has_one_seed(const JudgeSchedule& schedule) { return schedule.seeds.front()
 
 // A single seed.
 Key unnamed_seed_key(JudgeSchedule& schedule) {
-  Key key{"seed", "whole number, or the first eight digits of a commit", "of the experiment"};
+  Key key{"seed", "whole number", "of the experiment"};
   key.read = [&schedule](TopReader& top) {
     refuse_both(top, "seed", "seeds");
     if (top.find("seeds") != nullptr) return;
@@ -176,11 +178,13 @@ Key unnamed_seed_key(JudgeSchedule& schedule) {
 
 Key named_seeds_key(JudgeSchedule& schedule) {
   Key key{"seeds", "", "instead of `seed`"};
-  key.below = {
-      "seeds",
-      "",
-      {{fmt::format("`{}`", kTuningSeed), "as `seed`", "games that the referee may be improved on"},
-       {fmt::format("`{}`", kTestSeed), "as `seed`", "games that test it"}}};
+  key.below = []() -> KeysBelow {
+    return {"seeds",
+            "",
+            {{fmt::format("`{}`", kTuningSeed), kSeedValue,
+              "games that the referee may be improved on"},
+             {fmt::format("`{}`", kTestSeed), kSeedValue, "games that test it"}}};
+  };
   key.read = [&schedule](TopReader& top) {
     if (const YamlEntry* entry = top.find("seeds")) schedule.seeds = seeds_in(top.file(), *entry);
   };
@@ -211,18 +215,18 @@ Key named_seeds_key(JudgeSchedule& schedule) {
 }  // namespace
 
 std::vector<Key> JudgeSchedule::keys() {
-  const auto varied_now = [this] { return varied(); };
-  return {
-      base_key(base, varied_now),
-      values_key("rules", "list of rule books", "a table for each", "match.rules", rules, false),
-      values_key("cameras", "list of camera presets", "every rule book is played with each",
-                 "sim.camera", cameras, true),
-      set_by_values_key(base, varied_now),
-      matchups_key(*this),
-      strategies_key(*this),
-      games_key(*this),
-      unnamed_seed_key(*this),
-      named_seeds_key(*this)};
+  const auto varied_now = [this] { return varied_settings(); };
+  return {base_key(base, varied_now),
+          values_key("rules", "list of rule books", "the results have a table for each", kRulesPath,
+                     rules, false),
+          values_key("cameras", "list of camera presets", "every rule book is played with each",
+                     kCameraPath, cameras, true),
+          set_by_values_key(base, varied_now),
+          matchups_key(*this),
+          strategies_key(*this),
+          games_key(*this),
+          unnamed_seed_key(*this),
+          named_seeds_key(*this)};
 }
 
 }  // namespace autoref::runner

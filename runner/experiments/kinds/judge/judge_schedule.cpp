@@ -15,9 +15,6 @@
 namespace autoref::runner {
 namespace {
 
-constexpr const char* kRulesPath = "match.rules";
-constexpr const char* kCameraPath = "sim.camera";
-
 using Matchups = std::vector<std::array<std::string, 2>>;
 
 SharedSettings checked(const GameSettings& game) {
@@ -98,7 +95,7 @@ JudgeGame game_of(JudgeCell& cell, const Matchups& matchups, const NamedSeed& se
 
 }  // namespace
 
-const Kind JudgeSchedule::kKind = {
+constinit const Kind JudgeSchedule::kKind = {
     "judge", "The referee's calls against ground truth, for the verb `judge`.", make, "judge"};
 
 std::string name_of(const std::array<std::string, 2>& matchup) {
@@ -151,7 +148,7 @@ std::vector<JudgeGame> games_of(const JudgeSchedule& schedule) {
   return games;
 }
 
-std::vector<Factor> JudgeSchedule::varied() const {
+std::vector<Factor> JudgeSchedule::varied_settings() const {
   return {{kRulesPath, {rules.begin(), rules.end()}},
           {kCameraPath, {cameras.begin(), cameras.end()}}};
 }

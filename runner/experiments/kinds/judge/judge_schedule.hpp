@@ -37,7 +37,7 @@ struct JudgeSchedule : ExperimentOf<JudgeSchedule> {
 
   std::vector<Key> keys() override;
   // The rule books and the cameras.
-  std::vector<Factor> varied() const override;
+  std::vector<Factor> varied_settings() const override;
   // The games returned by games_of().
   std::vector<ScheduledGame> games() const override;
   std::string why_no_pairs() const override { return "it has a number of games"; }
@@ -46,6 +46,10 @@ struct JudgeSchedule : ExperimentOf<JudgeSchedule> {
   // Throws std::logic_error: the calls of judged games are summed up in runner/judge.
   ExperimentResults results(const RowsById& rows) const override;
 };
+
+// The settings that vary between its games.
+inline constexpr const char* kRulesPath = "match.rules";
+inline constexpr const char* kCameraPath = "sim.camera";
 
 struct JudgeGame {
   std::string id;  // for display: "test 2014 realistic basic~basic 3"; without a name of the seed,

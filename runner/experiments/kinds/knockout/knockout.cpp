@@ -8,6 +8,7 @@
 #include "runner/experiments/kinds/knockout/knockout_report.hpp"
 #include "runner/experiments/kinds/knockout/played_bracket.hpp"
 #include "runner/experiments/matchup_schedule.hpp"
+#include "runner/experiments/reading/top_reader.hpp"
 #include "runner/io/words.hpp"
 
 namespace autoref::runner {
@@ -93,7 +94,7 @@ std::vector<Cells> rows_from_first_open_tie(const std::vector<Tie>& ties, std::v
 
 }  // namespace
 
-const Kind Knockout::kKind = {"knockout", "Single elimination.", make};
+constinit const Kind Knockout::kKind = {"knockout", "Single elimination.", make};
 
 std::vector<Key> Knockout::keys() {
   return {base_with_extra_time_key(*this), teams_key(*this, "who takes part", {2, kMostInKnockout}),

@@ -1,12 +1,14 @@
 #include "runner/experiments/kinds/roundrobin/roundrobin.hpp"
 
+#include <iterator>
+
 #include "runner/experiments/kinds/group_results.hpp"
 #include "runner/experiments/matchup_schedule.hpp"
 #include "runner/experiments/playing_order.hpp"
 
 namespace autoref::runner {
 
-const Kind RoundRobin::kKind = {"roundrobin", "Every team against every other.", make};
+constinit const Kind RoundRobin::kKind = {"roundrobin", "Every team against every other.", make};
 
 std::vector<Matchup> matchups_of(const RoundRobin& robin) {
   std::vector<Matchup> matchups;

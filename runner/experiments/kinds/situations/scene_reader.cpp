@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/experiments/reading/top_reader.hpp"
 #include "runner/io/words.hpp"
 #include "runner/settings/mapping.hpp"
 #include "soccer/named.hpp"
@@ -9,6 +10,21 @@
 
 namespace autoref::runner {
 namespace {
+
+constexpr const char* kLasts = "lasts_s";
+constexpr const char* kScore = "score";
+constexpr const char* kEnds = "ends_on";
+
+Setting lasts_setting(const std::string& path, Scene& scene) {
+  return {path, &scene.lasts_s, {0, 600, true}, {}, "s", ""};
+}
+
+// What may end a scene before its time.
+std::vector<std::string> ends_of_scenes() {
+  std::vector<std::string> ends = all_names<SceneEnd>();
+  std::erase(ends, name_of(SceneEnd::kTime));
+  return ends;
+}
 
 // One measure, or a mapping of measures to weights.
 SceneWeights weights_in(const YamlFile& file, const YamlEntry& entry, const std::string& path) {
@@ -36,8 +52,7 @@ SceneWeights weights_in(const YamlFile& file, const YamlEntry& entry, const std:
 
 void read_ends(const YamlFile& file, const YamlEntry& entry, const std::string& path,
                Scene& scene) {
-  std::vector<std::string> known = all_names<SceneEnd>();
-  std::erase(known, name_of(SceneEnd::kTime));  // which ends every scene
+  const std::vector<std::string> known = ends_of_scenes();
   scene.ends = {};
   scene.ends[static_cast<std::size_t>(SceneEnd::kTime)] = true;
   for (const std::string& word : file.words(entry, path)) {
@@ -53,12 +68,16 @@ void read_ends(const YamlFile& file, const YamlEntry& entry, const std::string& 
 
 }  // namespace
 
+std::vector<std::string> scene_key_names() { return {kLasts, kScore, kEnds}; }
+
 std::vector<Key> scene_keys(const std::shared_ptr<Scene>& scene) {
+  Scene usual;
   std::vector<Key> keys = {
-      {"lasts_s", "above 0, at most 600 s; 10 s", "seconds of play in a scene"},
-      {"score", "`goal`, `conceded`, `ball_kept` or `gained_m`, or weights of them; `goal`",
+      {kLasts, rows_of({lasts_setting(kLasts, usual)}).front().value, "seconds of play in a scene"},
+      {kScore,
+       fmt::format("one of {}, or weights of them; goal", listed(parameter_names<SceneWeights>())),
        "what a scene is worth"},
-      {"ends_on", "list of `goal`, `ball_out`, `foul`, `stop`; all", "what ends a scene early"}};
+      {kEnds, fmt::format("list of {}; all", listed(ends_of_scenes())), "what ends a scene early"}};
   keys.front().read = [scene](TopReader& top) {
     read_scene(top.file(), top.entries(), "", *scene);
   };
@@ -68,12 +87,12 @@ std::vector<Key> scene_keys(const std::shared_ptr<Scene>& scene) {
 void read_scene(const YamlFile& file, const std::vector<YamlEntry>& entries,
                 std::string_view branch, Scene& scene) {
   const std::string prefix = branch.empty() ? "" : fmt::format("{}.", branch);
-  if (const YamlEntry* entry = find_entry(entries, "lasts_s"))
-    assign_entry(file, *entry, {prefix + "lasts_s", &scene.lasts_s, {0, 600, true}, {}, "s", ""});
-  if (const YamlEntry* entry = find_entry(entries, "score"))
-    scene.weights = weights_in(file, *entry, prefix + "score");
-  if (const YamlEntry* entry = find_entry(entries, "ends_on"))
-    read_ends(file, *entry, prefix + "ends_on", scene);
+  if (const YamlEntry* entry = find_entry(entries, kLasts))
+    assign_entry(file, *entry, lasts_setting(prefix + kLasts, scene));
+  if (const YamlEntry* entry = find_entry(entries, kScore))
+    scene.weights = weights_in(file, *entry, prefix + kScore);
+  if (const YamlEntry* entry = find_entry(entries, kEnds))
+    read_ends(file, *entry, prefix + kEnds, scene);
 }
 
 }  // namespace autoref::runner

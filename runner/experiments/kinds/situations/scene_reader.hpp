@@ -12,8 +12,11 @@
 
 namespace autoref::runner {
 
-// The keys that read_scene() reads; at the top level of a file, they are read into `scene`.
-std::vector<Key> scene_keys(const std::shared_ptr<Scene>& scene = {});
+// The keys that read_scene() reads.
+std::vector<std::string> scene_key_names();
+
+// Those at the top level of a file, which are read into `scene`.
+std::vector<Key> scene_keys(const std::shared_ptr<Scene>& scene);
 
 // Reads lasts_s, score and ends_on, as far as `entries` has them. `branch` is the path of their
 // mapping, or empty. Throws InputError.

@@ -75,8 +75,8 @@ SituationSetup SituationReader::read(const YamlEntry& entry) const {
   locations_[path] = entry.location;
   const std::vector<YamlEntry> all = file_.entries(entry, path, {});
   const YamlEntry* from = find_entry(all, "from");
-  std::vector<std::string> known = {"from"};
-  for (const Key& key : scene_keys()) known.push_back(key.name);
+  std::vector<std::string> known = scene_key_names();
+  known.emplace_back("from");
   if (from == nullptr) known.insert(known.end(), kByHand.begin(), kByHand.end());
   const std::vector<YamlEntry> entries = known_entries(file_, entry, path, known);
   SituationSetup situation;

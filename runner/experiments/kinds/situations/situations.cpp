@@ -14,7 +14,7 @@
 #include "runner/experiments/kinds/situations/situations_text.hpp"
 #include "runner/experiments/matchup_schedule.hpp"
 #include "runner/experiments/playing_order.hpp"
-#include "runner/io/errors.hpp"
+#include "runner/experiments/reading/top_reader.hpp"
 #include "runner/settings/setting_error.hpp"
 
 namespace autoref::runner {
@@ -39,7 +39,7 @@ void read_situations(TopReader& top, const Scene& scene, Situations& all) {
 }
 
 constexpr const char* kSituation =
-    "Numbers are in the attackers' frame, which defend the goal at -x. Each is a number, a range "
+    "Numbers are in the attackers' frame: they defend the goal at -x. Each is a number, a range "
     "such as `[1.5, 3]`, or `{ mean: 2, sd: 0.1 }`. Robots that are not listed are off the field.";
 
 std::vector<KeyRow> situation_rows() {
@@ -62,7 +62,7 @@ std::vector<KeyRow> situation_rows() {
 // `scene` is what a situation does not say itself.
 Key situations_key(Situations& all, std::shared_ptr<const Scene> scene) {
   Key key{"situations", "", "start positions by name"};
-  key.below = {"one situation", kSituation, situation_rows()};
+  key.below = []() -> KeysBelow { return {"one situation", kSituation, situation_rows()}; };
   key.read = [&all, scene = std::move(scene)](TopReader& top) {
     read_situations(top, *scene, all);
   };
@@ -133,7 +133,7 @@ std::vector<std::size_t> playing_order(const Situations& situations) {
 
 }  // namespace
 
-const Kind Situations::kKind = {
+constinit const Kind Situations::kKind = {
     "situations",
     "Attacking teams in short scenes against defending ones; see [situations](../situations.md).",
     make};
@@ -141,7 +141,7 @@ const Kind Situations::kKind = {
 std::vector<SituationMatchup> matchups_of(const Situations& situations) {
   std::vector<SituationMatchup> matchups;
   for (const auto& [situation, its] : situations.situations) {
-    for (const auto& [defenders, theirs] : situations.defenders) {
+    for (const auto& [defenders, its_team] : situations.defenders) {
       for (const auto& [attackers, team] : situations.attackers)
         matchups.push_back({situation, attackers, defenders});
     }

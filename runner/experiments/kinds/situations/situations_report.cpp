@@ -11,10 +11,6 @@
 namespace autoref::runner {
 namespace {
 
-std::optional<double> mean_if_any(const std::vector<double>& sample) {
-  return sample.empty() ? std::nullopt : std::optional(mean(sample));
-}
-
 std::optional<double> scene_share(int part, std::size_t whole) {
   return whole == 0 ? std::nullopt : std::optional(part / static_cast<double>(whole));
 }
@@ -44,14 +40,14 @@ Cells scene_cells(const SceneGroup& group) {
                  number_cell(scene_share(group.goals, group.scores.size())),
                  number_cell(goal_low),
                  number_cell(goal_high),
-                 number_cell(mean_if_any(group.scores)),
+                 number_cell(mean_of(group.scores)),
                  number_cell(standard_deviation(group.scores)),
                  std::to_string(group.pair_scores.size()),
                  number_cell(score_low),
                  number_cell(score_high),
                  std::to_string(group.conceded),
                  std::to_string(group.kept),
-                 number_cell(mean_if_any(group.gained_m))};
+                 number_cell(mean_of(group.gained_m))};
   for (const int count : group.ends) cells.push_back(std::to_string(count));
   return cells;
 }
@@ -149,7 +145,7 @@ Json json_of(const std::vector<SceneGroup>& groups) {
                    {"scenes", group.scores.size()},
                    {"void_scenes", group.void_scenes},
                    {"goals", group.goals},
-                   {"mean_score", group.scores.empty() ? Json() : Json(mean(group.scores))}});
+                   {"mean_score", json_number(mean_of(group.scores))}});
   }
   return all;
 }

@@ -12,6 +12,7 @@
 #include "runner/experiments/kinds/sprt/sprt_match_state.hpp"
 #include "runner/experiments/matchup_schedule.hpp"
 #include "runner/experiments/reading/settings_text.hpp"
+#include "runner/experiments/reading/top_reader.hpp"
 #include "runner/experiments/sequential_settings.hpp"
 
 namespace autoref::runner {
@@ -19,14 +20,15 @@ namespace {
 
 constexpr const char* kSprt = "sprt";
 constexpr Range kGoals = {-50, 50};
+const std::vector<std::string> kRequired = {"d0", "d1", "max_pairs"};
 
 // Requires d0, d1 and max_pairs; the error rates and min_pairs have defaults.
 void read_sprt(TopReader& top, SequentialTest& test) {
   const YamlEntry& entry = top.required(kSprt);
-  SettingsReader settings(top.file(), settings_of(test), top.locations());
+  SettingsReader settings(top.file(), sprt_settings_of(test), top.locations());
   settings.read(entry, kSprt);
   const std::vector<YamlEntry> given = top.file().entries(entry, kSprt, settings.names());
-  for (const char* key : {"d0", "d1", "max_pairs"}) {
+  for (const std::string& key : kRequired) {
     if (find_entry(given, key) != nullptr) continue;
     top.file().refuse(entry.location, kSprt,
                       fmt::format("the key '{}' is missing; expected something like {{ d0: 0, d1: "
@@ -37,23 +39,26 @@ void read_sprt(TopReader& top, SequentialTest& test) {
 
 Key sprt_key(SequentialTest& test) {
   Key key{kSprt, "", "the hypotheses"};
-  key.below = {"the test", "", rows_of(settings_of(test))};
+  key.below = [&test]() -> KeysBelow {
+    return {"the test", "", rows_of(sprt_settings_of(test), kRequired)};
+  };
   key.read = [&test](TopReader& top) { read_sprt(top, test); };
-  key.text = [&test] { return text_of(settings_of(test)); };
+  key.text = [&test] { return text_of(sprt_settings_of(test)); };
   key.pairs = &test.max_pairs;
   return key;
 }
 
 }  // namespace
 
-const Kind SprtMatch::kKind = {kSprt, "Two teams, until a sequential test decides.", make};
+constinit const Kind SprtMatch::kKind = {kSprt, "Two teams, until a sequential test decides.",
+                                         make};
 
 Matchup matchup_of(const SprtMatch& match) {
   assert(match.teams.size() == 2);
   return {match.teams.begin()->first, match.teams.rbegin()->first};
 }
 
-std::vector<Setting> settings_of(SequentialTest& test) {
+std::vector<Setting> sprt_settings_of(SequentialTest& test) {
   const char* const goals = "goals per game";
   std::vector<Setting> settings = {
       {"sprt.d0", &test.d0, kGoals, {}, goals, "mean goal difference under the null hypothesis"},

@@ -27,6 +27,6 @@ struct SprtMatch : NamedTeams, ExperimentOf<SprtMatch> {  // two teams
 Matchup matchup_of(const SprtMatch& match);
 
 // Paths are "sprt.d0" and so on.
-std::vector<Setting> settings_of(SequentialTest& test);
+std::vector<Setting> sprt_settings_of(SequentialTest& test);
 
 }  // namespace autoref::runner

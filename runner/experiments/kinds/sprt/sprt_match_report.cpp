@@ -56,7 +56,7 @@ std::string sprt_match_csv(const SprtMatch& match, const Group& matchup,
                  std::to_string(state.void_pairs),
                  fmt::format("{:.4f}", state.test.log_likelihood_ratio)});
   SequentialTest test = match.sprt;
-  for (const Setting& setting : settings_of(test)) cells.push_back(value_of(setting));
+  for (const Setting& setting : sprt_settings_of(test)) cells.push_back(value_of(setting));
   return csv_line(columns) + "\n" + csv_line(cells) + "\n";
 }
 

@@ -1,12 +1,14 @@
 #include "runner/experiments/kinds/sweep/sweep.hpp"
 
 #include <fmt/format.h>
+#include <memory>
 
 #include <nlohmann/json.hpp>
 
 #include "runner/experiments/kinds/group_results.hpp"
 #include "runner/experiments/playing_order.hpp"
 #include "runner/experiments/reading/factor_reader.hpp"
+#include "runner/experiments/reading/top_reader.hpp"
 #include "runner/io/words.hpp"
 #include "runner/settings/fields.hpp"
 
@@ -74,7 +76,7 @@ Key factors_key(Sweep& sweep) {
 
 }  // namespace
 
-const Kind Sweep::kKind = {
+constinit const Kind Sweep::kKind = {
     "sweep", "Every combination of the factors' values, played with the same seeds.", make};
 
 std::vector<Key> Sweep::keys() {
@@ -118,7 +120,7 @@ ExperimentResults Sweep::results(const RowsById& rows) const {
   results.are_compared_with_first = results.groups.size() > 1;
   results.slope = slope_over_factor(factors, results.groups);
   results.files = {{"summary.csv", "a row per value", summary_csv(factors, results.groups)}};
-  results.table = summary_table(factors, results.groups);
+  results.table = summary_table(factors, results.groups, results.slope);
   results.effects = effects_of(factors, results.groups);
   if (!results.effects.empty()) {
     results.files.push_back(
@@ -127,7 +129,7 @@ ExperimentResults Sweep::results(const RowsById& rows) const {
     for (auto& block : effects_table(results.effects)) results.table.push_back(std::move(block));
   }
   results.shown = {groups_shown(summary_rows(factors, results.groups), {}, "values")};
-  results.shown.front().text = slope_text(factors, results.groups);
+  results.shown.front().text = slope_text(factors, results.slope);
   results.json = std::make_shared<Json>(Json{{"groups", json_of(results.groups)}});
   return results;
 }

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "runner/experiments/reading/settings_text.hpp"
+#include "runner/experiments/reading/top_reader.hpp"
 #include "strategies/registry.hpp"
 
 namespace autoref::runner {
@@ -128,6 +130,17 @@ void read_parameters(TopReader& top, Tuning& tuning) {
                     "expected a parameter, such as pass_risk: { from: 0.2, to: 0.9 }");
 }
 
+// What a parameter has unless the file says otherwise, for the reference page.
+std::string default_of(const std::string& names) {
+  static const std::map<std::string, std::string> kDefaults = {
+      {"`from`", "the strategy's least value"},
+      {"`to`", "the strategy's largest value"},
+      {"`start`", "the team's value"},
+      {"`step`", fmt::format("{} of the range", kStepShare)}};
+  const auto found = kDefaults.find(names);
+  return found == kDefaults.end() ? "" : found->second;
+}
+
 }  // namespace
 
 Key parameters_key(Tuning& tuning) {
@@ -139,13 +152,14 @@ Key parameters_key(Tuning& tuning) {
     return all;
   };
   Key key{"tune", "", "parameters to change, by name"};
-  key.below = {"a parameter",
-               "",
-               {{"`from`, `to`", "numbers; the strategy's range", "least and largest value"},
-                {"`start`", "number; the team's value", "value to improve on"},
-                {"`step`", "number; a fifth of the range",
-                 "distance over which its effect is looked for at first"},
-                {"`whole`", "true or false; false", "whether only whole numbers are played"}}};
+  key.below = []() -> KeysBelow {
+    TunedParameter parameter;
+    std::vector<KeyRow> rows = rows_of(settings_of(parameter), {"from", "to", "start", "step"});
+    for (KeyRow& row : rows) {
+      if (row.names != "`whole`") row.value = "number; " + default_of(row.names);
+    }
+    return {"a parameter", "", std::move(rows)};
+  };
   key.read = [&tuning](TopReader& top) { read_parameters(top, tuning); };
   key.text = [settings] { return text_of(settings()); };
   key.values = [settings] { return values_of(settings()); };

@@ -1,5 +1,6 @@
 #include "runner/experiments/kinds/tune/tuning.hpp"
 
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "runner/experiments/kinds/tune/tuning_report.hpp"
@@ -158,7 +159,7 @@ std::vector<std::string> spelt(const ParamValues& values) {
   return texts;
 }
 
-const Kind Tuning::kKind = {
+constinit const Kind Tuning::kKind = {
     "tune", "A team's parameters, improved by playing; see [tuning](../tuning.md).", make, "tune"};
 
 void check(const Tuning& tuning) {
@@ -180,8 +181,7 @@ std::string Tuning::caveat() const {
   return "at most, since the test of the result ends once it is decided";
 }
 
-std::vector<ScheduledGame> Tuning::games_to_rehearse() const {
-  std::vector<ScheduledGame> all = games();
+std::vector<ScheduledGame> Tuning::rehearsed(std::vector<ScheduledGame> all) const {
   for (ScheduledGame& game : all) {
     if (game.id.starts_with("k")) game.id = "search" + game.id.substr(game.id.find('-'));
   }

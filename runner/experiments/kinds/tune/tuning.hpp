@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,9 @@ struct TunedParameter {
 inline constexpr const char* kSpsaName = "spsa";
 inline constexpr const char* kCmaEsName = "cma-es";
 
+// The key of the test of the result.
+inline constexpr const char* kTestKey = "test";
+
 struct Tuning : ExperimentOf<Tuning> {
   static const Kind kKind;
 
@@ -51,7 +56,7 @@ struct Tuning : ExperimentOf<Tuning> {
   std::vector<ScheduledGame> games() const override;
   std::string caveat() const override;
   // All iterations as one matchup: "search-plus~zone-p0001-1" for "k0007-plus~zone-p0001-1".
-  std::vector<ScheduledGame> games_to_rehearse() const override;
+  std::vector<ScheduledGame> rehearsed(std::vector<ScheduledGame> all) const override;
   bool follows_its_rows() const override { return true; }
   // The games of iterations that are not known yet count as needed.
   Schedule schedule(const RowsById& rows) const override;

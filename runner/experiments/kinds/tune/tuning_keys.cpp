@@ -1,12 +1,11 @@
 // The keys of a tuning's scenario file.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "runner/experiments/kinds/tune/tuned_parameters.hpp"
 #include "runner/experiments/kinds/tune/tuning.hpp"
 #include "runner/experiments/reading/named_teams_reader.hpp"
 #include "runner/experiments/reading/settings_text.hpp"
+#include "runner/experiments/reading/top_reader.hpp"
 #include "runner/experiments/sequential_settings.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/settings/fields.hpp"
@@ -76,9 +75,8 @@ void read_team(TopReader& top, Tuning& tuning) {
 
 void read_opponents(TopReader& top, Tuning& tuning) {
   const YamlEntry* entry = top.find("opponents");
-  if (entry == nullptr) return;
-  if (entry->value.IsScalar()) {
-    top.word(*entry, "opponents", {kItself});
+  if (entry == nullptr || entry->value.IsScalar()) {
+    if (entry != nullptr) top.word(*entry, "opponents", {kItself});
     top.refuse_assignments("opponents.", "the tuned team plays against itself");
     return;
   }
@@ -106,39 +104,60 @@ std::vector<Setting> settings_at(Tuning& tuning, const std::string& key) {
   return settings;
 }
 
-enum class Need { kOptional, kRequired };
-
-Key number_key(Tuning& tuning, const std::string& name, Need need = Need::kOptional) {
-  const std::vector<Setting> settings = settings_at(tuning, name);
-  const bool has_default = need == Need::kOptional;
-  Key key{name, has_default ? rows_of(settings).front().value : expected_of(settings.front()),
-          std::string(settings.front().about)};
-  key.read = [&tuning, name, need](TopReader& top) {
-    const YamlEntry* entry = need == Need::kRequired ? &top.required(name) : top.find(name);
+Key setting_key(Tuning& tuning, const std::string& name) {
+  const KeyRow row = rows_of(settings_at(tuning, name)).front();
+  Key key{name, row.value, row.about};
+  key.read = [&tuning, name](TopReader& top) {
+    const YamlEntry* entry = top.find(name);
     if (entry == nullptr) return;
     top.locations()[name] = entry->location;
     SettingsReader(top.file(), settings_of(tuning), top.locations()).read(*entry, name);
-    if (name != "gain" || tuning.method == kSpsaName) return;
-    top.file().refuse(entry->location, name, "belongs to method spsa; leave it out");
   };
-  key.text = [&tuning, name] {
-    const bool is_used = name != "gain" || tuning.method == kSpsaName;
-    return is_used ? text_of(settings_at(tuning, name)) : "";
-  };
+  key.text = [&tuning, name] { return text_of(settings_at(tuning, name)); };
   key.values = [&tuning, name] { return values_of(settings_at(tuning, name)); };
   return key;
 }
 
-std::vector<Key> number_keys(Tuning& tuning) {
-  std::vector<Key> keys = {number_key(tuning, "method"),
-                           number_key(tuning, "iterations", Need::kRequired),
-                           number_key(tuning, "pairs", Need::kRequired), number_key(tuning, "gain"),
-                           number_key(tuning, "test")};
-  keys[2].pairs = &tuning.pairs;
-  keys.back().value.clear();
-  keys.back().about = "the test of the result at the end";
-  keys.back().below = {"the test", "", rows_of(settings_at(tuning, "test"))};
-  return keys;
+// Without a default.
+Key required_setting_key(Tuning& tuning, const std::string& name) {
+  Key key = setting_key(tuning, name);
+  key.value = expected_of(settings_at(tuning, name).front());
+  key.read = [name, read_setting = key.read](TopReader& top) {
+    top.required(name);
+    read_setting(top);
+  };
+  return key;
+}
+
+Key pairs_per_candidate_key(Tuning& tuning) {
+  Key key = required_setting_key(tuning, "pairs");
+  key.pairs = &tuning.pairs;
+  return key;
+}
+
+// Read after the method, which must be SPSA.
+Key gain_key(Tuning& tuning) {
+  Key key = setting_key(tuning, "gain");
+  key.read = [&tuning, read_setting = key.read](TopReader& top) {
+    read_setting(top);
+    const YamlEntry* entry = top.find("gain");
+    if (entry == nullptr || tuning.method == kSpsaName) return;
+    top.file().refuse(entry->location, "gain", "belongs to method spsa; leave it out");
+  };
+  key.text = [&tuning, text_of_setting = key.text] {
+    return tuning.method == kSpsaName ? text_of_setting() : "";
+  };
+  return key;
+}
+
+Key test_key(Tuning& tuning) {
+  Key key = setting_key(tuning, kTestKey);
+  key.value.clear();
+  key.about = "the test of the result at the end";
+  key.below = [&tuning]() -> KeysBelow {
+    return {"the test", "", rows_of(settings_at(tuning, kTestKey))};
+  };
+  return key;
 }
 
 Key tuned_base_key(Tuning& tuning) {
@@ -183,7 +202,7 @@ Key opponents_key(Tuning& tuning) {
     read_weights(top, tuning);
   };
   key.text = [&tuning, teams = key.text] {
-    return tuning.is_against_itself() ? "opponents: self\n" : teams();
+    return tuning.is_against_itself() ? fmt::format("opponents: {}\n", kItself) : teams();
   };
   key.entries = nullptr;
   return key;
@@ -192,12 +211,17 @@ Key opponents_key(Tuning& tuning) {
 }  // namespace
 
 std::vector<Key> Tuning::keys() {
-  std::vector<Key> all = {tuned_base_key(*this), team_key(*this), parameters_key(*this)};
-  for (Key& key : number_keys(*this)) all.push_back(std::move(key));
-  all.push_back(weights_key(*this));
-  all.push_back(opponents_key(*this));
-  all.push_back(seed_key(seed));
-  return all;
+  return {tuned_base_key(*this),
+          team_key(*this),
+          parameters_key(*this),
+          setting_key(*this, "method"),
+          required_setting_key(*this, "iterations"),
+          pairs_per_candidate_key(*this),
+          gain_key(*this),
+          test_key(*this),
+          weights_key(*this),
+          opponents_key(*this),
+          seed_key(seed)};
 }
 
 }  // namespace autoref::runner

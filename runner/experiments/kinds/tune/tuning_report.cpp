@@ -13,6 +13,23 @@
 namespace autoref::runner {
 namespace {
 
+// "better", "worse", "not shown", "undecided", or "none" while more pairs are needed.
+std::string name_of(ThreeWayVerdict verdict) {
+  switch (verdict) {
+    case ThreeWayVerdict::kBetter:
+      return "better";
+    case ThreeWayVerdict::kWorse:
+      return "worse";
+    case ThreeWayVerdict::kNotShown:
+      return "not shown";
+    case ThreeWayVerdict::kUndecided:
+      return "undecided";
+    case ThreeWayVerdict::kGoOn:
+      break;
+  }
+  return "none";
+}
+
 // Mean of the known scores; nullopt if there is none, and against itself, where it would be 0.
 std::optional<double> mean_score(const Tuning& tuning, const TuningIteration& iteration) {
   std::vector<double> known;
@@ -116,25 +133,7 @@ std::string team_text(const Tuning& tuning, const ParamValues& values) {
   return text;
 }
 
-Json number_json(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
-
 }  // namespace
-
-std::string name_of(ThreeWayVerdict verdict) {
-  switch (verdict) {
-    case ThreeWayVerdict::kBetter:
-      return "better";
-    case ThreeWayVerdict::kWorse:
-      return "worse";
-    case ThreeWayVerdict::kNotShown:
-      return "not shown";
-    case ThreeWayVerdict::kUndecided:
-      return "undecided";
-    case ThreeWayVerdict::kGoOn:
-      break;
-  }
-  return "none";
-}
 
 std::string tuning_csv(const Tuning& tuning, const TuningState& state) {
   Cells heads = {"iteration", "games"};
@@ -219,9 +218,9 @@ Json json_of(const Tuning& tuning, const TuningState& state) {
           {"iterations", tuning.iterations},
           {"parameters", parameters},
           {"verdict", name_of(state.test.state.verdict)},
-          {"gain", number_json(state.test.gain)},
-          {"low95", number_json(low)},
-          {"high95", number_json(high)},
+          {"gain", json_number(state.test.gain)},
+          {"low95", json_number(low)},
+          {"high95", json_number(high)},
           {"pairs", state.test.state.pairs}};
 }
 

@@ -11,9 +11,6 @@
 
 namespace autoref::runner {
 
-// "better", "worse", "not shown", "undecided", or "none" while more pairs are needed.
-std::string name_of(ThreeWayVerdict verdict);
-
 // tune.csv: a row per iteration, and one for the start: each parameter at the centre of the search
 // and its best value as known then, the mean score of the candidates, and their difference.
 std::string tuning_csv(const Tuning& tuning, const TuningState& state);

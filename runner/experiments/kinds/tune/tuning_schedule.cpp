@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "runner/experiments/sequential_settings.hpp"
-#include "runner/settings/setting_error.hpp"
 #include "soccer/random.hpp"
 
 namespace autoref::runner {
@@ -143,7 +142,7 @@ int games_of_test_pair(const Tuning& tuning) {
 
 std::vector<ScheduledGame> games_if_drawn(const Tuning& tuning) {
   check(tuning);
-  check_test(tuning.test, "test");
+  check_test(tuning.test, kTestKey);
   refuse_too_many_games(tuning);
   std::vector<ScheduledGame> games;
   const auto optimiser = optimiser_of(tuning);

@@ -1,7 +1,7 @@
 // Schedules the games of a tuning.
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 

@@ -1,8 +1,6 @@
 // State of a tuning, computed from its rows by repeating the search.
 #pragma once
 
-#include <cstdint>
-#include <map>
 #include <optional>
 #include <vector>
 

@@ -54,7 +54,7 @@ TEST(ReadTuning, ChangesTheTeamAndItsOpponentsFromTheCommandLine) {
       read_tune("tune: { pass_risk: {} }\nopponents: { zone: { strategy: zone } }\n", assignments);
   EXPECT_EQ(tuning.team.robots, 5);
   EXPECT_EQ(tuning.opponents.at("zone").robots, 4);
-  for (const char* set : {"a.robots=5", "team.params.pass_risk=0.3"}) {
+  for (const char* set : {"a.robots=5", "team.params.pass_risk=0.3", "opponents.zone.robots=4"}) {
     EXPECT_THROW(read_tune("tune: { pass_risk: {} }\n", assignments_in({set})), InputError) << set;
   }
 }
