@@ -14,6 +14,8 @@ namespace autoref::runner {
 // One group per matchup, in the same order. A group's values are the two teams' names.
 std::vector<Group> grouped(const std::vector<Matchup>& matchups, const RowsById& rows);
 
+inline constexpr int kPointsOfWin = 3;  // a draw gives one
+
 // One team's results over all its matchups. Void games count only in `void_games`.
 struct Standing {
   int rank = 0;  // 1 is the best
@@ -22,6 +24,7 @@ struct Standing {
   int draws = 0;
   int losses = 0;
   int void_games = 0;
+  int bye_points = 0;  // for rounds of a Swiss tournament without an opponent
   int goals_for = 0;
   int goals_against = 0;
   std::vector<double> differences;       // per game: goals for minus goals against
@@ -31,7 +34,7 @@ struct Standing {
   Rating strength;  // Bradley-Terry (statistics/bradley_terry.hpp)
 
   int games() const { return wins + draws + losses; }
-  int points() const { return 3 * wins + draws; }
+  int points() const { return kPointsOfWin * wins + draws + bye_points; }
   int pairs() const { return static_cast<int>(pair_differences.size()); }
   ResultCounts results() const { return {wins, draws, losses}; }
 };

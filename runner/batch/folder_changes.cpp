@@ -50,6 +50,12 @@ std::string note_on_pairs(const Scenario& here, const Scenario& there, int beyon
   const std::optional<int> pairs = pairs_of(here.experiment());
   const std::optional<int> former = pairs_of(there.experiment());
   if (!pairs || !former || *pairs == *former) return {};
+  if (*pairs > *former && beyond > 0) {
+    return fmt::format(
+        "the folder had {} pairs, now {}; those of its games that still belong to the experiment "
+        "count",
+        *former, *pairs);
+  }
   if (*pairs > *former) {
     return fmt::format(
         "the folder had {} pairs, now {}; its games count, and only the new ones are played",

@@ -17,7 +17,8 @@ void refuse_other_seed(const Scenario& here, const Scenario& there,
                        const std::filesystem::path& folder);
 
 // "the folder had 6 pairs, now 12; its games count, and only the new ones are played"; empty if the
-// number has not changed. `beyond` is the number of rows whose games are not in the scenario.
+// number has not changed. `beyond` is the number of rows whose games are not in the scenario, or
+// not known to be yet.
 std::string note_on_pairs(const Scenario& here, const Scenario& there, int beyond);
 
 }  // namespace autoref::runner

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "runner/batch/completed_games.hpp"
-#include "runner/batch/experiment.hpp"
+#include "runner/batch/run_experiment.hpp"
 #include "runner/experiments/kinds/scenario.hpp"
 #include "runner/processes/progress.hpp"
 #include "runner/results/row_format.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "runner/batch/experiment.hpp"
+#include "runner/batch/run_experiment.hpp"
 #include "runner/experiments/kinds/sweep/sweep.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"

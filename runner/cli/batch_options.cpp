@@ -7,7 +7,7 @@
 #include "runner/batch/program_versions.hpp"
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/scenario_argument.hpp"
-#include "runner/experiments/kinds/registry.hpp"
+#include "runner/experiments/kinds/all_kinds.hpp"
 #include "runner/experiments/kinds/scenario.hpp"
 #include "runner/experiments/kinds/scenario_reader.hpp"
 #include "runner/io/errors.hpp"

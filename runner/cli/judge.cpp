@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "runner/batch/experiment.hpp"
+#include "runner/batch/run_experiment.hpp"
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/judged_results.hpp"
 #include "runner/experiments/kinds/judge/judge_schedule.hpp"

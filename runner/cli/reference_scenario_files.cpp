@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "runner/cli/reference_pages.hpp"
-#include "runner/experiments/kinds/registry.hpp"
+#include "runner/experiments/kinds/all_kinds.hpp"
 #include "runner/experiments/kinds/scenario.hpp"
 
 namespace autoref::runner {

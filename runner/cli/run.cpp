@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <memory>
 
-#include "runner/batch/experiment.hpp"
 #include "runner/batch/program_files.hpp"
+#include "runner/batch/run_experiment.hpp"
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/one_of.hpp"
 #include "runner/cli/shown_run.hpp"
@@ -168,8 +168,9 @@ void add_run_verb(CLI::App& app, Chosen& chosen) {
       "another folder. An existing report in the folder is updated when all games are done.\n\n"
       "Shards may share a folder, or each use its own; then copy all games/*.csv into one folder\n"
       "for autoref report. An SPRT match ends with the pair of games that decides it; shards with\n"
-      "separate folders play all pairs up to the maximum. A shard of a knockout ends when it has\n"
-      "to wait for other shards' games; repeat the command to continue.\n\n"
+      "separate folders play all pairs up to the maximum. A shard of a knockout or a Swiss\n"
+      "tournament ends when it has to wait for other shards' games; repeat the command to\n"
+      "continue.\n\n"
       "--progress json prints one object per line on stderr, every 5 s and at the end, with event\n"
       "(progress, end, or note with a text), done, total, void, played (by this run), elapsed_s,\n"
       "games_per_min, left_s and, depending on the kind, standings, groups, sprt, ties or\n"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "runner/batch/experiment.hpp"
+#include "runner/batch/run_experiment.hpp"
 #include "runner/cli/started_games.hpp"
 #include "runner/cli/web_flags.hpp"
 #include "runner/live/web_run.hpp"

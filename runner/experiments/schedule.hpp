@@ -21,8 +21,9 @@ struct ScheduledGame {
   std::string team_a = {};  // the team's name in result rows; its strategy or program in a sweep
   std::string team_b = {};
   std::size_t unit = 0;  // games of one unit, such as a pair's legs, go to the same shard
-  // Number of its values or matchup, in the order of summary.csv, and how many there are: so many
-  // units after it, they play again. 0 in a knockout, a tuning and judged games.
+  // Number of its values or matchup, in the order of summary.csv, and how many of them take turns:
+  // so many units after it, they play again, and shards share their games evenly. 0 if they do not
+  // take turns: in a knockout, a tuning and judged games.
   std::size_t variant = 0;
   std::size_t variants = 0;
 };

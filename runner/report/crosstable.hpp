@@ -16,7 +16,7 @@ struct CrossCell {
   int losses = 0;
   std::optional<double> mean_difference;  // nullopt without games
 
-  int points() const { return 3 * wins + draws; }
+  int points() const { return kPointsOfWin * wins + draws; }
 };
 
 // cells[row][column] holds the row's team against the column's; nullopt on the diagonal and for

@@ -1,5 +1,5 @@
 // What a kind of experiment is. Each kind is one folder beside this file: a struct with what the
-// user sets, derived from ExperimentOf, and a line in registry.cpp. Reading and writing its files,
+// user sets, derived from ExperimentOf, and a line in all_kinds.cpp. Reading and writing its files,
 // --set, --pairs and --seed, resuming, shards, verification, reports and the reference page follow
 // from what the struct answers here.
 #pragma once
@@ -63,12 +63,15 @@ class Experiment {
   virtual std::vector<ScheduledGame> rehearsed(std::vector<ScheduledGame> all) const { return all; }
   // Whether schedule() depends on the rows. If it does not, all of games() are needed.
   virtual bool follows_its_rows() const { return false; }
-  // `rows` are those of the games played so far. Throws like games().
+  // The games known after `rows`, those of the games played so far. Depends on nothing but the rows
+  // of its own games, and each game that was in an earlier schedule stays in. Throws like games().
   virtual Schedule schedule(const RowsById& rows) const;
   // Whether these rows make all remaining games unnecessary. Throws like games().
   virtual bool is_decided(const RowsById& rows) const;
   // The games of a round, if all games are played in equally large rounds that depend on all rows
-  // of earlier ones, so that shards wait for each other. Throws like games().
+  // of earlier ones. Then a shard that has to wait for others says so and ends with exit code 75
+  // (it waits in `autoref tune`), and `autoref submit` makes one task of the experiment unless it
+  // is given a number. Throws like games().
   virtual std::optional<std::size_t> games_of_a_round() const { return std::nullopt; }
   // Why it has no number of pairs, if none of its keys is one.
   virtual std::string why_no_pairs() const { return {}; }
@@ -77,7 +80,8 @@ class Experiment {
   // Names of the row columns with a game's values (ScheduledGame::values).
   virtual std::vector<std::string> value_columns() const { return {}; }
 
-  // Computes the results from the rows that are needed. Throws std::logic_error for judged games,
+  // Computes the results from the rows that are needed, at the end and, to show them, on the way:
+  // rows may be missing. Throws std::logic_error for judged games,
   // whose calls are summed up elsewhere.
   virtual ExperimentResults results(const RowsById& rows) const = 0;
 };

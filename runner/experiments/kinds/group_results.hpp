@@ -16,7 +16,8 @@ ProgressTable groups_shown(std::vector<Cells> rows, std::vector<Align> columns, 
 // draws and losses on the right.
 ProgressTable matchups_shown(const std::vector<Group>& matchups);
 
-// The results of a tournament. `noun` is who stands in the standings, in the singular: "team" or
+// The results of a tournament, to which a kind may add files and blocks of its table: the report
+// shows them, too. `noun` is who stands in the standings, in the singular: "team" or
 // "challenger".
 ExperimentResults tournament_results(std::vector<Group> matchups, std::vector<Standing> standings,
                                      const std::string& noun);

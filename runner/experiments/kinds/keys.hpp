@@ -57,7 +57,7 @@ struct Key {
   std::function<void(TopReader&)> verify = {};
   // Its lines in effective.yaml; reading them gives the same experiment again.
   std::function<std::string()> text = {};
-  // Settings that must not change while a results folder has rows.
+  // Settings that a message names if a results folder has rows of games with other ones.
   std::function<TextByPath()> values = {};
   // Names of the key's entries whose games depend on no other entry. A folder with rows may gain or
   // lose such entries.

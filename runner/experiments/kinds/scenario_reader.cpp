@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <memory>
 
-#include "runner/experiments/kinds/registry.hpp"
+#include "runner/experiments/kinds/all_kinds.hpp"
 #include "runner/experiments/reading/base_reader.hpp"
 #include "runner/experiments/reading/top_reader.hpp"
 #include "runner/io/errors.hpp"

@@ -7,8 +7,8 @@
 #include <string>
 #include <system_error>
 
-#include "runner/batch/experiment.hpp"
 #include "runner/batch/result_folder.hpp"
+#include "runner/batch/run_experiment.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/results/shard.hpp"
 #include "tests/runner/batch/fake_games.hpp"

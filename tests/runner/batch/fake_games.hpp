@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "runner/batch/experiment.hpp"
+#include "runner/batch/run_experiment.hpp"
 #include "runner/experiments/kinds/roundrobin/roundrobin.hpp"
 #include "runner/experiments/kinds/sprt/sprt_match.hpp"
 #include "runner/experiments/kinds/sweep/sweep.hpp"

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "runner/batch/experiment.hpp"
+#include "runner/batch/run_experiment.hpp"
 #include "runner/experiments/kinds/effective.hpp"
 #include "runner/experiments/kinds/judge/judge_schedule.hpp"
 #include "runner/experiments/kinds/knockout/knockout.hpp"

@@ -1,8 +1,8 @@
 // Scenes are played, stored and summarised like games.
 #include <gtest/gtest.h>
 
-#include "runner/batch/experiment.hpp"
 #include "runner/batch/result_folder.hpp"
+#include "runner/batch/run_experiment.hpp"
 #include "runner/batch/verify.hpp"
 #include "runner/experiments/kinds/situations/situations.hpp"
 #include "runner/results/shard.hpp"

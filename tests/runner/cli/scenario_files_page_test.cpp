@@ -5,7 +5,7 @@
 #include <set>
 #include <sstream>
 
-#include "runner/experiments/kinds/registry.hpp"
+#include "runner/experiments/kinds/all_kinds.hpp"
 #include "runner/io/errors.hpp"
 #include "tests/runner/cli/answer.hpp"
 #include "tests/runner/support/schema_tables.hpp"

@@ -8,6 +8,7 @@
 #include "runner/experiments/kinds/judge/judge_schedule.hpp"
 #include "runner/experiments/kinds/knockout/knockout.hpp"
 #include "runner/experiments/kinds/sweep/sweep.hpp"
+#include "runner/experiments/kinds/swiss/swiss.hpp"
 #include "runner/experiments/kinds/tune/tuning.hpp"
 #include "runner/export/export_folder.hpp"
 #include "runner/io/csv.hpp"
@@ -52,6 +53,14 @@ Scenario small_knockout() {
   knockout.teams["zone"].robots = 6;
   knockout.teams["bold"].robots = 5;
   return {"A test.", knockout};
+}
+
+// One round of two teams, whom its games link.
+Scenario small_swiss() {
+  Swiss swiss;
+  swiss.teams["zone"].robots = 6;
+  swiss.teams["bold"].robots = 5;
+  return {"A test.", swiss};
 }
 
 Scenario factorial() {
@@ -146,6 +155,7 @@ std::vector<Artefact> written_csv() {
        [] {
          WrittenNames names = head_in_folder(robin(), "summary.csv");
          EXPECT_EQ(names, head_in_folder(small_gauntlet(), "summary.csv"));
+         EXPECT_EQ(names, head_in_folder(small_swiss(), "summary.csv"));
          return names;
        }},
       {"summary.csv of an SPRT match",
@@ -167,7 +177,14 @@ std::vector<Artefact> written_csv() {
       {"summary.csv of a tuning",
        [] { return head_in_folder(small_tuning("spsa"), "summary.csv"); }},
       {"tune.csv", tuning_columns},
-      {"standings.csv of a round robin", [] { return head_in_folder(robin(), "standings.csv"); }},
+      {"rounds.csv of a Swiss tournament",
+       [] { return head_in_folder(small_swiss(), "rounds.csv"); }},
+      {"standings.csv of a round robin",
+       [] {
+         WrittenNames names = head_in_folder(robin(), "standings.csv");
+         EXPECT_EQ(names, head_in_folder(small_swiss(), "standings.csv"));
+         return names;
+       }},
       {"standings.csv of a gauntlet",
        [] { return head_in_folder(small_gauntlet(), "standings.csv"); }},
       {"effects.csv of a sweep", [] { return head_in_folder(factorial(), "effects.csv"); }},

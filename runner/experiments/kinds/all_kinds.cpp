@@ -1,4 +1,4 @@
-#include "runner/experiments/kinds/registry.hpp"
+#include "runner/experiments/kinds/all_kinds.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,14 +10,15 @@
 #include "runner/experiments/kinds/situations/situations.hpp"
 #include "runner/experiments/kinds/sprt/sprt_match.hpp"
 #include "runner/experiments/kinds/sweep/sweep.hpp"
+#include "runner/experiments/kinds/swiss/swiss.hpp"
 #include "runner/experiments/kinds/tune/tuning.hpp"
 
 namespace autoref::runner {
 
 std::span<const Kind* const> kinds_of_experiments() {
-  static constexpr std::array<const Kind*, 8> kAll = {
-      &Sweep::kKind,    &RoundRobin::kKind, &Gauntlet::kKind, &SprtMatch::kKind,
-      &Knockout::kKind, &Situations::kKind, &Tuning::kKind,   &JudgeSchedule::kKind};
+  static constexpr auto kAll = std::to_array<const Kind*>(
+      {&Sweep::kKind, &RoundRobin::kKind, &Gauntlet::kKind, &SprtMatch::kKind, &Swiss::kKind,
+       &Knockout::kKind, &Situations::kKind, &Tuning::kKind, &JudgeSchedule::kKind});
   return kAll;
 }
 

@@ -1,5 +1,5 @@
 // What must hold for every kind of experiment.
-#include "runner/experiments/kinds/registry.hpp"
+#include "runner/experiments/kinds/all_kinds.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "runner/batch/experiment.hpp"
+#include "runner/batch/run_experiment.hpp"
 #include "runner/experiments/kinds/effective.hpp"
 
 #include <fmt/format.h>
