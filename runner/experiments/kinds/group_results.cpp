@@ -9,7 +9,8 @@
 namespace autoref::runner {
 namespace {
 
-ProgressTable standings_shown(const std::vector<Standing>& standings, const std::string& noun) {
+ProgressTable standings_progress_table(const std::vector<Standing>& standings,
+                                       const std::string& noun) {
   const Cells to_spare = are_rated(standings) ? Cells{kStrengthHead, kGoalRatingHead, kGamesHead}
                                               : Cells{kGoalDifferenceHead, kGamesHead};
   std::vector<Cells> rows = standings_rows(standings);
@@ -19,14 +20,16 @@ ProgressTable standings_shown(const std::vector<Standing>& standings, const std:
 
 }  // namespace
 
-ProgressTable groups_shown(std::vector<Cells> rows, std::vector<Align> columns, std::string noun) {
+ProgressTable groups_progress_table(std::vector<Cells> rows, std::vector<Align> columns,
+                                    std::string noun) {
   std::vector<std::size_t> dispensable =
       columns_named(rows.front(), {kGoalsBHead, kGoalsAHead, kVoidHead});
   return {std::move(rows), std::move(columns), std::move(noun), std::move(dispensable)};
 }
 
-ProgressTable matchups_shown(const std::vector<Group>& matchups) {
-  ProgressTable table = groups_shown(matchups_rows(matchups), kMatchupsColumns, "matchups");
+ProgressTable matchups_progress_table(const std::vector<Group>& matchups) {
+  ProgressTable table =
+      groups_progress_table(matchups_rows(matchups), kMatchupsColumns, "matchups");
   for (const std::size_t column : columns_named(table.rows.front(), {kGamesHead, kDifferenceHead}))
     table.dispensable.push_back(column);
   return table;
@@ -39,7 +42,7 @@ ExperimentResults tournament_results(std::vector<Group> matchups, std::vector<St
   results.files = {{"summary.csv", "a row per matchup", matchups_csv(matchups)},
                    {"standings.csv", "a row per " + noun, standings_csv(standings)}};
   results.table = {matchups_table(matchups), "\n", standings_table(standings)};
-  results.shown = {standings_shown(standings, noun), matchups_shown(matchups)};
+  results.shown = {standings_progress_table(standings, noun), matchups_progress_table(matchups)};
   results.json = std::make_shared<Json>(
       Json{{"standings", json_of(standings)}, {"groups", json_of(matchups)}});
   results.groups = std::move(matchups);

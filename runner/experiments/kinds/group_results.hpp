@@ -10,11 +10,12 @@ namespace autoref::runner {
 
 // A table of groups while the experiment runs. On a narrow screen it first drops the goals, since
 // their difference is shown, and the void games, since the progress bar counts them.
-ProgressTable groups_shown(std::vector<Cells> rows, std::vector<Align> columns, std::string noun);
+ProgressTable groups_progress_table(std::vector<Cells> rows, std::vector<Align> columns,
+                                    std::string noun);
 
 // The same for matchups, which can also do without the number of games: it is the sum of the wins,
 // draws and losses on the right.
-ProgressTable matchups_shown(const std::vector<Group>& matchups);
+ProgressTable matchups_progress_table(const std::vector<Group>& matchups);
 
 // The results of a tournament, to which a kind may add files and blocks of its table: the report
 // shows them, too. `noun` is who stands in the standings, in the singular: "team" or

@@ -103,7 +103,7 @@ ExperimentResults SprtMatch::results(const RowsById& rows) const {
   results.files = {
       {"summary.csv", "the SPRT match and its verdict", sprt_match_csv(*this, matchup, state)}};
   results.table = sprt_match_table(*this, matchup, state);
-  results.shown = {matchups_shown(results.groups)};
+  results.shown = {matchups_progress_table(results.groups)};
   results.shown.front().text = verdict_text(*this, state);
   results.json =
       std::make_shared<Json>(Json{{"groups", json_of(results.groups)},

@@ -128,7 +128,7 @@ ExperimentResults Sweep::results(const RowsById& rows) const {
     results.table.emplace_back("\n");
     for (auto& block : effects_table(results.effects)) results.table.push_back(std::move(block));
   }
-  results.shown = {groups_shown(summary_rows(factors, results.groups), {}, "values")};
+  results.shown = {groups_progress_table(summary_rows(factors, results.groups), {}, "values")};
   results.shown.front().text = slope_text(factors, results.slope);
   results.json = std::make_shared<Json>(Json{{"groups", json_of(results.groups)}});
   return results;
