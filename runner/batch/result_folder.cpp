@@ -1,12 +1,12 @@
 #include "runner/batch/result_folder.hpp"
-#include "runner/batch/missing_results.hpp"
-#include "runner/experiments/kinds/scenario_reader.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "runner/batch/missing_results.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
 #include "runner/io/csv.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"

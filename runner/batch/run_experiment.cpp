@@ -1,5 +1,4 @@
 #include "runner/batch/run_experiment.hpp"
-#include "runner/experiments/kinds/effective.hpp"
 
 #include <fmt/format.h>
 #include <poll.h>
@@ -12,6 +11,7 @@
 #include "runner/batch/program_versions.hpp"
 #include "runner/batch/result_folder.hpp"
 #include "runner/batch/run_games.hpp"
+#include "runner/experiments/kinds/effective.hpp"
 #include "runner/io/csv.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"

@@ -1,5 +1,4 @@
 #include "runner/judge/judge_report.hpp"
-#include "runner/experiments/kinds/judge/judge_schedule.hpp"
 
 #include <fmt/format.h>
 
@@ -9,6 +8,7 @@
 #include <utility>
 
 #include "referee/machine/machine.hpp"
+#include "runner/experiments/kinds/judge/judge_schedule.hpp"
 #include "runner/io/csv.hpp"
 #include "runner/results/scores.hpp"
 

@@ -1,13 +1,12 @@
 #include "runner/judge/judged_rows.hpp"
-#include "runner/experiments/kinds/judge/judge_schedule.hpp"
-
-#include "runner/judge/judge_tables.hpp"
 
 #include <fmt/format.h>
 
 #include <utility>
 
+#include "runner/experiments/kinds/judge/judge_schedule.hpp"
 #include "runner/io/words.hpp"
+#include "runner/judge/judge_tables.hpp"
 #include "runner/results/evaluation_text.hpp"
 
 namespace autoref::runner {

@@ -1,5 +1,4 @@
 #include "runner/experiments/kinds/experiment.hpp"
-#include "runner/experiments/reading/top_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -9,6 +8,8 @@
 #include <set>
 #include <stdexcept>
 #include <utility>
+
+#include "runner/experiments/reading/top_reader.hpp"
 
 namespace autoref::runner {
 namespace {

@@ -58,13 +58,14 @@ class Experiment {
   // How the games actually played may differ from games(), for messages; empty if they cannot
   // differ.
   virtual std::string caveat() const { return {}; }
-  // The games of games(), as `autoref check` plays samples of them: those whose ids differ only in
+  // All games of games() under the ids that `autoref check` uses: games whose ids differ only in
   // pair and leg are expected to take equally long.
   virtual std::vector<ScheduledGame> rehearsed(std::vector<ScheduledGame> all) const { return all; }
   // Whether schedule() depends on the rows. If it does not, all of games() are needed.
   virtual bool follows_its_rows() const { return false; }
-  // The games known after `rows`, those of the games played so far. Depends on nothing but the rows
-  // of its own games, and each game that was in an earlier schedule stays in. Throws like games().
+  // The games known after `rows`, which are those of the games played so far. Depends on nothing
+  // but rows of its own games; a game that further rows make unnecessary stays in. Throws like
+  // games().
   virtual Schedule schedule(const RowsById& rows) const;
   // Whether these rows make all remaining games unnecessary. Throws like games().
   virtual bool is_decided(const RowsById& rows) const;
@@ -80,9 +81,8 @@ class Experiment {
   // Names of the row columns with a game's values (ScheduledGame::values).
   virtual std::vector<std::string> value_columns() const { return {}; }
 
-  // Computes the results from the rows that are needed, at the end and, to show them, on the way:
-  // rows may be missing. Throws std::logic_error for judged games,
-  // whose calls are summed up elsewhere.
+  // Computes the results from the rows that are needed; while the experiment runs, rows are
+  // missing. Throws std::logic_error for judged games, whose calls are summed up elsewhere.
   virtual ExperimentResults results(const RowsById& rows) const = 0;
 };
 

@@ -18,7 +18,7 @@ class TopReader;
 
 using TextByPath = std::map<std::string, std::string>;
 
-// Settings of one team, or of all teams of a key.
+// A team of a key.
 struct TeamAt {
   std::string path;  // "teams.bold"
   TeamSettings* team = nullptr;

@@ -1,6 +1,7 @@
 #include "runner/experiments/kinds/scenario_reader.hpp"
 
 #include <fmt/format.h>
+
 #include <memory>
 
 #include "runner/experiments/kinds/all_kinds.hpp"

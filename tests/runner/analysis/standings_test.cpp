@@ -1,5 +1,4 @@
 #include "runner/analysis/standings.hpp"
-#include "runner/experiments/kinds/roundrobin/roundrobin.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -7,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runner/analysis/standings_report.hpp"
+#include "runner/experiments/kinds/roundrobin/roundrobin.hpp"
 #include "runner/experiments/schedule.hpp"
 
 namespace autoref::runner {

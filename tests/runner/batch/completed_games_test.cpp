@@ -1,10 +1,10 @@
 #include "runner/batch/completed_games.hpp"
-#include "runner/experiments/kinds/sweep/sweep.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
+#include "runner/experiments/kinds/sweep/sweep.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/settings/fields.hpp"
 #include "runner/settings/resolved.hpp"

@@ -1,6 +1,4 @@
 #include "runner/batch/program_versions.hpp"
-#include "runner/experiments/kinds/roundrobin/roundrobin.hpp"
-#include "runner/experiments/kinds/sweep/sweep.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +6,9 @@
 #include <thread>
 
 #include "runner/experiments/kinds/effective.hpp"
+#include "runner/experiments/kinds/roundrobin/roundrobin.hpp"
 #include "runner/experiments/kinds/scenario_reader.hpp"
+#include "runner/experiments/kinds/sweep/sweep.hpp"
 #include "runner/io/csv.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/settings/fields.hpp"

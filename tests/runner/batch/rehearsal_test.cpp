@@ -1,6 +1,4 @@
 #include "runner/batch/rehearsal.hpp"
-#include "runner/experiments/kinds/roundrobin/roundrobin.hpp"
-#include "runner/experiments/kinds/sweep/sweep.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -11,7 +9,9 @@
 #include <stdexcept>
 #include <thread>
 
+#include "runner/experiments/kinds/roundrobin/roundrobin.hpp"
 #include "runner/experiments/kinds/scenario.hpp"
+#include "runner/experiments/kinds/sweep/sweep.hpp"
 #include "tests/runner/batch/fake_games.hpp"
 
 namespace autoref::runner {

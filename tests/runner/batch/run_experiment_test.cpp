@@ -1,6 +1,4 @@
 #include "runner/batch/run_experiment.hpp"
-#include "runner/experiments/kinds/scenario_reader.hpp"
-#include "runner/experiments/kinds/sweep/sweep.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -13,6 +11,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "runner/experiments/kinds/scenario_reader.hpp"
+#include "runner/experiments/kinds/sweep/sweep.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/results/shard.hpp"
 #include "tests/runner/batch/fake_games.hpp"

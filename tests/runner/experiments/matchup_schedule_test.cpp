@@ -1,5 +1,4 @@
 #include "runner/experiments/matchup_schedule.hpp"
-#include "runner/experiments/kinds/roundrobin/roundrobin.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "runner/experiments/kinds/roundrobin/roundrobin.hpp"
 #include "runner/settings/fields.hpp"
 
 namespace autoref::runner {

@@ -1,7 +1,4 @@
 #include "runner/experiments/playing_order.hpp"
-#include "runner/experiments/kinds/gauntlet/gauntlet.hpp"
-#include "runner/experiments/kinds/situations/situations.hpp"
-#include "runner/experiments/kinds/sweep/sweep.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +7,10 @@
 #include <map>
 #include <set>
 
+#include "runner/experiments/kinds/gauntlet/gauntlet.hpp"
 #include "runner/experiments/kinds/scenario.hpp"
+#include "runner/experiments/kinds/situations/situations.hpp"
+#include "runner/experiments/kinds/sweep/sweep.hpp"
 #include "runner/results/shard.hpp"
 #include "tests/runner/batch/fake_games.hpp"
 #include "tests/runner/experiments/kinds/situations/small_situations.hpp"

@@ -1,8 +1,8 @@
 #include "runner/experiments/shared_settings.hpp"
-#include "runner/experiments/kinds/roundrobin/roundrobin.hpp"
 
 #include <gtest/gtest.h>
 
+#include "runner/experiments/kinds/roundrobin/roundrobin.hpp"
 #include "runner/experiments/matchup_schedule.hpp"
 #include "runner/settings/fields.hpp"
 

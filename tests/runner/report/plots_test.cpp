@@ -1,10 +1,10 @@
 #include "runner/report/plots.hpp"
-#include "runner/experiments/kinds/gauntlet/gauntlet.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
+#include "runner/experiments/kinds/gauntlet/gauntlet.hpp"
 #include "runner/io/files.hpp"
 #include "runner/report/running_mean.hpp"
 #include "tests/checkout.hpp"

@@ -1,12 +1,12 @@
 #include "runner/report/report.hpp"
-#include "runner/experiments/kinds/knockout/knockout.hpp"
-#include "runner/experiments/kinds/sweep/sweep.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "runner/experiments/kinds/knockout/knockout.hpp"
+#include "runner/experiments/kinds/sweep/sweep.hpp"
 #include "tests/runner/batch/fake_games.hpp"
 #include "tests/runner/support/has_part.hpp"
 

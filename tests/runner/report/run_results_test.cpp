@@ -1,9 +1,9 @@
 #include "runner/report/run_results.hpp"
-#include "runner/experiments/kinds/knockout/knockout.hpp"
 
 #include <gtest/gtest.h>
 
 #include "runner/batch/result_folder.hpp"
+#include "runner/experiments/kinds/knockout/knockout.hpp"
 #include "tests/runner/batch/fake_games.hpp"
 #include "tests/runner/support/has_part.hpp"
 

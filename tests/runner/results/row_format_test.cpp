@@ -1,11 +1,11 @@
 #include "runner/results/row_format.hpp"
-#include "runner/experiments/kinds/sweep/sweep.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <map>
 
+#include "runner/experiments/kinds/sweep/sweep.hpp"
 #include "runner/settings/resolved.hpp"
 #include "tests/runner/batch/fake_games.hpp"
 

@@ -1,5 +1,4 @@
 #include "runner/results/shard.hpp"
-#include "runner/experiments/kinds/sweep/sweep.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -8,6 +7,7 @@
 #include <algorithm>
 #include <csignal>
 
+#include "runner/experiments/kinds/sweep/sweep.hpp"
 #include "runner/io/checksum.hpp"
 #include "runner/io/csv.hpp"
 #include "runner/io/errors.hpp"

@@ -1,6 +1,5 @@
 // Robot types: their files, and how scenarios, sweeps and flags name them.
 #include "runner/settings/robot_types.hpp"
-#include "runner/experiments/kinds/sweep/sweep.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +9,7 @@
 #include "runner/experiments/kinds/effective.hpp"
 #include "runner/experiments/kinds/scenario.hpp"
 #include "runner/experiments/kinds/scenario_reader.hpp"
+#include "runner/experiments/kinds/sweep/sweep.hpp"
 #include "runner/experiments/schedule.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/settings/fields.hpp"

@@ -1,8 +1,8 @@
 #include "runner/experiments/kinds/sweep/sweep.hpp"
 
 #include <fmt/format.h>
-#include <memory>
 
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "runner/experiments/kinds/group_results.hpp"

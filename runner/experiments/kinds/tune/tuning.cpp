@@ -1,16 +1,14 @@
 #include "runner/experiments/kinds/tune/tuning.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "runner/experiments/kinds/tune/tuning_report.hpp"
 #include "runner/experiments/kinds/tune/tuning_state.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "runner/experiments/matchup_schedule.hpp"
 #include "runner/experiments/schedule.hpp"
 #include "runner/io/words.hpp"

@@ -1,9 +1,10 @@
-#include "runner/experiments/kinds/gauntlet/gauntlet.hpp"
-#include "runner/experiments/kinds/scenario.hpp"
-#include "runner/experiments/kinds/sweep/sweep.hpp"
+#include "runner/experiments/kinds/experiment.hpp"
 
 #include <gtest/gtest.h>
 
+#include "runner/experiments/kinds/gauntlet/gauntlet.hpp"
+#include "runner/experiments/kinds/scenario.hpp"
+#include "runner/experiments/kinds/sweep/sweep.hpp"
 #include "tests/runner/batch/fake_games.hpp"
 
 namespace autoref::runner {

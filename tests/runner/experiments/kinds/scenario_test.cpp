@@ -1,10 +1,10 @@
 #include "runner/experiments/kinds/scenario.hpp"
-#include "runner/experiments/kinds/effective.hpp"
-#include "runner/experiments/kinds/scenario_reader.hpp"
-#include "runner/experiments/kinds/sweep/sweep.hpp"
 
 #include <gtest/gtest.h>
 
+#include "runner/experiments/kinds/effective.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
+#include "runner/experiments/kinds/sweep/sweep.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/settings/fields.hpp"
 

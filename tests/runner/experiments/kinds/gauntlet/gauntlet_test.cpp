@@ -1,12 +1,12 @@
 // Gauntlets, with made-up games.
 #include "runner/experiments/kinds/gauntlet/gauntlet.hpp"
-#include "runner/experiments/kinds/effective.hpp"
-#include "runner/experiments/kinds/scenario_reader.hpp"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
+#include "runner/experiments/kinds/effective.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
 #include "runner/experiments/matchup_schedule.hpp"
 #include "runner/settings/fields.hpp"
 #include "tests/runner/batch/fake_games.hpp"

@@ -1,7 +1,5 @@
 // Knockouts, with made-up games.
 #include "runner/experiments/kinds/knockout/knockout.hpp"
-#include "runner/experiments/kinds/effective.hpp"
-#include "runner/experiments/kinds/scenario_reader.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -9,9 +7,11 @@
 #include <csignal>
 
 #include "runner/batch/result_folder.hpp"
+#include "runner/experiments/kinds/effective.hpp"
 #include "runner/experiments/kinds/knockout/bracket.hpp"
 #include "runner/experiments/kinds/knockout/knockout_report.hpp"
 #include "runner/experiments/kinds/knockout/played_bracket.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
 #include "tests/runner/batch/fake_games.hpp"
 
 namespace autoref::runner {

@@ -1,11 +1,11 @@
 #include "runner/experiments/kinds/roundrobin/roundrobin.hpp"
-#include "runner/experiments/kinds/effective.hpp"
-#include "runner/experiments/kinds/scenario_reader.hpp"
-#include "runner/experiments/reading/named_teams_reader.hpp"
 
 #include <gtest/gtest.h>
 
+#include "runner/experiments/kinds/effective.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
 #include "runner/experiments/matchup_schedule.hpp"
+#include "runner/experiments/reading/named_teams_reader.hpp"
 #include "runner/settings/fields.hpp"
 #include "tests/runner/experiments/reading/mistake.hpp"
 #include "tests/runner/support/temporary_folder.hpp"

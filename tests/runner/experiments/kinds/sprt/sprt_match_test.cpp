@@ -1,7 +1,5 @@
 // SPRT matches, with made-up games.
 #include "runner/experiments/kinds/sprt/sprt_match.hpp"
-#include "runner/experiments/kinds/effective.hpp"
-#include "runner/experiments/kinds/scenario_reader.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -9,6 +7,8 @@
 #include <csignal>
 
 #include "runner/batch/result_folder.hpp"
+#include "runner/experiments/kinds/effective.hpp"
+#include "runner/experiments/kinds/scenario_reader.hpp"
 #include "runner/experiments/kinds/sprt/sprt_match_report.hpp"
 #include "runner/experiments/kinds/sprt/sprt_match_state.hpp"
 #include "runner/experiments/matchup_schedule.hpp"

@@ -1,11 +1,11 @@
 #include "runner/experiments/kinds/sweep/sweep.hpp"
-#include "runner/experiments/schedule.hpp"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <set>
 
+#include "runner/experiments/schedule.hpp"
 #include "runner/settings/fields.hpp"
 
 namespace autoref::runner {
