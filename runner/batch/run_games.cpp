@@ -49,7 +49,7 @@ std::vector<std::string> RunGames::open() {
 }
 
 std::string RunGames::note_on_other_games(int count, bool has_rows) const {
-  const std::string pairs =
+  std::string pairs =
       former_ && has_rows ? note_on_pairs(scenario_, *former_, count) : std::string();
   if (!pairs.empty() || count == 0) return pairs;
   return fmt::format("{} rows belong to games that are not in the scenario; they do not count",

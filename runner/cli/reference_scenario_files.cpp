@@ -32,7 +32,7 @@ std::string section(const std::string& title, std::string_view about,
 }
 
 // A link to a section of this page, whose anchor has no colon.
-std::string link_to(std::string title) {
+std::string link_to(const std::string& title) {
   std::string anchor;
   for (const char c : title) {
     if (c != ':') anchor += c == ' ' ? '-' : c;

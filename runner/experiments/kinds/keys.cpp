@@ -102,7 +102,7 @@ Key base_without_teams_key(GameSettings& base, std::string remedy, std::string a
   return key;
 }
 
-Key teams_key(std::string name, std::string about, Teams& teams, GameSettings& base,
+Key teams_key(const std::string& name, std::string about, Teams& teams, GameSettings& base,
               TeamCount count) {
   Key key{name, "teams by name", std::move(about)};
   key.read = [name, &teams, &base, count](TopReader& top) {

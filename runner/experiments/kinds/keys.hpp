@@ -82,7 +82,7 @@ Key base_without_teams_key(GameSettings& base, std::string remedy,
                            std::string about = "of every game");
 
 // Teams by name, with the base's settings as defaults.
-Key teams_key(std::string name, std::string about, Teams& teams, GameSettings& base,
+Key teams_key(const std::string& name, std::string about, Teams& teams, GameSettings& base,
               TeamCount count = {});
 
 // `base` and `teams` of an experiment between named teams.

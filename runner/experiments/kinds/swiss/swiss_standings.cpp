@@ -16,6 +16,7 @@ bool are_linked(const std::vector<std::string>& ranking, const std::vector<Group
                                     ranking.begin());
   };
   std::vector<MatchupTotals> totals;
+  totals.reserve(matchups.size());
   for (const Group& matchup : matchups) {
     totals.push_back({number_of(matchup.values[0]), number_of(matchup.values[1]),
                       static_cast<double>(matchup.games())});
