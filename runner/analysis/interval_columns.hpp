@@ -11,7 +11,7 @@
 
 namespace autoref::runner {
 
-// The interval's bounds; both nullopt if there is no interval.
+// The interval's bounds; both nullopt without an interval.
 inline std::pair<std::optional<double>, std::optional<double>> bounds_of(
     const std::optional<Interval>& interval) {
   if (!interval) return {};

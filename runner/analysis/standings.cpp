@@ -77,8 +77,8 @@ std::vector<Standing> ordered(const std::map<std::string, Standing>& by_team) {
     standings.back().team = team;
   }
   std::sort(standings.begin(), standings.end(), is_better);
-  for (Standing& standing : standings)
-    standing.rank = static_cast<int>(&standing - standings.data()) + 1;
+  int rank = 0;
+  for (Standing& standing : standings) standing.rank = ++rank;
   return standings;
 }
 

@@ -1,10 +1,15 @@
 // Experiments with fake games, which keep the tests fast.
 #pragma once
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
+#include <csignal>
+#include <functional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "runner/batch/run_experiment.hpp"
@@ -27,6 +32,16 @@ inline GameRecord fake_game(const GameConfiguration& game) {
   record.sim_s = 1200;
   record.state_hash = game.seed * 31 + robots;
   return record;
+}
+
+using PlayGame = std::function<GameRecord(const GameConfiguration&)>;
+
+// Interrupts the run in each game, as Ctrl-C would, and plays it.
+inline PlayGame interrupting(PlayGame play = fake_game) {
+  return [runner = getpid(), play = std::move(play)](const GameConfiguration& game) {
+    kill(runner, SIGINT);
+    return play(game);
+  };
 }
 
 inline GameRecord slow_fake_game(const GameConfiguration& game) {
@@ -80,6 +95,17 @@ inline std::filesystem::path shard_of(const std::filesystem::path& folder) {
 
 inline int line_count(const std::string& text) {
   return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
+// results.csv and summary.csv of an undisturbed run.
+inline std::string undisturbed_results(const Scenario& scenario) {
+  const TemporaryFolder folder;
+  run_experiment(scenario, fake_options(folder.path()));
+  return content_of(folder / "results.csv") + content_of(folder / "summary.csv");
+}
+
+inline std::string results_in(const TemporaryFolder& folder) {
+  return content_of(folder / "results.csv") + content_of(folder / "summary.csv");
 }
 
 }  // namespace autoref::runner

@@ -1,15 +1,10 @@
 #include "runner/batch/run_experiment.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <csignal>
 #include <map>
-#include <set>
 #include <sstream>
 #include <stdexcept>
-#include <thread>
 
 #include "runner/experiments/kinds/scenario_reader.hpp"
 #include "runner/experiments/kinds/sweep/sweep.hpp"
@@ -19,17 +14,6 @@
 
 namespace autoref::runner {
 namespace {
-
-// results.csv and summary.csv of an undisturbed run.
-std::string undisturbed_results(const Scenario& scenario) {
-  const TemporaryFolder folder;
-  run_experiment(scenario, fake_options(folder.path()));
-  return content_of(folder / "results.csv") + content_of(folder / "summary.csv");
-}
-
-std::string results_in(const TemporaryFolder& folder) {
-  return content_of(folder / "results.csv") + content_of(folder / "summary.csv");
-}
 
 TEST(Experiment, WritesAllItsFiles) {
   const TemporaryFolder folder;
@@ -176,137 +160,10 @@ TEST(Experiment, ReplaysTheGameOfADamagedRow) {
   EXPECT_EQ(results_in(folder), undisturbed_results(small_sweep()));
 }
 
-TEST(Experiment, RetriesTheGameOfAKilledWorker) {
-  const TemporaryFolder folder;
-  ExperimentOptions options = fake_options(folder.path());
-  options.play = [&folder](const GameConfiguration& game) {
-    const std::filesystem::path mark = folder / std::to_string(game.seed);
-    if (!std::filesystem::exists(mark)) {
-      write_content(mark, "");
-      kill(getpid(), SIGKILL);
-    }
-    return fake_game(game);
-  };
-  EXPECT_EQ(run_experiment(small_sweep(), options).void_games, 0);
-  EXPECT_EQ(results_in(folder), undisturbed_results(small_sweep()));
-}
-
-TEST(Experiment, MarksAGameThatCrashesEveryWorkerVoidAndContinues) {
-  const TemporaryFolder folder;
-  ExperimentOptions options = fake_options(folder.path());
-  options.play = [](const GameConfiguration& game) {
-    if (game.b.robots.size() == 5 && game.match.a_plays == Side::kEast) std::abort();
-    return fake_game(game);
-  };
-  const ExperimentReport report = run_experiment(small_sweep(), options);
-  EXPECT_TRUE(report.is_complete);
-  EXPECT_EQ(report.void_games, 3);
-  EXPECT_EQ(report.results.groups.at(1).void_games, 3);
-  EXPECT_EQ(report.results.groups.at(1).goals_a.size(), 3U);
-  EXPECT_NE(content_of(folder / "results.csv").find("signal 6 (Aborted)"), std::string::npos);
-}
-
-// Both a worker and the programs may be ended by somebody else.
-TEST(Experiment, CountsTheAttemptsOfAGameInItsRow) {
-  const TemporaryFolder folder;
-  ExperimentOptions options = fake_options(folder / "run");
-  options.play = [&folder](const GameConfiguration& game) {
-    if (game.b.robots.size() == 5 && std::filesystem::create_directory(folder / "killed"))
-      kill(getpid(), SIGKILL);
-    GameRecord record = fake_game(game);
-    record.attempts = game.b.robots.size() == 5 ? 3 : 1;
-    return record;
-  };
-  run_experiment(small_sweep(1), options);
-  std::multiset<int> attempts;
-  const Scenario scenario = small_sweep(1);
-  const StoredRows stored = read_rows(folder / "run/games", row_format(scenario.experiment()));
-  for (const auto& [id, row] : stored.rows) attempts.insert(row.circumstances.attempt);
-  EXPECT_EQ(attempts, (std::multiset<int>{1, 1, 3, 4}));
-}
-
-// A game whose worker is killed, as by the out-of-memory killer.
-GameRecord killed_game(const GameConfiguration& game) {
-  if (game.b.robots.size() == 5 && game.match.a_plays == Side::kEast) kill(getpid(), SIGKILL);
-  return fake_game(game);
-}
-
-TEST(Experiment, ReplaysKilledGamesInTheNextRun) {
-  const TemporaryFolder folder;
-  ExperimentOptions options = fake_options(folder.path());
-  options.play = killed_game;
-  const ExperimentReport killed = run_experiment(small_sweep(), options);
-  EXPECT_EQ(killed.void_games, 3);
-  EXPECT_EQ(killed.killed_games, 3);
-  const ExperimentReport report = run_experiment(small_sweep(), fake_options(folder.path()));
-  EXPECT_EQ(report.played, 3);
-  EXPECT_EQ(report.void_games, 0);
-  EXPECT_EQ(results_in(folder), undisturbed_results(small_sweep()));
-  EXPECT_EQ(run_experiment(small_sweep(), fake_options(folder.path())).played, 0);
-}
-
-TEST(Experiment, ReplaysKilledGamesOncePerRun) {
-  const TemporaryFolder folder;
-  ExperimentOptions options = fake_options(folder.path());
-  options.play = killed_game;
-  run_experiment(small_sweep(), options);
-  const ExperimentReport report = run_experiment(small_sweep(), options);
-  EXPECT_TRUE(report.is_complete);
-  EXPECT_EQ(report.played, 3);
-  EXPECT_EQ(report.killed_games, 3);
-}
-
-TEST(Experiment, ReportsThatItReplaysKilledGames) {
-  const TemporaryFolder folder;
-  ExperimentOptions options = fake_options(folder.path());
-  options.play = killed_game;
-  run_experiment(small_sweep(), options);
-  options = fake_options(folder.path());
-  options.progress = stderr;
-  testing::internal::CaptureStderr();
-  run_experiment(small_sweep(), options);
-  const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_NE(said.find("3 games are void because their workers were killed; they are replayed"),
-            std::string::npos)
-      << said;
-}
-
-TEST(Experiment, DoesNotReplayGamesThatFailByThemselves) {
-  for (const auto& play : std::vector<std::function<GameRecord(const GameConfiguration&)>>{
-           [](const GameConfiguration&) -> GameRecord { std::abort(); },
-           [](const GameConfiguration&) -> GameRecord { throw std::runtime_error("no"); },
-           [](const GameConfiguration& game) {
-             std::this_thread::sleep_for(std::chrono::seconds(60));
-             return fake_game(game);
-           }}) {
-    const TemporaryFolder folder;
-    ExperimentOptions options = fake_options(folder.path());
-    options.play = play;
-    options.longest_game_s = 0.1;
-    EXPECT_EQ(run_experiment(small_sweep(1), options).void_games, 4);
-    const ExperimentReport report = run_experiment(small_sweep(1), fake_options(folder.path()));
-    EXPECT_EQ(report.played, 0);
-    EXPECT_EQ(report.void_games, 4);
-  }
-}
-
-TEST(Experiment, MarksAGameThatThrowsVoid) {
-  const TemporaryFolder folder;
-  ExperimentOptions options = fake_options(folder.path());
-  options.play = [](const GameConfiguration&) -> GameRecord { throw std::runtime_error("oh, no"); };
-  EXPECT_EQ(run_experiment(small_sweep(1), options).void_games, 4);
-  EXPECT_NE(content_of(folder / "results.csv").find(",void,void,\"the game threw: oh, no\","),
-            std::string::npos);
-}
-
 TEST(Experiment, ContinuesAfterAnInterrupt) {
   const TemporaryFolder folder;
   ExperimentOptions options = fake_options(folder.path());
-  const pid_t runner = getpid();
-  options.play = [runner](const GameConfiguration& game) {
-    kill(runner, SIGINT);
-    return fake_game(game);
-  };
+  options.play = interrupting();
   const ExperimentReport report = run_experiment(small_sweep(), options);
   EXPECT_FALSE(report.is_complete);
   EXPECT_FALSE(std::filesystem::exists(folder / "results.csv"));

@@ -2,16 +2,12 @@
 #include "runner/experiments/kinds/knockout/knockout.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <csignal>
 
 #include "runner/batch/result_folder.hpp"
 #include "runner/experiments/kinds/effective.hpp"
 #include "runner/experiments/kinds/knockout/bracket.hpp"
 #include "runner/experiments/kinds/knockout/knockout_report.hpp"
 #include "runner/experiments/kinds/knockout/played_bracket.hpp"
-#include "runner/experiments/kinds/scenario_reader.hpp"
 #include "tests/runner/batch/fake_games.hpp"
 
 namespace autoref::runner {
@@ -180,11 +176,7 @@ TEST(KnockoutRun, GivesTheSameResultsForEveryNumberOfWorkers) {
 
 TEST(KnockoutRun, ResumesAfterAnInterrupt) {
   const TemporaryFolder folder;
-  const pid_t runner = getpid();
-  const auto interrupted = [runner](const GameConfiguration& game) {
-    kill(runner, SIGINT);
-    return won_by_the_worse(game);
-  };
+  const PlayGame interrupted = interrupting(won_by_the_worse);
   // Each run plays one game, so some runs stop after the last game of a round.
   EXPECT_TRUE(run(knockout_of(3), folder.path(), interrupted).is_interrupted);
   EXPECT_EQ(run(knockout_of(3), folder.path(), won_by_the_worse).played, 1);

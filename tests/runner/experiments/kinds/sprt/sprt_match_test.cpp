@@ -2,9 +2,6 @@
 #include "runner/experiments/kinds/sprt/sprt_match.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <csignal>
 
 #include "runner/batch/result_folder.hpp"
 #include "runner/experiments/kinds/effective.hpp"
@@ -73,11 +70,7 @@ TEST(SprtMatchRun, GivesTheSameResultsForEveryNumberOfWorkers) {
 TEST(SprtMatchRun, ResumesAfterAnInterrupt) {
   const TemporaryFolder folder;
   ExperimentOptions options = fake_options(folder.path());
-  const pid_t runner = getpid();
-  options.play = [runner](const GameConfiguration& game) {
-    kill(runner, SIGINT);
-    return fake_game(game);
-  };
+  options.play = interrupting();
   EXPECT_TRUE(run_experiment(small_sprt_match(), options).is_interrupted);
   run_experiment(small_sprt_match(), fake_options(folder.path()));
   EXPECT_EQ(sprt_results_in(folder.path()), undisturbed_sprt());

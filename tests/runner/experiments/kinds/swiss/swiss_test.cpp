@@ -2,9 +2,7 @@
 #include "runner/experiments/kinds/swiss/swiss.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <csignal>
 #include <set>
 
 #include "runner/batch/folder_changes.hpp"
@@ -261,11 +259,7 @@ TEST(SwissRun, GivesTheSameResultsForEveryNumberOfWorkers) {
 
 TEST(SwissRun, ResumesAfterAnInterrupt) {
   const TemporaryFolder folder;
-  const pid_t runner = getpid();
-  const auto interrupted = [runner](const GameConfiguration& game) {
-    kill(runner, SIGINT);
-    return won_by_the_larger(game);
-  };
+  const PlayGame interrupted = interrupting(won_by_the_larger);
   EXPECT_TRUE(run_swiss(swiss_of(5, 3), folder.path(), interrupted).is_interrupted);
   EXPECT_TRUE(run_swiss(swiss_of(5, 3), folder.path(), won_by_the_larger).is_complete);
   EXPECT_EQ(swiss_results_in(folder.path()), undisturbed_swiss(swiss_of(5, 3)));
