@@ -207,14 +207,14 @@ class Rehearsals {
     std::iota(jobs.begin(), jobs.end(), std::size_t{0});
     const WorkerOptions workers{options_.workers, 1,
                                 std::max(kGrace_s, options_.longest_s + kGrace_s - elapsed_s())};
-    const Ending ending =
-        do_jobs(jobs, workers,
-                {[&](std::size_t i) {
-                   return played(parts[i], limit_s(limit, until_s, parts.size() - i - 1));
-                 },
-                 [&](const JobResult& result) { note(parts[result.job], result); },
-                 {},
-                 [&] { return elapsed_s() > options_.longest_s; }});
+    const Ending ending = do_jobs(
+        jobs, workers,
+        {[&](const Job& job) {
+           return played(parts[job.number], limit_s(limit, until_s, parts.size() - job.number - 1));
+         },
+         [&](const JobResult& result) { note(parts[result.job], result); },
+         {},
+         [&] { return elapsed_s() > options_.longest_s; }});
     if (ending == Ending::kInterrupted) throw Interrupted();
   }
 

@@ -50,7 +50,6 @@ GameRow played(const Outcomes& outcomes, const ScheduledGame& game) {
     if (environment_failure(error)) throw;
     row.record = void_record(fmt::format("the game threw: {}", error.what()));
   }
-  row.circumstances.attempt = row.record.attempts;
   return row;
 }
 
@@ -196,9 +195,7 @@ class ExperimentRun {
     std::function<bool()> is_enough;
     if (scenario_.experiment().follows_its_rows())
       is_enough = [this] { return games_.is_decided(); };
-    const WorkerCalls calls{[this](std::size_t i) {
-                              return format_.line(played(outcomes_, games_.schedule().games[i]));
-                            },
+    const WorkerCalls calls{[this](const Job& job) { return played_line(job); },
                             [&](const JobResult& result) {
                               keep(result);
                               ++played_games;
@@ -225,27 +222,38 @@ class ExperimentRun {
     }
   }
 
-  // Throws std::logic_error if the worker sent anything other than a row.
-  GameRow row_from(const JobResult& result) const {
-    if (!result.failure.empty()) {
-      GameRow row = row_of(games_.schedule().games[result.job]);
-      row.record = void_record(result.failure);
-      return row;
-    }
-    std::optional<GameRow> row = format_.read(result.payload);
-    if (!row) throw std::logic_error("a worker's answer is not a row: " + result.payload);
-    return std::move(*row);
+  // Workers make the lines of the games that they play, and nobody writes them differently.
+  std::string played_line(const Job& job) const {
+    const Clock::time_point began = Clock::now();
+    GameRow row = played(outcomes_, games_.schedule().games[job.number]);
+    const std::chrono::duration<double> wall = Clock::now() - began;
+    return line_of(std::move(row), wall.count(), job.attempt);
   }
 
+  // Of a game whose workers died or that took too long.
+  std::string failed_line(const JobResult& result) const {
+    GameRow row = row_of(games_.schedule().games[result.job]);
+    row.record = void_record(result.failure);
+    return line_of(std::move(row), result.wall_s, result.attempt);
+  }
+
+  // `attempt`: the worker's; the game's programs may have been tried several times in it.
+  std::string line_of(GameRow row, double wall_s, int attempt) const {
+    row.circumstances = {
+        options_.build,       host_, cpu_, wall_s, attempt + row.record.attempts - 1,
+        options_.shard.name()};
+    return format_.line(row);
+  }
+
+  // Throws std::logic_error if the worker sent anything other than a row.
   void keep(const JobResult& result) {
-    GameRow row = row_from(result);
-    const int attempt = result.attempt + row.circumstances.attempt - 1;  // of worker and programs
-    row.circumstances = {options_.build, host_,   cpu_,
-                         result.wall_s,  attempt, options_.shard.name()};
+    const std::string line = result.failure.empty() ? result.payload : failed_line(result);
+    std::optional<GameRow> row = format_.read(line);
+    if (!row) throw std::logic_error("a worker's answer is not a row: " + line);
     refuse_changed_programs();
     keep_file();
-    shard_->write(format_.line(row));
-    written_.push_back(std::move(row));
+    shard_->write(line);
+    written_.push_back(std::move(*row));
     // The next games may depend on this one.
     if (scenario_.experiment().follows_its_rows() || Clock::now() >= next_sync_) count_written();
   }

@@ -57,9 +57,10 @@ Verification verify(const ResultFolder& folder, int sample, int workers,
   }
   Verification verification;
   Progress bar(progress, {.total = static_cast<int>(games.size())});
-  const auto work = [&](std::size_t i) {
-    GameRow row = row_of(folder.games[i]);
-    play(resolved(folder.games[i]), row);
+  const auto work = [&](const Job& job) {
+    const ScheduledGame& game = folder.games[job.number];
+    GameRow row = row_of(game);
+    play(resolved(game), row);
     return folder.format.line(row);
   };
   const auto done = [&](const JobResult& result) {

@@ -244,9 +244,9 @@ void add_events(SqliteFile& file, const ResultFolder& folder, const ExportOption
     replays.check(result);
     bar.game_done();
   };
-  const Ending ending = do_jobs(
-      games, pool,
-      {[&](std::size_t game) { return replays.play_again(game); }, done, [&bar] { bar.tick(); }});
+  const Ending ending = do_jobs(games, pool,
+                                {[&](const Job& job) { return replays.play_again(job.number); },
+                                 done, [&bar] { bar.tick(); }});
   if (ending == Ending::kInterrupted) throw Interrupted();
   SqliteTable table(file, "events", columns_of_events());
   for (const std::size_t game : games)

@@ -10,13 +10,11 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
-#include <cstdint>
 #include <cstring>
 #include <exception>
 #include <utility>
 
 #include "runner/io/errors.hpp"
-#include "runner/processes/workers.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -40,7 +38,7 @@ constexpr std::size_t kLongestFailure = 10'000;
   // The other descriptors belong to the parent: the lock on its rows and its ends of other sockets.
   if (socket > 3) close_range(3, static_cast<unsigned>(socket - 1), 0);
   close_range(static_cast<unsigned>(socket + 1), ~0U, 0);
-  std::uint64_t job = 0;
+  Job job;
   while (recv(socket, &job, sizeof job, 0) == sizeof job) {
     std::string payload;
     try {
@@ -129,8 +127,7 @@ void WorkerProcess::start(const EndSignals& signals, const Work& work) {
 void WorkerProcess::give(const Job& job) {
   job_ = job;
   began_ = Clock::now();
-  const std::uint64_t number = job.number;
-  [[maybe_unused]] const ssize_t ignored = send(socket_, &number, sizeof number, MSG_NOSIGNAL);
+  [[maybe_unused]] const ssize_t ignored = send(socket_, &job, sizeof job, MSG_NOSIGNAL);
 }
 
 std::optional<WorkerAnswer> WorkerProcess::answer() {

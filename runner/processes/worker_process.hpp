@@ -9,6 +9,8 @@
 #include <optional>
 #include <string>
 
+#include "runner/processes/workers.hpp"
+
 namespace autoref::runner {
 
 // Blocks SIGINT, SIGTERM and SIGHUP during its lifetime, and counts them.
@@ -31,11 +33,6 @@ class EndSignals {
   int count_ = 0;
 };
 
-struct Job {
-  std::size_t number = 0;
-  int attempt = 1;
-};
-
 struct WorkerAnswer {
   std::string payload;
   std::string failure;  // of the environment; empty if the job was done
@@ -44,7 +41,7 @@ struct WorkerAnswer {
 // A process, or an empty slot for one. Destroying the object kills the process.
 class WorkerProcess {
  public:
-  using Work = std::function<std::string(std::size_t job)>;
+  using Work = std::function<std::string(const Job& job)>;
 
   WorkerProcess() = default;
   ~WorkerProcess() { end(); }

@@ -21,6 +21,11 @@ struct WorkerOptions {
   double longest_job_s = 600;  // a job that takes longer is assumed to hang and given up at once
 };
 
+struct Job {
+  std::size_t number = 0;
+  int attempt = 1;  // counts from 1
+};
+
 struct JobResult {
   std::size_t job = 0;
   std::string payload;   // return value of the work; never empty, at most 100 kB
@@ -31,7 +36,7 @@ struct JobResult {
 };
 
 struct WorkerCalls {
-  std::function<std::string(std::size_t job)> work;   // runs in a worker
+  std::function<std::string(const Job& job)> work;    // runs in a worker
   std::function<void(const JobResult& result)> done;  // runs here for each result; may throw
   std::function<void()> tick;                         // runs here, about four times a second
   // Runs here; true stops new jobs. Without it, results never stop them, so a worker gets its next

@@ -1,7 +1,7 @@
 // One game of an experiment: what was played, how it ended, and on which machine.
 //
-// Rows are passed around as structs. Their only text form is a line of a shard (row_format.hpp),
-// which workers also use to send rows to the main process.
+// Rows are passed around as structs. Their only text form is a line of a shard (row_format.hpp).
+// The worker that played a game makes that line, and the main process appends it as it is.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 #include "runner/batch/run_experiment.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -8,12 +9,30 @@
 
 #include "runner/experiments/kinds/scenario_reader.hpp"
 #include "runner/experiments/kinds/sweep/sweep.hpp"
+#include "runner/io/csv.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/results/shard.hpp"
 #include "tests/runner/batch/fake_games.hpp"
 
 namespace autoref::runner {
 namespace {
+
+// The line that the worker made is appended as it is, and the run goes on with what it says.
+TEST(Experiment, CountsTheRowsThatAreOnTheDisk) {
+  const TemporaryFolder folder;
+  const Scenario scenario = small_sweep(2);
+  const RowFormat format = row_format(scenario.experiment());
+  std::vector<std::string> lines = {csv_line(format.names())};
+  ExperimentOptions options = fake_options(folder.path());
+  options.play = slow_fake_game;
+  options.ended = [&](const GameRow& row) {
+    EXPECT_GE(row.circumstances.wall_s, 0.003);
+    lines.push_back(format.line(row));
+  };
+  run_experiment(scenario, options);
+  EXPECT_EQ(content_of(folder / "games/shard-0-of-1.csv"),
+            fmt::format("{}\n", fmt::join(lines, "\n")));
+}
 
 TEST(Experiment, WritesAllItsFiles) {
   const TemporaryFolder folder;

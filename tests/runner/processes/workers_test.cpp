@@ -1,5 +1,6 @@
 #include "runner/processes/workers.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -20,7 +21,7 @@ struct Outcome {
   std::map<std::size_t, JobResult> results;
 };
 
-Outcome done_by(int workers, std::size_t jobs, const std::function<std::string(std::size_t)>& work,
+Outcome done_by(int workers, std::size_t jobs, const std::function<std::string(const Job&)>& work,
                 WorkerOptions options = {}) {
   options.workers = workers;
   std::vector<std::size_t> numbers(jobs);
@@ -33,8 +34,8 @@ Outcome done_by(int workers, std::size_t jobs, const std::function<std::string(s
 
 TEST(Workers, DoEveryJobOnce) {
   for (const int workers : {1, 2, 5}) {
-    const Outcome outcome =
-        done_by(workers, 40, [](std::size_t job) { return std::to_string(job * job); });
+    const Outcome outcome = done_by(
+        workers, 40, [](const Job& job) { return std::to_string(job.number * job.number); });
     EXPECT_EQ(outcome.ending, Ending::kDone);
     ASSERT_EQ(outcome.results.size(), 40U);
     for (const auto& [job, result] : outcome.results) {
@@ -44,7 +45,7 @@ TEST(Workers, DoEveryJobOnce) {
 }
 
 TEST(Workers, AreSeparateProcessesThatDoSeveralJobs) {
-  const Outcome outcome = done_by(2, 20, [](std::size_t) {
+  const Outcome outcome = done_by(2, 20, [](const Job&) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     return std::to_string(getpid());
   });
@@ -56,23 +57,24 @@ TEST(Workers, AreSeparateProcessesThatDoSeveralJobs) {
 
 TEST(Workers, RetryTheJobOfAKilledWorker) {
   const TemporaryFolder folder;
-  const Outcome outcome = done_by(2, 6, [&](std::size_t job) {
+  const Outcome outcome = done_by(2, 6, [&](const Job& job) {
     const std::filesystem::path mark = folder / "killed";
-    if (job == 3 && !std::filesystem::exists(mark)) {
+    if (job.number == 3 && !std::filesystem::exists(mark)) {
       write_content(mark, "x");
       kill(getpid(), SIGKILL);
     }
-    return std::string("fine");
+    return fmt::format("attempt {}", job.attempt);
   });
   ASSERT_EQ(outcome.results.size(), 6U);
-  EXPECT_EQ(outcome.results.at(3).payload, "fine");
+  EXPECT_EQ(outcome.results.at(3).payload, "attempt 2");
+  EXPECT_EQ(outcome.results.at(4).payload, "attempt 1");
   EXPECT_EQ(outcome.results.at(3).attempt, 2);
   EXPECT_EQ(outcome.results.at(4).attempt, 1);
 }
 
 TEST(Workers, GiveUpAJobAfterThreeDeathsAndSayWhy) {
-  const Outcome outcome = done_by(1, 3, [](std::size_t job) {
-    if (job == 1) kill(getpid(), SIGKILL);
+  const Outcome outcome = done_by(1, 3, [](const Job& job) {
+    if (job.number == 1) kill(getpid(), SIGKILL);
     return std::string("fine");
   });
   EXPECT_EQ(outcome.ending, Ending::kDone);
@@ -97,8 +99,8 @@ TEST(Workers, GiveUpAJobThatTakesTooLongAtItsFirstAttempt) {
   options.longest_job_s = 3;  // far more than the other job needs, even on a busy machine
   const Outcome outcome = done_by(
       1, 2,
-      [](std::size_t job) {
-        if (job == 0) std::this_thread::sleep_for(std::chrono::hours(1));
+      [](const Job& job) {
+        if (job.number == 0) std::this_thread::sleep_for(std::chrono::hours(1));
         return std::string("fine");
       },
       options);
@@ -109,7 +111,7 @@ TEST(Workers, GiveUpAJobThatTakesTooLongAtItsFirstAttempt) {
 TEST(Workers, FinishRunningJobsAfterTheFirstInterrupt) {
   int results = 0;
   const Ending ending = do_jobs({0, 1, 2, 3, 4, 5, 6, 7}, {.workers = 2},
-                                {[](std::size_t) {
+                                {[](const Job&) {
                                    std::this_thread::sleep_for(std::chrono::milliseconds(20));
                                    return std::string("fine");
                                  },
@@ -126,8 +128,8 @@ TEST(Workers, FinishRunningJobsAfterTheFirstInterrupt) {
 TEST(Workers, AnnounceTheEndOnceAfterAnInterrupt) {
   int announced = 0;
   do_jobs({0, 1, 2, 3}, {.workers = 2},
-          {[](std::size_t job) {
-             if (job == 0) kill(getppid(), SIGINT);
+          {[](const Job& job) {
+             if (job.number == 0) kill(getppid(), SIGINT);
              std::this_thread::sleep_for(std::chrono::milliseconds(600));
              return std::string("fine");
            },
@@ -144,7 +146,7 @@ TEST(Workers, AnnounceTheEndOnceAfterAnInterrupt) {
 TEST(Workers, StartNoMoreJobsOnceItIsEnough) {
   int results = 0;
   const Ending ending = do_jobs({0, 1, 2, 3, 4, 5, 6, 7}, {.workers = 2},
-                                {[](std::size_t) { return std::string("fine"); },
+                                {[](const Job&) { return std::string("fine"); },
                                  [&](const JobResult&) { ++results; },
                                  {},
                                  [&] { return results >= 3; }});
@@ -159,8 +161,8 @@ bool has_second_job_begun(const std::function<bool()>& is_enough, int patience_m
   const std::filesystem::path mark = folder / "begun";
   bool has_begun = false;
   do_jobs({0, 1}, {.workers = 1},
-          {[&](std::size_t job) {
-             if (job == 1) write_content(mark, "yes");
+          {[&](const Job& job) {
+             if (job.number == 1) write_content(mark, "yes");
              return std::string("fine");
            },
            [&](const JobResult& result) {
@@ -183,7 +185,7 @@ TEST(Workers, WaitForTheirLastResultIfItMayBeEnough) {
 TEST(Workers, StopAtOnceAfterTheSecondInterrupt) {
   int ticks = 0;
   const Ending ending = do_jobs({0, 1}, {.workers = 2},
-                                {[](std::size_t) {
+                                {[](const Job&) {
                                    std::this_thread::sleep_for(std::chrono::seconds(60));
                                    return std::string("fine");
                                  },
@@ -196,7 +198,7 @@ TEST(Workers, StopAtOnceAfterTheSecondInterrupt) {
 
 TEST(Workers, AreKilledWhenTheReceiverThrows) {
   EXPECT_THROW(do_jobs({0, 1, 2}, {.workers = 2},
-                       {[](std::size_t) { return std::string("fine"); },
+                       {[](const Job&) { return std::string("fine"); },
                         [](const JobResult&) { throw std::runtime_error("disk full"); },
                         {}}),
                std::runtime_error);
