@@ -4,18 +4,59 @@
 #include <functional>
 
 #include "league/partial_parse.hpp"
+#include "league/vision_2010.hpp"
 
 namespace autoref::league {
 namespace {
 
 constexpr std::uint64_t kLongestDelay_us = 1'000'000;
 
+template <typename Packet>
+Packet& packet_of(ParsedMessage& message) {
+  auto* const last = std::get_if<Packet>(&message.packet);
+  return last != nullptr ? *last : message.packet.emplace<Packet>();
+}
+
+bool parse_2010(const std::string& bytes, VisionPacket& packet) {
+  VisionPacket2010 old;
+  if (!parse(bytes, old)) return false;
+  convert(old, packet);
+  return true;
+}
+
+bool parse_packet(MessageKind kind, const std::string& bytes, ParsedMessage& message) {
+  switch (kind) {
+    case MessageKind::kVision2014:
+      return parse(bytes, packet_of<VisionPacket>(message));
+    case MessageKind::kVision2010:
+      return parse_2010(bytes, packet_of<VisionPacket>(message));
+    case MessageKind::kTracker2020:
+      return parse(bytes, packet_of<TrackerPacket>(message));
+    case MessageKind::kReferee2013:
+      return parse(bytes, packet_of<RefereePacket>(message));
+    default:
+      message.packet = std::monostate();
+      return true;
+  }
+}
+
 }  // namespace
+
+void parse(MessageKind kind, const std::string& bytes, ParsedMessage& message) {
+  message.is_readable = parse_packet(kind, bytes, message);
+  message.hash = std::hash<std::string>()(bytes);
+}
 
 Taken RecordReader::take(MessageKind kind, const std::string& bytes, double now_s,
                          const std::string& sender) {
+  ParsedMessage& message = parsed_[kind];
+  parse(kind, bytes, message);
+  return take(message, now_s, sender);
+}
+
+Taken RecordReader::take(const ParsedMessage& message, double now_s, const std::string& sender) {
   now_s_ = now_s;
-  const Taken result = dispatch(kind, bytes, sender);
+  const Taken result = dispatch(message, sender);
   faults_.unreadable += result == Taken::kUnreadable ? 1 : 0;
   faults_.late += result == Taken::kLate ? 1 : 0;
   faults_.copies += result == Taken::kCopy ? 1 : 0;
@@ -33,65 +74,58 @@ MessageFaults RecordReader::faults() const {
   return faults;
 }
 
-Taken RecordReader::dispatch(MessageKind kind, const std::string& bytes,
-                             const std::string& sender) {
-  switch (kind) {
-    case MessageKind::kVision2014:
-      return parse(bytes, vision_) ? take_vision(bytes) : Taken::kUnreadable;
-    case MessageKind::kVision2010:
-      if (!parse(bytes, vision_2010_)) return Taken::kUnreadable;
-      convert(vision_2010_, vision_);
-      return take_vision(bytes);
-    case MessageKind::kTracker2020:
-      return parse(bytes, tracker_) ? take_tracker(bytes) : Taken::kUnreadable;
-    case MessageKind::kReferee2013:
-      return parse(bytes, referee_) ? take_referee(bytes, sender) : Taken::kUnreadable;
-    default:
-      return Taken::kUsed;
-  }
+Taken RecordReader::dispatch(const ParsedMessage& message, const std::string& sender) {
+  if (!message.is_readable) return Taken::kUnreadable;
+  if (const auto* vision = std::get_if<VisionPacket>(&message.packet))
+    return take_vision(*vision, message.hash);
+  if (const auto* tracker = std::get_if<TrackerPacket>(&message.packet))
+    return take_tracker(*tracker, message.hash);
+  if (const auto* referee = std::get_if<RefereePacket>(&message.packet))
+    return take_referee(*referee, message.hash, sender);
+  return Taken::kUsed;
 }
 
 // Whether the message is one of the last ones again: every message of a game contains its time.
-bool RecordReader::is_copy(const std::string& bytes) {
-  const std::size_t hash = std::hash<std::string>()(bytes);
+bool RecordReader::is_copy(std::size_t hash) {
   if (std::find(recent_.begin(), recent_.end(), hash) != recent_.end()) return true;
   recent_[compared_++ % recent_.size()] = hash;
   return false;
 }
 
-Taken RecordReader::take_vision(const std::string& bytes) {
+Taken RecordReader::take_vision(const VisionPacket& packet, std::size_t hash) {
   // Geometry does not change from packet to packet.
-  if (vision_.has_detection() && is_copy(bytes)) return Taken::kCopy;
+  if (packet.has_detection() && is_copy(hash)) return Taken::kCopy;
   const std::int64_t late = merger_.late();
   const std::int64_t unusable = merger_.unusable();
-  show(merger_.add(vision_, now_s_));
+  show(merger_.add(packet, now_s_));
   if (merger_.unusable() != unusable) return Taken::kUnreadable;
   if (merger_.late() != late) return Taken::kLate;
-  visitor_.on_vision(now_s_, vision_);
+  visitor_.on_vision(now_s_, packet);
   return Taken::kUsed;
 }
 
-Taken RecordReader::take_tracker(const std::string& bytes) {
-  if (is_copy(bytes)) return Taken::kCopy;
+Taken RecordReader::take_tracker(const TrackerPacket& packet, std::size_t hash) {
+  if (is_copy(hash)) return Taken::kCopy;
   const std::int64_t unusable = follower_.unusable();
-  const bool has_tracks = follower_.add(tracker_, now_s_);
+  const bool has_tracks = follower_.add(packet, now_s_);
   if (has_tracks) visitor_.on_tracks(follower_.frame(), follower_.tracks());
   if (has_tracks && frames_are_tracked_) count_and_show(follower_.frame());
   return follower_.unusable() == unusable ? Taken::kUsed : Taken::kUnreadable;
 }
 
-Taken RecordReader::take_referee(const std::string& bytes, const std::string& sender) {
-  const std::string& name = referee_.source_identifier();
+Taken RecordReader::take_referee(const RefereePacket& packet, std::size_t hash,
+                                 const std::string& sender) {
+  const std::string& name = packet.source_identifier();
   if (!referee_source_.follows(name.empty() ? sender : name, now_s_)) return Taken::kOtherReferee;
-  if (is_copy(bytes)) return Taken::kCopy;
+  if (is_copy(hash)) return Taken::kCopy;
   // A packet that a newer one has overtaken; after a larger step, the referee's clock was set.
-  const std::uint64_t sent_us = referee_.packet_timestamp();
+  const std::uint64_t sent_us = packet.packet_timestamp();
   const bool is_same = referee_changes_ == referee_source_.changes();
   if (is_same && sent_us < referee_sent_us_ && referee_sent_us_ - sent_us < kLongestDelay_us)
     return Taken::kLate;
   referee_changes_ = referee_source_.changes();
   referee_sent_us_ = sent_us;
-  visitor_.on_referee(now_s_, referee_);
+  visitor_.on_referee(now_s_, packet);
   return Taken::kUsed;
 }
 

@@ -4,7 +4,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
+#include <variant>
 
 #include "league/detection_merger.hpp"
 #include "league/followed_source.hpp"
@@ -14,9 +16,20 @@
 #include "league/messages/tracker.pb.h"
 #include "league/messages/vision.pb.h"
 #include "league/tracker_message.hpp"
-#include "league/vision_2010.hpp"
 
 namespace autoref::league {
+
+// A message that is parsed once, however many readers take it.
+struct ParsedMessage {
+  // Empty if readers ignore messages of this kind.
+  std::variant<std::monostate, VisionPacket, TrackerPacket, RefereePacket> packet;
+  bool is_readable = true;
+  std::size_t hash = 0;  // of its bytes
+};
+
+// Uses the message's memory again if its packet was of the same type. Packets of 2010 become
+// packets of today.
+void parse(MessageKind kind, const std::string& bytes, ParsedMessage& message);
 
 class RecordReader {
  public:
@@ -25,9 +38,10 @@ class RecordReader {
   RecordReader(LogVisitor& visitor, bool frames_are_tracked)
       : visitor_(visitor), frames_are_tracked_(frames_are_tracked) {}
 
-  // Takes the next message; `now_s` is when it arrived, on the frames' clock. Ignored messages are
-  // not passed on, and neither are those of other kinds. `sender` distinguishes referees without a
-  // name.
+  // Takes the next message, parsed or not; `now_s` is when it arrived, on the frames' clock.
+  // Ignored messages are not passed on, and neither are those of other kinds. `sender`
+  // distinguishes referees without a name.
+  Taken take(const ParsedMessage& message, double now_s, const std::string& sender = {});
   Taken take(MessageKind kind, const std::string& bytes, double now_s,
              const std::string& sender = {});
 
@@ -40,11 +54,11 @@ class RecordReader {
   MessageFaults faults() const;
 
  private:
-  Taken dispatch(MessageKind kind, const std::string& bytes, const std::string& sender);
-  Taken take_vision(const std::string& bytes);
-  Taken take_tracker(const std::string& bytes);
-  Taken take_referee(const std::string& bytes, const std::string& sender);
-  bool is_copy(const std::string& bytes);
+  Taken dispatch(const ParsedMessage& message, const std::string& sender);
+  Taken take_vision(const VisionPacket& packet, std::size_t hash);
+  Taken take_tracker(const TrackerPacket& packet, std::size_t hash);
+  Taken take_referee(const RefereePacket& packet, std::size_t hash, const std::string& sender);
+  bool is_copy(std::size_t hash);
   void show(const Frame* frame);
   void count_and_show(const Frame& frame);
 
@@ -59,10 +73,7 @@ class RecordReader {
   std::array<std::size_t, 64> recent_{};  // hashes of the last messages
   std::size_t compared_ = 0;
   MessageFaults faults_;
-  VisionPacket vision_;
-  VisionPacket2010 vision_2010_;
-  RefereePacket referee_;
-  TrackerPacket tracker_;
+  std::map<MessageKind, ParsedMessage> parsed_;  // the last ones, for their memory
   std::int64_t frames_ = 0;
 };
 

@@ -1,5 +1,7 @@
 #include "runner/live/live_judge.hpp"
 
+#include <variant>
+
 #include "runner/game/game_event.hpp"
 #include "soccer/published.hpp"
 
@@ -22,10 +24,11 @@ LiveJudge::LiveJudge(const referee::Configuration& configuration, const Recorded
   status_.names = facts.names;
 }
 
-void LiveJudge::take(const ReceivedRecord& record, double time_s) {
-  const league::Taken taken = reader_.take(record.kind, record.bytes, time_s, record.host);
-  if (record.kind == league::MessageKind::kReferee2013 && taken == league::Taken::kUsed)
-    outputs_.note_referee(record.host);
+void LiveJudge::take(const LiveMessage& live) {
+  const league::Taken taken = reader_.take(live.message, live.time_s, live.host);
+  if (std::holds_alternative<league::RefereePacket>(live.message.packet) &&
+      taken == league::Taken::kUsed)
+    outputs_.note_referee(live.host);
 }
 
 void LiveJudge::idle() {

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <optional>
+#include <string>
 
 #include "league/record_reader.hpp"
 #include "runner/live/live_referee.hpp"
@@ -14,14 +15,20 @@
 
 namespace autoref::runner {
 
+// A packet of the network.
+struct LiveMessage {
+  league::ParsedMessage message;
+  double time_s = 0;  // since the first packet
+  std::string host;   // of the sender
+};
+
 class LiveJudge final : league::LogVisitor {
  public:
   // `watch` and `outputs` must outlive the object.
   LiveJudge(const referee::Configuration& configuration, const RecordedFacts& facts,
             bool frames_are_tracked, const LiveRefereeWatch& watch, RefereeOutputs& outputs);
 
-  // Takes the next packet, received at `time_s`, in s since the first one.
-  void take(const ReceivedRecord& record, double time_s);
+  void take(const LiveMessage& live);
 
   // Call it often: sends what is due, and calls on_idle every 50 ms.
   void idle();

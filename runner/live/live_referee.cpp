@@ -18,6 +18,8 @@ constexpr std::chrono::milliseconds kIdle{20};
 constexpr double kGather_s = 2;
 constexpr double kLongestGather_s = 10;
 constexpr std::size_t kMostGathered = 50'000;  // packets
+// Parsed, packets take two to three times as much memory, malicious ones thirty times.
+constexpr std::size_t kMostGathered_bytes = 100'000'000;
 constexpr double kNs = 1e-9;
 
 std::vector<RecordGroup> groups_of(const LiveRefereeOptions& options) {
@@ -61,14 +63,15 @@ class LiveReferee::Impl {
     std::optional<Clock::time_point> first;
     while (!is_enough(reader, first)) {
       check(static_cast<std::int64_t>(gathered_.size()));
-      std::optional<ReceivedRecord> record = source_.take(Clock::now() + kIdle);
-      if (!record || gathered_.size() == kMostGathered) continue;
-      reader.take(record->kind, record->bytes, time_s(*record), record->host);
-      gathered_.push_back(*std::move(record));
+      std::optional<LiveMessage> live = next_message();
+      if (!live || gathered_.size() == kMostGathered || received_bytes_ > kMostGathered_bytes)
+        continue;
+      reader.take(live->message, live->time_s, live->host);
+      gathered_.push_back(*std::move(live));
       if (!first && reader.frames() > 0) first = Clock::now();
     }
     league::LogSummary summary;
-    summary.first_ns = gathered_.front().arrived_ns;
+    summary.first_ns = first_ns_;
     summary.frames = reader.frames();
     summary.field = reader.merger().field();
     summary.field_gaps = reader.merger().field_gaps();
@@ -81,13 +84,12 @@ class LiveReferee::Impl {
            const LiveRefereeWatch& watch) {
     RefereeOutputs outputs(options_, configuration.field, facts.names);
     LiveJudge judge(configuration, facts, is_tracked(), watch, outputs);
-    for (const ReceivedRecord& record : gathered_) judge.take(record, time_s(record));
+    for (const LiveMessage& live : gathered_) judge.take(live);
     gathered_ = {};
     const auto begun = Clock::now();
     const std::chrono::duration<double> length_s(options_.seconds);
     while (options_.seconds == 0 || Clock::now() - begun < length_s) {
-      if (const auto record = source_.take(Clock::now() + kIdle))
-        judge.take(*record, time_s(*record));
+      if (const std::optional<LiveMessage> live = next_message()) judge.take(*live);
       judge.idle();
     }
   }
@@ -95,10 +97,17 @@ class LiveReferee::Impl {
  private:
   bool is_tracked() const { return options_.source == league::FrameSource::kTracker; }
 
-  // Since the first packet.
-  double time_s(const ReceivedRecord& record) {
-    if (first_ns_ == 0) first_ns_ = record.arrived_ns;
-    return static_cast<double>(record.arrived_ns - first_ns_) * kNs;
+  // The next packet; nullopt if none arrives for a moment.
+  std::optional<LiveMessage> next_message() {
+    const std::optional<ReceivedRecord> record = source_.take(Clock::now() + kIdle);
+    if (!record) return std::nullopt;
+    if (first_ns_ == 0) first_ns_ = record->arrived_ns;
+    received_bytes_ += record->bytes.size();
+    LiveMessage live;
+    league::parse(record->kind, record->bytes, live.message);
+    live.time_s = static_cast<double>(record->arrived_ns - first_ns_) * kNs;
+    live.host = record->host;
+    return live;
   }
 
   static bool is_enough(const league::RecordReader& reader,
@@ -111,15 +120,15 @@ class LiveReferee::Impl {
   std::optional<Side> yellow_end(const Field& field) {
     EndFinder finder(field);
     league::RecordReader reader(finder, is_tracked());
-    for (const ReceivedRecord& record : gathered_)
-      reader.take(record.kind, record.bytes, time_s(record), record.host);
+    for (const LiveMessage& live : gathered_) reader.take(live.message, live.time_s, live.host);
     return finder.end();
   }
 
   LiveRefereeOptions options_;
   RecordSource source_;
-  std::vector<ReceivedRecord> gathered_;
-  std::int64_t first_ns_ = 0;
+  std::vector<LiveMessage> gathered_;
+  std::int64_t first_ns_ = 0;       // when the first packet arrived
+  std::size_t received_bytes_ = 0;  // of all packets
 };
 
 LiveReferee::LiveReferee(const LiveRefereeOptions& options)

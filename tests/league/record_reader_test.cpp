@@ -76,6 +76,27 @@ TEST_F(ReaderOfRecords, ShowsNoCopies) {
   EXPECT_EQ(received_.tracks, 1);
 }
 
+TEST_F(ReaderOfRecords, TakesMessagesThatAreParsedForSeveralReaders) {
+  Received others;
+  RecordReader other(others, false);
+  ParsedMessage message;
+  const auto take = [&](MessageKind kind, const std::string& bytes) {
+    parse(kind, bytes, message);
+    const Taken taken = reader_.take(message, 5);
+    EXPECT_EQ(other.take(message, 5), taken);
+    return taken;
+  };
+  EXPECT_EQ(take(MessageKind::kVision2014, vision_at(5)), Taken::kUsed);
+  EXPECT_EQ(take(MessageKind::kVision2014, vision_at(5)), Taken::kCopy);
+  EXPECT_EQ(take(MessageKind::kReferee2013, command(7, 5)), Taken::kUsed);
+  EXPECT_EQ(take(MessageKind::kReferee2013, "no packet"), Taken::kUnreadable);
+  EXPECT_EQ(take(MessageKind::kIndex2021, command(8, 5)), Taken::kUsed);
+  EXPECT_EQ(others.vision, 1);
+  EXPECT_EQ(received_.vision, 1);
+  EXPECT_EQ(others.commands, (std::vector<std::uint32_t>{7}));
+  EXPECT_EQ(received_.commands, others.commands);
+}
+
 TEST_F(ReaderOfRecords, DoesNotGoBackToAnOlderCommand) {
   take_command(command(1, 10), 10);
   take_command(command(2, 10.025), 10.1);
