@@ -36,8 +36,8 @@ GameRecord play_controlled(const GameConfiguration& game, const PlayArguments& a
     place.ci = controller_address(arguments.game_controller, place.ci.port);
   ControlledGame controlled(game, place, check_interrupt);
   GamePlayer player;
-  player.play = [&](Observer* observer, GamePrograms& programs) {
-    return controlled.play(observer, programs);
+  player.play = [&](const Observers& observers, GamePrograms& programs) {
+    return controlled.play(observers, programs);
   };
   GameRecord record = play_one(game, arguments.output, inputs, {arguments.commands}, player);
   say(controlled.report());

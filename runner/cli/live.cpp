@@ -122,8 +122,8 @@ int live_verb(const LiveArguments& arguments) {
   player.make_network_team = [&](const TeamConfiguration&, const strategies::TeamContext& context) {
     return live.make_network_team(context);
   };
-  player.play = [&](Observer* observer, GamePrograms& programs) {
-    return live.play(observer, programs);
+  player.play = [&](const Observers& observers, GamePrograms& programs) {
+    return live.play(observers, programs);
   };
   GameRecord record;
   try {

@@ -49,23 +49,22 @@ void end_soon(int signal) {
 // Ends the game at its next frame once the user has pressed Ctrl-C.
 class Watch final : public Observer {
  public:
-  Watch(GameFiles& files, const PerSide<EventTeam>& teams, league::GameLog* log, PageRecorder* page)
-      : files_(&files), teams_(teams), log_(log), page_(page) {
+  Watch(GameFiles& files, const PerSide<EventTeam>& teams, league::GameLog* log)
+      : files_(&files), teams_(teams), log_(log) {
     note_interrupts();
   }
   void on_other_detections(const OtherDetections& others) override {
     if (log_ != nullptr) log_->note(others);
   }
-  void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World& world) override {
+  void on_frame(const Frame& frame, const RefereeSignal& signal,
+                const sim::World& /*world*/) override {
     if (log_ != nullptr) log_->add(frame, signal);
-    if (page_ != nullptr) page_->on_frame(frame, signal, world);
     check_interrupt();
   }
   void on_decision(const referee::Decision& decision) override {
     if (files_->events.is_open()) files_->events.add(decision_json(decision, teams_));
     if (files_->game_events.is_open()) add_game_event(decision);
     if (log_ != nullptr) log_decision(decision);
-    if (page_ != nullptr) page_->on_decision(decision);
   }
 
  private:
@@ -82,7 +81,6 @@ class Watch final : public Observer {
   GameFiles* files_;
   PerSide<EventTeam> teams_;
   league::GameLog* log_;  // null unless a log is written
-  PageRecorder* page_;    // null unless a page is written
 };
 
 void check_files(const GameOutput& output, const std::vector<std::string>& inputs) {
@@ -126,9 +124,9 @@ std::optional<double> pace_of(const GameConfiguration& game, const GameOutput& o
   return game.sim.frame_rate_hz * speed_factor_in(output.speed.empty() ? "1" : output.speed, "max");
 }
 
-GameRecord played(const GameConfiguration& configuration, Observer* observer,
+GameRecord played(const GameConfiguration& configuration, const Observers& observers,
                   GamePrograms& programs, std::optional<double> frames_per_s) {
-  Game game(programs.configured(configuration), observer, programs.maker());
+  Game game(programs.configured(configuration), observers, programs.maker());
   SteadyFrameClock clock;
   std::optional<FramePacer> pacer;
   if (frames_per_s) pacer.emplace(clock, *frames_per_s);
@@ -190,12 +188,15 @@ GameRecord play_one(const GameConfiguration& game, const GameOutput& output,
   open_log(log, game, output.log);
   PageRecorder page;
   const std::optional<double> frames_per_s = pace_of(game, output);
-  Watch watch(files, event_teams_of(game), log ? &*log : nullptr, files.view ? &page : nullptr);
-  ShownGame shown(game, output.web, watch);
+  Watch watch(files, event_teams_of(game), log ? &*log : nullptr);
+  ShownGame shown(game, output.web);
+  Observers observers(shown.observer());
+  if (files.view) observers.add(&page);
+  observers.add(&watch);
   const auto start = std::chrono::steady_clock::now();
   GamePrograms programs = programs_of(game, output, commands, player);
-  GameRecord record = player.play ? player.play(&shown.observer(), programs)
-                                  : played(game, &shown.observer(), programs, frames_per_s);
+  GameRecord record = player.play ? player.play(observers, programs)
+                                  : played(game, observers, programs, frames_per_s);
   if (!programs.finish(record)) {
     throw InputError({commands.file.string()}, "",
                      "its commands lead to another final state: they are from another game, other "

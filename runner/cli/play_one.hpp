@@ -28,7 +28,7 @@ struct GameOutput {
 // How to play a game, if not by play() (game.hpp).
 struct GamePlayer {
   TeamMaker make_network_team;
-  std::function<GameRecord(Observer* observer, GamePrograms& programs)> play;
+  std::function<GameRecord(const Observers& observers, GamePrograms& programs)> play;
 };
 
 // Recorded commands to play instead of the programs. An empty path: the programs play.

@@ -21,14 +21,12 @@ std::vector<PageFact> facts_of(const GameConfiguration& game) {
           {"build", std::string(build_id())}};
 }
 
-ShownGame::ShownGame(const GameConfiguration& game, const WebFlags& web, Observer& other)
-    : observer_(&other) {
+ShownGame::ShownGame(const GameConfiguration& game, const WebFlags& web) {
   if (web.address.empty()) return;
   const GameRecording nothing_yet;
   view_.emplace(web_options_of(web),
                 PageContent{nothing_yet, game.field, shown_names(game), facts_of(game)});
   web_.emplace(*view_);
-  observer_ = &both_.emplace(&*web_, &other);
   write_message(stderr, fmt::format("watch at {}\n", view_->url()));
 }
 

@@ -8,7 +8,6 @@
 #include "runner/cli/web_flags.hpp"
 #include "runner/game/configuration.hpp"
 #include "runner/game/observer.hpp"
-#include "runner/live/observers.hpp"
 #include "runner/live/web_view.hpp"
 #include "runner/view/page.hpp"
 
@@ -19,11 +18,12 @@ std::vector<PageFact> facts_of(const GameConfiguration& game);
 
 class ShownGame {
  public:
-  // Shows the game at `web`, and says so on stderr; nowhere if its address is empty. `other` is
-  // called as well. Throws InputError naming --web or --web-host.
-  ShownGame(const GameConfiguration& game, const WebFlags& web, Observer& other);
+  // Shows the game at `web`, and says so on stderr; nowhere if its address is empty. Throws
+  // InputError naming --web or --web-host.
+  ShownGame(const GameConfiguration& game, const WebFlags& web);
 
-  Observer& observer() { return *observer_; }
+  // Null if the game is shown nowhere.
+  Observer* observer() { return web_ ? &*web_ : nullptr; }
 
   // Says that the game is over, and leaves some time for the message to arrive.
   void end();
@@ -31,8 +31,6 @@ class ShownGame {
  private:
   std::optional<WebView> view_;
   std::optional<WebObserver> web_;
-  std::optional<Observers> both_;
-  Observer* observer_;
 };
 
 }  // namespace autoref::runner

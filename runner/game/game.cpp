@@ -49,9 +49,9 @@ std::optional<EndReason> reason_of(referee::Event event) {
 
 class Game::Impl {
  public:
-  Impl(GameConfiguration configuration, Observer* observer, const TeamMaker& make_team)
+  Impl(GameConfiguration configuration, const Observers& observers, const TeamMaker& make_team)
       : configuration_(std::move(configuration)),
-        observer_(observer),
+        observers_(observers),
         most_frames_(static_cast<std::int64_t>(longest_s(configuration_.match) * rate_hz())),
         world_(configuration_.field, configuration_.sim, specs_of(configuration_),
                configuration_.seed),
@@ -179,7 +179,7 @@ class Game::Impl {
     substitution_controller_.act(signal_, requests(), frame_.time_s, world_);
     const bool is_held = signal_.placement && signal_.placement->by_hand;
     const auto placement = is_held ? signal_.placement : std::nullopt;
-    if (observer_ != nullptr) observer_->on_orders(commands_, placement, world_);
+    observers_.call(&Observer::on_commands, commands_, placement, world_);
     world_.step(commands_, placement);
     if (!world_.is_finite()) void_game("a position in the world is not finite");
     ++record_.frames;
@@ -193,7 +193,7 @@ class Game::Impl {
     camera_.look(world_.state(), frame_);
     ended(Phase::kCamera);
     const PerSide<TeamRequests> asked = requests();
-    if (observer_ != nullptr) observer_->on_requests(asked);
+    observers_.call(&Observer::on_requests, asked);
     const RefereeSignal& own = referee_.update(frame_, asked);
     signal_ = given_ ? *given_ : own;
     tracks_.push(referee_.tracks());
@@ -206,9 +206,9 @@ class Game::Impl {
                       referee_.state(), signal_});
     }
     ended(Phase::kRecord);
-    if (observer_ == nullptr) return;
-    if (!camera_.others().is_empty()) observer_->on_other_detections(camera_.others());
-    observer_->on_frame(frame_, signal_, world_);
+    if (!camera_.others().is_empty())
+      observers_.call(&Observer::on_other_detections, camera_.others());
+    observers_.call(&Observer::on_frame, frame_, signal_, world_);
   }
 
   void count_play() {
@@ -231,7 +231,7 @@ class Game::Impl {
         record_.transitions.end()) {
       record_.transitions.emplace_back(decision.transition);
     }
-    if (observer_ != nullptr) observer_->on_decision(decision);
+    observers_.call(&Observer::on_decision, decision);
   }
 
   void end_teams() {
@@ -286,12 +286,10 @@ class Game::Impl {
   double rate_hz() const { return configuration_.sim.frame_rate_hz; }
   double time_s() const { return static_cast<double>(record_.frames) / rate_hz(); }
 
-  void ended(Phase phase) {
-    if (observer_ != nullptr) observer_->on_phase(phase);
-  }
+  void ended(Phase phase) { observers_.call(&Observer::on_phase, phase); }
 
   GameConfiguration configuration_;
-  Observer* observer_;
+  Observers observers_;
   std::int64_t most_frames_;
   sim::World world_;
   sim::Camera camera_;
@@ -311,8 +309,8 @@ class Game::Impl {
   GameRecord record_;
 };
 
-Game::Game(GameConfiguration configuration, Observer* observer, const TeamMaker& make_team)
-    : impl_(std::make_unique<Impl>(std::move(configuration), observer, make_team)) {}
+Game::Game(GameConfiguration configuration, const Observers& observers, const TeamMaker& make_team)
+    : impl_(std::make_unique<Impl>(std::move(configuration), observers, make_team)) {}
 Game::~Game() = default;
 Game::Game(Game&&) noexcept = default;
 Game& Game::operator=(Game&&) noexcept = default;
@@ -336,9 +334,9 @@ const Tracks& Game::tracks() const { return impl_->tracks(); }
 const sim::World& Game::world() const { return impl_->world(); }
 GameRecord Game::record() const { return impl_->record(); }
 
-GameRecord play(const GameConfiguration& configuration, Observer* observer,
+GameRecord play(const GameConfiguration& configuration, const Observers& observers,
                 const TeamMaker& make_team) {
-  Game game(configuration, observer, make_team);
+  Game game(configuration, observers, make_team);
   while (game.step()) {
   }
   return game.record();

@@ -22,10 +22,10 @@ namespace autoref::runner {
 // Do not step games in two threads at once, because Box2D has global state.
 class Game {
  public:
-  // Sets up the game before its first frame. `observer`, if any, must outlive the game; `make_team`
-  // is called twice here and not stored. Throws std::invalid_argument if the configuration is
-  // invalid (unknown strategy, numbers out of range).
-  explicit Game(GameConfiguration configuration, Observer* observer = nullptr,
+  // Sets up the game before its first frame. The observers must outlive the game; `make_team` is
+  // called twice here and not stored. Throws std::invalid_argument if the configuration is invalid
+  // (unknown strategy, numbers out of range).
+  explicit Game(GameConfiguration configuration, const Observers& observers = {},
                 const TeamMaker& make_team = make_registered_team);
   ~Game();
   Game(Game&&) noexcept;
@@ -88,7 +88,7 @@ class Game {
 };
 
 // Plays one game to its end. Throws like the constructor of Game.
-GameRecord play(const GameConfiguration& configuration, Observer* observer = nullptr,
+GameRecord play(const GameConfiguration& configuration, const Observers& observers = {},
                 const TeamMaker& make_team = make_registered_team);
 
 }  // namespace autoref::runner

@@ -1,8 +1,10 @@
-// Callbacks from a game's loop.
+// Who watches a game's loop.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <type_traits>
+#include <vector>
 
 #include "referee/decision.hpp"
 #include "sim/world.hpp"
@@ -30,11 +32,33 @@ class Observer {
   // Once per frame, after the referee and before the teams.
   virtual void on_frame(const Frame& /*frame*/, const RefereeSignal& /*signal*/,
                         const sim::World& /*world*/) {}
-  // Once per frame, just before the world moves: what it is told.
-  virtual void on_orders(const PerSide<TeamCommands>& /*commands*/,
-                         const std::optional<Placement>& /*placement*/,
-                         const sim::World& /*world*/) {}
+  // Once per frame, just before the world moves: what the robots and the ball will do in it.
+  virtual void on_commands(const PerSide<TeamCommands>& /*commands*/,
+                           const std::optional<Placement>& /*placement*/,
+                           const sim::World& /*world*/) {}
   virtual void on_decision(const referee::Decision& /*decision*/) {}
+};
+
+// The observers of one game, in the order in which they are called. They must outlive the game.
+class Observers {
+ public:
+  Observers() = default;
+  // Implicit, so that a caller with one observer can pass its address; null means none.
+  Observers(Observer* one) { add(one); }  // NOLINT(google-explicit-constructor)
+
+  void add(Observer* one) {
+    if (one != nullptr) list_.push_back(one);
+  }
+
+  // Calls this callback of every observer.
+  template <typename... Parameters>
+  void call(void (Observer::*callback)(Parameters...),
+            const std::type_identity_t<Parameters>&... arguments) const {
+    for (Observer* one : list_) (one->*callback)(arguments...);
+  }
+
+ private:
+  std::vector<Observer*> list_;
 };
 
 }  // namespace autoref::runner

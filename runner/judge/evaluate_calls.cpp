@@ -16,14 +16,12 @@ using referee::Decision;
 
 class CallEvaluator final : public Observer {
  public:
-  CallEvaluator(const GameConfiguration& game, Observer* beside)
-      : beside_(beside),
-        a_plays_(game.match.a_plays),
+  explicit CallEvaluator(const GameConfiguration& game)
+      : a_plays_(game.match.a_plays),
         frame_s_(1.0 / game.sim.frame_rate_hz),
         observer_(game.field, game.match.rules, game.sim.frame_rate_hz) {}
 
   void on_decision(const Decision& decision) override {
-    if (beside_ != nullptr) beside_->on_decision(decision);
     const std::optional<Call> call = ground_truth::call_of(decision);
     if (!call) return;
     calls_.push_back(*call);
@@ -72,7 +70,6 @@ class CallEvaluator final : public Observer {
     ++(!said ? tally.unknown : is_right ? tally.right : tally.wrong);
   }
 
-  Observer* beside_;
   Side a_plays_;
   double frame_s_;
   ground_truth::GroundTruthObserver observer_;
@@ -87,9 +84,10 @@ class CallEvaluator final : public Observer {
 }  // namespace
 
 JudgedGame evaluate_calls(const GameConfiguration& configuration, const TeamMaker& make_team,
-                          Observer* beside) {
-  CallEvaluator evaluator(configuration, beside);
-  GameRecord record = play(configuration, &evaluator, make_team);
+                          Observers observers) {
+  CallEvaluator evaluator(configuration);
+  observers.add(&evaluator);
+  GameRecord record = play(configuration, observers, make_team);
   return {std::move(record), evaluator.evaluation()};
 }
 

@@ -11,10 +11,10 @@ struct JudgedGame {
   CallEvaluation evaluation;
 };
 
-// Plays a game and compares its referee's calls with the true events. `beside` gets the referee's
-// decisions, too. Throws as play() does.
+// Plays a game and compares its referee's calls with the true events. `observers` watch it, too.
+// Throws as play() does.
 JudgedGame evaluate_calls(const GameConfiguration& configuration,
                           const TeamMaker& make_team = make_registered_team,
-                          Observer* beside = nullptr);
+                          Observers observers = {});
 
 }  // namespace autoref::runner

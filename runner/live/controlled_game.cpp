@@ -16,7 +16,6 @@
 #include "runner/live/controller_client.hpp"
 #include "runner/live/controller_differences.hpp"
 #include "runner/live/controller_operator.hpp"
-#include "runner/live/observers.hpp"
 #include "runner/live/placement_watch.hpp"
 #include "runner/live/published_tracks.hpp"
 #include "runner/logs/logged_cameras.hpp"
@@ -59,10 +58,10 @@ class ControlledGame::Impl final : public Observer {
     league::fill_geometry(game.field, logged_cameras(game), geometry_);
   }
 
-  GameRecord play(Observer* observer, GamePrograms& programs) {
+  GameRecord play(Observers observers, GamePrograms& programs) {
     await([this] { return autoref_.status().is_registered; }, kLongestRegistration);
-    Observers both(observer, this);
-    Game game(game_, &both, programs.maker());
+    observers.add(this);
+    Game game(game_, observers, programs.maker());
     exchange(game, operator_.set_up(requests_));
     do {
       check_();
@@ -83,8 +82,6 @@ class ControlledGame::Impl final : public Observer {
   }
 
   void on_requests(const PerSide<TeamRequests>& requests) override { requests_ = requests; }
-  void on_frame(const Frame& /*frame*/, const RefereeSignal& /*signal*/,
-                const sim::World& /*world*/) override {}
   void on_decision(const referee::Decision& decision) override {
     operator_.on_decision(decision);
     differences_.on_decision(decision);
@@ -181,8 +178,8 @@ ControlledGame::ControlledGame(const GameConfiguration& game, const ControllerPl
     : impl_(std::make_unique<Impl>(game, place, std::move(check))) {}
 ControlledGame::~ControlledGame() = default;
 
-GameRecord ControlledGame::play(Observer* observer, GamePrograms& programs) {
-  return impl_->play(observer, programs);
+GameRecord ControlledGame::play(Observers observers, GamePrograms& programs) {
+  return impl_->play(std::move(observers), programs);
 }
 
 ControlledGameReport ControlledGame::report() const { return impl_->report(); }

@@ -40,7 +40,7 @@ class ControlledGame {
   ~ControlledGame();
 
   // Throws InputError if the controller disappears.
-  GameRecord play(Observer* observer, GamePrograms& programs);
+  GameRecord play(Observers observers, GamePrograms& programs);
 
   ControlledGameReport report() const;
 

@@ -12,7 +12,6 @@
 #include "runner/live/command_slots.hpp"
 #include "runner/live/game_publisher.hpp"
 #include "runner/live/network_team.hpp"
-#include "runner/live/observers.hpp"
 #include "runner/live/prompt_thread.hpp"
 #include "runner/live/robot_reports.hpp"
 #include "runner/live/robot_updates.hpp"
@@ -64,15 +63,15 @@ class LiveGame::Impl {
     return std::make_unique<NetworkTeam>(inputs_[context.side]);
   }
 
-  GameRecord play(Observer* observer, GamePrograms& programs) {
-    Observers both(observer, &publisher_);
-    Game game(game_, &both, programs.maker());
+  GameRecord play(Observers observers, GamePrograms& programs) {
+    observers.add(&publisher_);
+    Game game(game_, observers, programs.maker());
     if (options_.speed.pace == Pace::kLockStep) {
       publisher_.send_standing_field(waiting_signal(game));
     } else {
       await_teams(game);
     }
-    if (change_robots(programs)) game = Game(game_, &both, programs.maker());
+    if (change_robots(programs)) game = Game(game_, observers, programs.maker());
     be_prompt();  // after the start of programs, which would inherit it
     for (;;) {
       // Taken before the frame is sent: a fast team may answer at once.
@@ -293,8 +292,8 @@ std::unique_ptr<strategies::Strategy> LiveGame::make_network_team(
   return impl_->make_network_team(context);
 }
 
-GameRecord LiveGame::play(Observer* observer, GamePrograms& programs) {
-  return impl_->play(observer, programs);
+GameRecord LiveGame::play(Observers observers, GamePrograms& programs) {
+  return impl_->play(std::move(observers), programs);
 }
 
 LiveReport LiveGame::report() const { return impl_->report(); }

@@ -45,7 +45,7 @@ class LiveGame {
   std::unique_ptr<strategies::Strategy> make_network_team(const strategies::TeamContext& context);
 
   // Plays the game and sends its last frame for another second.
-  GameRecord play(Observer* observer, GamePrograms& programs);
+  GameRecord play(Observers observers, GamePrograms& programs);
 
   LiveReport report() const;
 

@@ -44,8 +44,8 @@ class ContactReplay final : public Observer {
   explicit ContactReplay(const GameConfiguration& game)
       : free_(twin(game, true)), whole_(twin(game, false)) {}
 
-  void on_orders(const PerSide<TeamCommands>& commands, const std::optional<Placement>& placement,
-                 const sim::World& world) override {
+  void on_commands(const PerSide<TeamCommands>& commands, const std::optional<Placement>& placement,
+                   const sim::World& world) override {
     for (sim::World* twin : {&free_, &whole_}) {
       put(*twin, world.state());
       twin->step(commands, placement);

@@ -2,8 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <set>
 #include <stdexcept>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "runner/game/game.hpp"
 #include "tests/runner/support/short_game.hpp"
@@ -108,6 +111,54 @@ TEST(SteppedGame, PassesOnItsObserversExceptions) {
   Game game(short_game(10, 9), &interrupter);
   for (int i = 0; i < 10; ++i) game.step();
   EXPECT_THROW(game.step(), std::runtime_error);
+}
+
+// Notes which callbacks come, in order.
+class Listener final : public Observer {
+ public:
+  explicit Listener(std::string name, std::vector<std::string>& heard)
+      : name_(std::move(name)), heard_(&heard) {}
+  void on_phase(Phase /*ended*/) override { note("phase"); }
+  void on_requests(const PerSide<TeamRequests>& /*requests*/) override { note("requests"); }
+  void on_other_detections(const OtherDetections& /*others*/) override { note("others"); }
+  void on_frame(const Frame& /*frame*/, const RefereeSignal& /*signal*/,
+                const sim::World& /*world*/) override {
+    note("frame");
+  }
+  void on_commands(const PerSide<TeamCommands>& /*commands*/,
+                   const std::optional<Placement>& /*placement*/,
+                   const sim::World& /*world*/) override {
+    note("commands");
+  }
+  void on_decision(const referee::Decision& /*decision*/) override { note("decision"); }
+
+ private:
+  void note(const std::string& callback) { heard_->push_back(name_ + callback); }
+
+  std::string name_;
+  std::vector<std::string>* heard_;
+};
+
+TEST(SteppedGame, CallsEveryObserverInOrder) {
+  GameConfiguration configuration = short_game(10, 9);
+  configuration.sim.vision.false_balls_per_s = 10;
+  std::vector<std::string> heard;
+  Listener one("1 ", heard);
+  Listener other("2 ", heard);
+  Observers observers(&one);
+  observers.add(&other);
+  observers.add(nullptr);
+  Game game(configuration, observers);
+  for (int i = 0; i < 60; ++i) game.step();
+  std::set<std::string> callbacks;
+  ASSERT_EQ(heard.size() % 2, 0U);
+  for (std::size_t i = 0; i < heard.size(); i += 2) {
+    EXPECT_EQ(heard[i], "1 " + heard[i].substr(2));
+    EXPECT_EQ(heard[i + 1], "2 " + heard[i].substr(2));
+    callbacks.insert(heard[i].substr(2));
+  }
+  EXPECT_EQ(callbacks, (std::set<std::string>{"phase", "requests", "others", "frame", "commands",
+                                              "decision"}));
 }
 
 }  // namespace
