@@ -1,9 +1,16 @@
 // AutoRef: the paper's referee, which turns vision frames into referee commands.
 //
 // It owns the state of the game: score, stage, clock, next restart and last touch. It sees only
-// vision frames and the teams' requests ("operates based solely on vision information", paper,
-// section 4.1), takes the time from the frames, and draws no random numbers. The game loop calls it
-// once per frame.
+// vision frames, the tracks made from them, and the teams' requests ("operates based solely on
+// vision information", paper, section 4.1), takes the time from the frames, and draws no random
+// numbers. Whoever runs a game has the tracker, whose tracks teams and network use as well, and
+// calls once per frame:
+//
+//   const Referee::View view = referee.see(frame);
+//   if (view.tracks_begin_afresh) tracker.begin_afresh();
+//   const RefereeSignal& signal = referee.judge(tracker.update(view.frame), requests);
+//
+// A caller who has frames only uses AutoRef: frame in, signal out.
 #pragma once
 
 #include <cstdint>
@@ -19,6 +26,7 @@
 #include "soccer/side.hpp"
 #include "soccer/team_requests.hpp"
 #include "soccer/tracks.hpp"
+#include "tracking/tracker.hpp"
 
 namespace autoref::referee {
 
@@ -35,16 +43,23 @@ class Referee {
   // before the first frame; only for Control::kAutoref (asserted).
   void begin(const Beginning& beginning);
 
-  // Judges one frame and returns the signal now in force. Frames must be in order. Robots and ball
-  // may be missing; the position of a robot unseen for less than half a second is extrapolated.
-  // Objects with non-finite numbers count as unseen. After a gap of more than a second, tracks and
-  // touches begin afresh; the last touch stays known, with less confidence, if the ball's path
-  // shows that it is the same, or by the robot that had the ball (touch/kept_touch.hpp).
-  const RefereeSignal& update(const Frame& frame, const PerSide<TeamRequests>& requests);
+  // What a frame shows, and tracks are to be made from.
+  struct View {
+    const Frame& frame;  // valid until the next one
+    // After a gap of more than a second, tracks and touches begin afresh; the last touch stays
+    // known, with less confidence, if the ball's path shows that it is the same, or by the robot
+    // that had the ball (touch/kept_touch.hpp).
+    bool tracks_begin_afresh = false;
+  };
 
-  // The same with the tracks of another tracker, made from this frame, instead of its own.
-  const RefereeSignal& update(const Frame& frame, const Tracks& tracks,
-                              const PerSide<TeamRequests>& requests);
+  // Takes the next frame. Frames must be in order. Robots and ball may be missing. Objects with
+  // non-finite numbers count as unseen, and if AutoRef does not command the game, so does a ball
+  // that is suddenly farther away than any ball can fly (touch/ball_jump_filter.hpp).
+  View see(const Frame& frame);
+
+  // Judges that frame, and returns the signal now in force. An unseen robot counts as long as it
+  // has a track.
+  const RefereeSignal& judge(const Tracks& tracks, const PerSide<TeamRequests>& requests);
 
   // Takes note of the signal of the person who commands the game (Control::kHuman; otherwise only
   // of the teams' ends). Call it after the last frame that was captured before the signal; repeated
@@ -53,11 +68,7 @@ class Referee {
   // first frame. Signals before the first frame take effect after it.
   void follow(const RefereeSignal& given);
 
-  // The tracked robots and ball as of the last update. The league's referees also publish the
-  // objects they track.
-  const Tracks& tracks() const;
-
-  // The decisions of the last update and of the signals followed since, in order; usually empty.
+  // The decisions of the last frame and of the signals followed since, in order; usually empty.
   std::span<const Decision> decisions() const;
 
   State state() const;
@@ -74,6 +85,28 @@ class Referee {
  private:
   class Impl;
   std::unique_ptr<Impl> impl_;
+};
+
+// A referee with a tracker of its own.
+class AutoRef : public Referee {
+ public:
+  // As Referee.
+  explicit AutoRef(const Configuration& configuration)
+      : Referee(configuration), tracker_(configuration.noise) {}
+
+  // Judges one frame and returns the signal now in force; see Referee::see() for the frames.
+  const RefereeSignal& update(const Frame& frame, const PerSide<TeamRequests>& requests) {
+    const View view = see(frame);
+    if (view.tracks_begin_afresh) tracker_.begin_afresh();
+    return judge(tracker_.update(view.frame), requests);
+  }
+
+  // The tracked robots and ball as of the last update. The league's referees also publish the
+  // objects they track.
+  const Tracks& tracks() const { return tracker_.tracks(); }
+
+ private:
+  Tracker tracker_;
 };
 
 }  // namespace autoref::referee

@@ -31,6 +31,9 @@ struct RefereeInput {
   const Tracks& tracks;                  // with velocities, including robots missing from the frame
   const PerSide<TeamRequests>& requests;
   const FrameHistory& frames;  // of the current play so far, including this frame
+  // Beside a person: their last signal, and AutoRef's own last call in the current play.
+  const RefereeSignal* given = nullptr;
+  const Finding* own_call = nullptr;
 
   double time_s() const { return frame.time_s; }
 };

@@ -51,4 +51,7 @@ class States {
   unsigned bits_ = 0;
 };
 
+// Whether the ball may be played, though AutoRef may have called something.
+constexpr bool is_play(State state) { return state == State::kRun || state == State::kCalled; }
+
 }  // namespace autoref::referee

@@ -83,7 +83,7 @@ void RobotTracker::publish() {
   turn_.set_position(Angle(0));
 }
 
-Tracker::Tracker(const VisionNoise& noise) : ball_(noise.ball_m) {
+Tracker::Tracker(const VisionNoise& noise) : noise_(noise), ball_(noise.ball_m) {
   for (auto& side : known_.values) side.fill({RobotTracker(noise), -1});
 }
 

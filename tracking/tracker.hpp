@@ -39,9 +39,9 @@ class RobotTracker {
   TrackedRobot robot_;
 };
 
-// Turns a sequence of frames into tracks. Each consumer has its own tracker and feeds it frames in
-// order; repeating a frame has no effect. Velocities come from a Kalman filter. An unseen robot
-// keeps its velocity for 0.5 s and is then dropped; for the ball see ball_tracker.hpp.
+// Turns a sequence of frames into tracks. Feed it frames in order; repeating a frame has no effect.
+// Velocities come from a Kalman filter. An unseen robot keeps its velocity for 0.5 s and is then
+// dropped; for the ball see ball_tracker.hpp.
 class Tracker {
  public:
   static constexpr double kForgetRobotAfter_s = 500_ms;
@@ -50,6 +50,9 @@ class Tracker {
 
   const Tracks& update(const Frame& frame);
   const Tracks& tracks() const { return tracks_; }
+
+  // Forgets all that it has seen.
+  void begin_afresh() { *this = Tracker(noise_); }
 
  private:
   struct Known {
@@ -60,6 +63,7 @@ class Tracker {
   bool is_known(const Known& known) const;
   void see_robots(const SeenRobots& seen, std::array<Known, kMaxRobots>& all, double duration_s);
 
+  VisionNoise noise_;
   PerSide<std::array<Known, kMaxRobots>> known_;
   BallTracker ball_;
   Tracks tracks_;

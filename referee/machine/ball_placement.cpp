@@ -209,20 +209,20 @@ void fail_placement(RefereeState& state, const RefereeInput& input, const Findin
   place_by_hand(state, input, finding);
 }
 
-bool team_places(const RefereeState& state, const Configuration& /*configuration*/) {
+bool team_places(const RefereeState& state, const RefereeInput& /*input*/) {
   return state.placing.step == PlacementStep::kByTeam;
 }
 
-bool ball_stays(const RefereeState& state, const Configuration& /*configuration*/) {
+bool ball_stays(const RefereeState& state, const RefereeInput& /*input*/) {
   return state.placing.step == PlacementStep::kStays;
 }
 
-bool hand_places(const RefereeState& state, const Configuration& /*configuration*/) {
+bool hand_places(const RefereeState& state, const RefereeInput& /*input*/) {
   return state.placing.step == PlacementStep::kByHand;
 }
 
-bool opponents_may_place(const RefereeState& state, const Configuration& configuration) {
-  return may_place(state, configuration.rules, opponent_of(state.placing.side));
+bool opponents_may_place(const RefereeState& state, const RefereeInput& input) {
+  return may_place(state, input.configuration.rules, opponent_of(state.placing.side));
 }
 
 constexpr Guard kTeamPlaces{"a team may place the ball", team_places};

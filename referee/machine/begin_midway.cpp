@@ -19,11 +19,11 @@ bool waits_for_robots(const Beginning& beginning) {
   return beginning.is_stopped || needs_preparation(beginning.restart);
 }
 
-bool begins_in_play(const RefereeState& state, const Configuration& /*configuration*/) {
+bool begins_in_play(const RefereeState& state, const RefereeInput& /*input*/) {
   return state.beginning && !waits_for_robots(*state.beginning);
 }
 
-bool begins_at_restart(const RefereeState& state, const Configuration& /*configuration*/) {
+bool begins_at_restart(const RefereeState& state, const RefereeInput& /*input*/) {
   return state.beginning && waits_for_robots(*state.beginning);
 }
 

@@ -3,32 +3,32 @@
 
 #include <string_view>
 
-#include "referee/configuration.hpp"
 #include "referee/machine/referee_state.hpp"
+#include "referee/referee_input.hpp"
 
 namespace autoref::referee {
 
 // A condition and its wording in the figure; the wording is empty if the condition always holds.
 struct Guard {
   std::string_view text;
-  bool (*holds)(const RefereeState& state, const Configuration& configuration);
+  bool (*holds)(const RefereeState& state, const RefereeInput& input);
 };
 
-bool holds_always(const RefereeState& state, const Configuration& configuration);
-bool next_is_preparation(const RefereeState& state, const Configuration& configuration);
-bool next_starts_play(const RefereeState& state, const Configuration& configuration);
-bool is_during_game(const RefereeState& state, const Configuration& configuration);
-bool is_between_halves(const RefereeState& state, const Configuration& configuration);
-bool is_after_game(const RefereeState& state, const Configuration& configuration);
-bool is_before_shootout(const RefereeState& state, const Configuration& configuration);
-bool is_in_shootout(const RefereeState& state, const Configuration& configuration);
-bool game_was_last(const RefereeState& state, const Configuration& configuration);
-bool new_game_follows(const RefereeState& state, const Configuration& configuration);
-bool fouls_stop_play(const RefereeState& state, const Configuration& configuration);
-bool is_second_near_area(const RefereeState& state, const Configuration& configuration);
-bool fouls_decide_penalty(const RefereeState& state, const Configuration& configuration);
-bool fouls_decide_kick(const RefereeState& state, const Configuration& configuration);
-bool fouls_are_noted(const RefereeState& state, const Configuration& configuration);
+bool holds_always(const RefereeState& state, const RefereeInput& input);
+bool next_is_preparation(const RefereeState& state, const RefereeInput& input);
+bool next_starts_play(const RefereeState& state, const RefereeInput& input);
+bool is_during_game(const RefereeState& state, const RefereeInput& input);
+bool is_between_halves(const RefereeState& state, const RefereeInput& input);
+bool is_after_game(const RefereeState& state, const RefereeInput& input);
+bool is_before_shootout(const RefereeState& state, const RefereeInput& input);
+bool is_in_shootout(const RefereeState& state, const RefereeInput& input);
+bool game_was_last(const RefereeState& state, const RefereeInput& input);
+bool new_game_follows(const RefereeState& state, const RefereeInput& input);
+bool fouls_stop_play(const RefereeState& state, const RefereeInput& input);
+bool is_second_near_area(const RefereeState& state, const RefereeInput& input);
+bool fouls_decide_penalty(const RefereeState& state, const RefereeInput& input);
+bool fouls_decide_kick(const RefereeState& state, const RefereeInput& input);
+bool fouls_are_noted(const RefereeState& state, const RefereeInput& input);
 
 inline constexpr Guard kAlways{"", holds_always};
 inline constexpr Guard kNextIsPreparation{"next is a preparation", next_is_preparation};

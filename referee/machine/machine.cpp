@@ -92,7 +92,7 @@ bool leads_on(const Transition& transition, const RefereeState& state, const Ref
               Event event) {
   return transition.trigger.has(event) &&
          (!transition.from || *transition.from == state.machine_state) &&
-         transition.guard.holds(state, input.configuration);
+         transition.guard.holds(state, input);
 }
 
 // The clock of actual play runs in RUN only; a transition from RUN to RUN does not affect it.
@@ -102,22 +102,13 @@ void follow_play(RefereeState& state, State before, double now_s) {
   if (state.machine_state == State::kRun) state.play_clock.start(now_s);
 }
 
-const Transition* find_transition(std::span<const Transition> transitions,
+const Transition* find_transition(std::span<const std::span<const Transition>> tables,
                                   const RefereeState& state, const RefereeInput& input,
                                   Event event) {
-  for (const Transition& transition : transitions) {
-    if (leads_on(transition, state, input, event)) return &transition;
-  }
-  return nullptr;
-}
-
-const Transition* find_transition(const RefereeState& state, const RefereeInput& input,
-                                  Event event) {
-  if (input.configuration.control != Control::kAutoref)
-    return find_transition(transitions_beside_person(), state, input, event);
-  for (const std::span<const Transition> transitions : all_transitions()) {
-    const Transition* found = find_transition(transitions, state, input, event);
-    if (found != nullptr) return found;
+  for (const std::span<const Transition> transitions : tables) {
+    for (const Transition& transition : transitions) {
+      if (leads_on(transition, state, input, event)) return &transition;
+    }
   }
   return nullptr;
 }
@@ -163,7 +154,12 @@ std::vector<std::string_view> all_labels() {
 }
 
 Step step(const RefereeState& state, const RefereeInput& input, const Finding& finding) {
-  Step taken{state, find_transition(state, input, finding.event), {}, std::nullopt};
+  return step(all_transitions(), state, input, finding);
+}
+
+Step step(std::span<const std::span<const Transition>> tables, const RefereeState& state,
+          const RefereeInput& input, const Finding& finding) {
+  Step taken{state, find_transition(tables, state, input, finding.event), {}, std::nullopt};
   if (taken.transition == nullptr) return taken;
   taken.label = taken.transition->label.empty() ? name_of(finding.event) : taken.transition->label;
   taken.transition->action.take(taken.state, input, finding);

@@ -77,9 +77,6 @@ std::span<const Transition> transitions_of_placement();
 // All transitions while AutoRef commands the game, in the order in which they are tried.
 std::array<std::span<const Transition>, 6> all_transitions();
 
-// All transitions while a person or nobody commands the game (beside_person.cpp).
-std::span<const Transition> transitions_beside_person();
-
 // Every label that a step may have, in the order of all_transitions().
 std::vector<std::string_view> all_labels();
 
@@ -90,7 +87,10 @@ struct Step {
   std::optional<Command> sent;  // the command sent, if any
 };
 
-// Takes the first transition from the current state that the finding triggers.
+// Takes the first transition from the current state that the finding triggers, among
+// all_transitions() or those of other tables.
 Step step(const RefereeState& state, const RefereeInput& input, const Finding& finding);
+Step step(std::span<const std::span<const Transition>> tables, const RefereeState& state,
+          const RefereeInput& input, const Finding& finding);
 
 }  // namespace autoref::referee

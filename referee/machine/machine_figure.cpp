@@ -94,9 +94,8 @@ std::string machine_figure() {
       table_of(transitions_midway()));
 }
 
-std::string machine_figure_beside_person() {
-  return fmt::format("{}\n{}", diagram(transitions_beside_person()),
-                     table_of(transitions_beside_person()));
+std::string machine_figure(std::span<const Transition> transitions) {
+  return fmt::format("{}\n{}", diagram(transitions), table_of(transitions));
 }
 
 }  // namespace autoref::referee

@@ -1,6 +1,7 @@
 // Prints the figure and tables of referee/README.md from the transition table.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "referee/machine/machine.hpp"
@@ -11,8 +12,8 @@ namespace autoref::referee {
 // transitions. Ends with a newline.
 std::string machine_figure();
 
-// The same for the transitions beside a person.
-std::string machine_figure_beside_person();
+// The diagram and the table of other transitions.
+std::string machine_figure(std::span<const Transition> transitions);
 
 // A Markdown table of calls and cards, with the league's names and the consequences. Ends with a
 // newline.

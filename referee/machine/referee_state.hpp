@@ -92,29 +92,6 @@ struct ShootoutBook {
   PerSide<int> goals;
 };
 
-// AutoRef's own call, while it waits for the person's answer, and its record afterwards, so that
-// one event is not called twice.
-struct OwnCall {
-  Finding finding;
-  double called_s = 0;
-  double found_s = 0;        // when the rule last found it
-  bool ball_is_out = false;  // the ball was outside the field
-};
-
-// Signs that play continues after a call, in spite of it.
-struct PlayGoesOn {
-  std::optional<double> ball_on_field_since_s;
-  PerSide<std::optional<double>> fast_s;  // when a robot last was faster than a stop allows
-};
-
-// What the machine keeps beside a person.
-struct PersonWatch {
-  std::optional<RefereeSignal> given;                 // the person's last signal
-  boost::container::static_vector<OwnCall, 8> calls;  // of the current play, oldest first
-  bool ball_is_out = false;  // a call was made while the ball was out, and it has not come back
-  PlayGoesOn goes_on;        // in CALLED
-};
-
 // How the ball gets to the next restart's position.
 enum class PlacementStep : std::uint8_t {
   kNone,       // by hand, or it is there
@@ -164,8 +141,6 @@ struct RefereeState {
 
   TeamPlacement placing;
   PerSide<int> placement_failures;  // in this half; successes reduce them
-
-  PersonWatch person;
 };
 
 }  // namespace autoref::referee

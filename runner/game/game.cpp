@@ -17,6 +17,7 @@
 #include "sim/camera.hpp"
 #include "soccer/situation.hpp"
 #include "soccer/tracks.hpp"
+#include "tracking/tracker.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -56,6 +57,7 @@ class Game::Impl {
         world_(configuration_.field, configuration_.sim, specs_of(configuration_),
                configuration_.seed),
         camera_(configuration_.sim.vision, configuration_.field, rate_hz(), configuration_.seed),
+        tracker_(referee_configuration(configuration_).noise),
         referee_(referee_configuration(configuration_)),
         situation_(configuration_.match.rules),
         substitution_controller_(configuration_.field, robots_of(configuration_)),
@@ -118,7 +120,7 @@ class Game::Impl {
   const Frame& frame() const { return frame_; }
   const RefereeSignal& signal() const { return signal_; }
   std::span<const referee::Decision> decisions() const { return referee_.decisions(); }
-  const Tracks& tracks() const { return referee_.tracks(); }
+  const Tracks& tracks() const { return tracker_.tracks(); }
   const sim::World& world() const { return world_; }
 
   GameRecord record() const {
@@ -188,15 +190,18 @@ class Game::Impl {
     ended(Phase::kRecord);
   }
 
-  // Runs the camera and the referee, and records the decisions.
+  // Runs the camera, the tracker and the referee, and records the decisions.
   void referee_frame() {
     camera_.look(world_.state(), frame_);
     ended(Phase::kCamera);
     const PerSide<TeamRequests> asked = requests();
     observers_.call(&Observer::on_requests, asked);
-    const RefereeSignal& own = referee_.update(frame_, asked);
+    const referee::Referee::View view = referee_.see(frame_);
+    if (view.tracks_begin_afresh) tracker_.begin_afresh();
+    const Tracks& tracks = tracker_.update(view.frame);
+    const RefereeSignal& own = referee_.judge(tracks, asked);
     signal_ = given_ ? *given_ : own;
-    tracks_.push(referee_.tracks());
+    tracks_.push(tracks);
     for (const referee::Decision& decision : referee_.decisions()) note(decision);
     frames_in_play_ += referee_.is_ball_in_play() ? 1 : 0;
     ended(Phase::kReferee);
@@ -293,6 +298,7 @@ class Game::Impl {
   std::int64_t most_frames_;
   sim::World world_;
   sim::Camera camera_;
+  Tracker tracker_;
   referee::Referee referee_;
   SituationTracker situation_;
   SubstitutionController substitution_controller_;

@@ -16,7 +16,8 @@
 
 namespace autoref::runner {
 
-// Owns the world, the camera, the referee and both teams, and calls them once per frame. It reads
+// Owns the world, the camera, the tracker, the referee and both teams, and calls them once per
+// frame. It reads
 // no files, clock or command line: the caller decides how fast it runs and what to do with the
 // results; see play() below. Games share no data, so one thread can step several games alternately.
 // Do not step games in two threads at once, because Box2D has global state.
@@ -73,7 +74,7 @@ class Game {
   const Frame& frame() const;                            // as seen by the camera
   const RefereeSignal& signal() const;                   // the referee's signal for that frame
   std::span<const referee::Decision> decisions() const;  // made in that frame, in order
-  const Tracks& tracks() const;                          // the referee's, after that frame
+  const Tracks& tracks() const;                          // made from frames up to that one
 
   // The true state: one frame later than frame(), or at the time of frame() once the referee has
   // ended the game.

@@ -31,7 +31,7 @@ void RecordReferee::on_frame(const Frame& frame) {
   // A referee packet comes before the frame it belongs to, so this frame was still part of the
   // previous game.
   if (is_next_game_) {
-    referee_ = referee::Referee(configurations_[++game_]);
+    referee_ = referee::AutoRef(configurations_[++game_]);
     say_ends();
   }
   is_next_game_ = false;

@@ -37,7 +37,7 @@ class RecordReferee final : public league::LogVisitor {
   void on_referee(double time_s, const league::RefereePacket& packet) override;
 
   const referee::Configuration& configuration() const { return configurations_[game_]; }
-  const referee::Referee& referee() const { return referee_; }
+  const referee::AutoRef& referee() const { return referee_; }
   // The signal now in force, AutoRef's own or the one that it follows. Like the tracks, it counts
   // yellow as west.
   const RefereeSignal& signal() const { return signal_; }
@@ -63,7 +63,7 @@ class RecordReferee final : public league::LogVisitor {
   NextGame next_game_;
   bool is_next_game_ = false;
   RecordedEnds ends_;
-  referee::Referee referee_;
+  referee::AutoRef referee_;
   RefereeSignal signal_;
   double judged_s_ = 0;              // time of the last frame
   std::deque<TimedSignal> signals_;  // given after the last frame judged

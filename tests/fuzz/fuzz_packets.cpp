@@ -71,7 +71,7 @@ class Game {
   league::DetectionMerger merger_;
   league::TrackFollower follower_;
   double received_s_ = 0;
-  std::optional<referee::Referee> referee_;
+  std::optional<referee::AutoRef> referee_;
 };
 
 }  // namespace

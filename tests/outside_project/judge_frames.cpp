@@ -54,7 +54,7 @@ void print(const autoref::referee::Decision& decision) {
 int main() {
   autoref::referee::Configuration configuration;             // the paper's field and rules
   configuration.control = autoref::referee::Control::kNone;  // play is on throughout
-  autoref::referee::Referee referee(configuration);
+  autoref::referee::AutoRef referee(configuration);
   for (int number = 0; number < kFrames; ++number) {
     referee.update(frame_of(number), {});
     for (const autoref::referee::Decision& decision : referee.decisions()) print(decision);

@@ -192,7 +192,7 @@ Configuration rough_knockout(const RoughSetup& setup, Side first_kickoff) {
   return configuration;
 }
 
-std::vector<std::string_view> transitions_of(const Referee& referee) {
+std::vector<std::string_view> transitions_of(const AutoRef& referee) {
   std::vector<std::string_view> transitions;
   for (const Decision& decision : referee.decisions()) transitions.push_back(decision.transition);
   return transitions;
@@ -225,8 +225,8 @@ class Pair {
   int count(Event event) const { return events_[static_cast<std::size_t>(event)]; }
 
  private:
-  Referee referee_;
-  Referee other_;
+  AutoRef referee_;
+  AutoRef other_;
   RefereeSignal signal_;
   int calls_ = 0;
   std::array<int, kEventCount> events_{};

@@ -35,7 +35,7 @@ TEST(Robustness, AFrameWithoutABallKeepsTheLastBall) {
 }
 
 TEST(Robustness, AFrameWithARepeatedTimestampIsHarmless) {
-  Referee referee{Configuration{}};
+  AutoRef referee{Configuration{}};
   Frame frame;
   referee.update(frame, {});
   frame.ball = BallObservation{Vec2(0, 0), std::nullopt};
@@ -46,6 +46,40 @@ TEST(Robustness, AFrameWithARepeatedTimestampIsHarmless) {
   referee.update(frame, {});
   ASSERT_TRUE(referee.tracks().ball);
   EXPECT_EQ(referee.tracks().ball->position_m, Vec2(0, 0));
+}
+
+TEST(Robustness, TracksAreMadeFromWhatTheRefereeSees) {
+  Referee referee{Configuration{}};
+  Frame frame;
+  frame.ball = BallObservation{Vec2(kNan, 0), std::nullopt};
+  EXPECT_FALSE(referee.see(frame).frame.ball);
+  referee.judge({}, {});
+  frame.ball->position_m = {1, 0};
+  frame.time_s = 0.9;
+  ASSERT_TRUE(referee.see(frame).frame.ball);
+  EXPECT_FALSE(referee.see(frame).tracks_begin_afresh);
+}
+
+TEST(Robustness, TracksBeginAfreshAfterAGap) {
+  Referee referee{Configuration{}};
+  AutoRef autoref{Configuration{}};
+  Frame frame;
+  frame.ball = BallObservation{Vec2(0, 0), std::nullopt};
+  const auto show = [&](double time_s) {
+    frame.time_s = time_s;
+    autoref.update(frame, {});
+    const bool is_afresh = referee.see(frame).tracks_begin_afresh;
+    referee.judge(autoref.tracks(), {});
+    return is_afresh;
+  };
+  EXPECT_FALSE(show(0));
+  EXPECT_FALSE(show(1));
+  frame.ball.reset();
+  EXPECT_FALSE(show(1.5));
+  EXPECT_TRUE(autoref.tracks().ball);
+  EXPECT_TRUE(show(2.6));
+  EXPECT_FALSE(autoref.tracks().ball);
+  EXPECT_FALSE(show(2.7));
 }
 
 TEST(Robustness, ABallThatComesBackOutsideIsOut) {
@@ -165,18 +199,18 @@ Configuration with_halves(int halves) {
 }
 
 TEST(Configured, RefusesAnImpossibleLengthOfHalvesAndBreaks) {
-  EXPECT_THROW(Referee{with_half_s(0)}, std::invalid_argument);
-  EXPECT_THROW(Referee{with_half_s(-1)}, std::invalid_argument);
-  EXPECT_THROW(Referee{with_half_s(kNan)}, std::invalid_argument);
+  EXPECT_THROW(AutoRef{with_half_s(0)}, std::invalid_argument);
+  EXPECT_THROW(AutoRef{with_half_s(-1)}, std::invalid_argument);
+  EXPECT_THROW(AutoRef{with_half_s(kNan)}, std::invalid_argument);
   Configuration configuration;
   configuration.break_s = -1;
-  EXPECT_THROW(Referee{configuration}, std::invalid_argument);
+  EXPECT_THROW(AutoRef{configuration}, std::invalid_argument);
 }
 
 TEST(Configured, RefusesAnImpossibleNumberOfHalves) {
-  EXPECT_THROW(Referee{with_halves(0)}, std::invalid_argument);
-  EXPECT_THROW(Referee{with_halves(-1)}, std::invalid_argument);
-  EXPECT_THROW(Referee{with_halves(3)}, std::invalid_argument);
+  EXPECT_THROW(AutoRef{with_halves(0)}, std::invalid_argument);
+  EXPECT_THROW(AutoRef{with_halves(-1)}, std::invalid_argument);
+  EXPECT_THROW(AutoRef{with_halves(3)}, std::invalid_argument);
 }
 
 // The sides of the prepared kick-offs, in order.

@@ -18,15 +18,15 @@ Frame frame_with_ball(int number, const Vec2& ball_m) {
   return frame;
 }
 
-Referee begun_with(const Beginning& beginning, const Vec2& ball_m) {
-  Referee referee{Configuration{}};
+AutoRef begun_with(const Beginning& beginning, const Vec2& ball_m) {
+  AutoRef referee{Configuration{}};
   referee.begin(beginning);
   referee.update(frame_with_ball(0, ball_m), {});
   return referee;
 }
 
 TEST(BegunMidway, IsInPlayWithAnUnknownTouch) {
-  const Referee referee = begun_with({}, {0.5, 0.2});
+  const AutoRef referee = begun_with({}, {0.5, 0.2});
   EXPECT_EQ(referee.state(), State::kRun);
   EXPECT_TRUE(referee.is_ball_in_play());
   ASSERT_EQ(referee.decisions().size(), 1U);
@@ -35,7 +35,7 @@ TEST(BegunMidway, IsInPlayWithAnUnknownTouch) {
 }
 
 TEST(BegunMidway, SignalsARestartAtOnceAndWaitsForTheBallToMove) {
-  Referee referee =
+  AutoRef referee =
       begun_with({Command{CommandKind::kDirectFree, Side::kEast}, {0.5, 0.2}}, {0.5, 0.2});
   EXPECT_EQ(referee.state(), State::kRun);
   EXPECT_FALSE(referee.is_ball_in_play());
@@ -48,7 +48,7 @@ TEST(BegunMidway, SignalsARestartAtOnceAndWaitsForTheBallToMove) {
 }
 
 TEST(BegunMidway, PlacesTheBallInAStopBeforeItsRestart) {
-  Referee referee =
+  AutoRef referee =
       begun_with({Command{CommandKind::kDirectFree, Side::kEast}, {0.5, 0.2}, true}, {0, 0});
   EXPECT_EQ(referee.state(), State::kWaitStop);
   const RefereeSignal signal = referee.update(frame_with_ball(1, {0, 0}), {});
@@ -60,9 +60,9 @@ TEST(BegunMidway, PlacesTheBallInAStopBeforeItsRestart) {
 
 TEST(BegunMidway, PreparesAKickoffAtOnceUnlessItIsStopped) {
   const Command kickoff{CommandKind::kPrepareKickoff, Side::kWest};
-  Referee at_once = begun_with({kickoff, {0, 0}}, {0, 0});
+  AutoRef at_once = begun_with({kickoff, {0, 0}}, {0, 0});
   EXPECT_EQ(at_once.update(frame_with_ball(1, {0, 0}), {}).command, kickoff);
-  Referee stopped = begun_with({kickoff, {0, 0}, true}, {0, 0});
+  AutoRef stopped = begun_with({kickoff, {0, 0}, true}, {0, 0});
   EXPECT_EQ(stopped.update(frame_with_ball(1, {0, 0}), {}).command.kind, CommandKind::kStop);
 }
 

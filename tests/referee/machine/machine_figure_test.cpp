@@ -8,6 +8,7 @@
 #include <string>
 
 #include "referee/machine/machine.hpp"
+#include "referee/person/transitions_beside_person.hpp"
 #include "soccer/rule_table.hpp"
 #include "tests/checkout.hpp"
 
@@ -29,7 +30,7 @@ TEST(MachineFigure, InTheReadmeIsPrintedFromTheTable) {
 }
 
 TEST(MachineFigure, BesideAPersonInTheReadmeIsPrintedFromTheTable) {
-  const std::string figure = machine_figure_beside_person();
+  const std::string figure = machine_figure(transitions_beside_person());
   EXPECT_NE(readme().find(figure), std::string::npos)
       << "referee/README.md should show this figure:\n\n"
       << figure;

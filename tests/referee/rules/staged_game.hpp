@@ -61,7 +61,7 @@ class StagedGame {
   const Case& case_;
   const bool turned_;
   Field field_;
-  Referee referee_;
+  AutoRef referee_;
   PerSide<TeamRequests> requests_;
   StagedBodies bodies_;
   RandomStream random_;

@@ -119,7 +119,7 @@ class ScriptedGame {
   Vec2 ball_mps{0, 0};
   double carpet_mps2 = 0;  // deceleration of the ball
   bool placement_works = true;
-  Referee referee;
+  AutoRef referee;
   RefereeSignal signal;
   std::vector<Decision> decisions;
 

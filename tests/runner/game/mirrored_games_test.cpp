@@ -68,7 +68,7 @@ class TurnedReferee final : public Observer {
            });
   }
 
-  referee::Referee referee_;
+  referee::AutoRef referee_;
   PerSide<TeamRequests> requests_;
   std::vector<referee::Decision> live_;
 };

@@ -1,6 +1,6 @@
 // Beside a person (paper, sections 4.1 and 5): AutoRef follows the person's commands, stops play on
 // its own calls, and never restarts it.
-#include "referee/machine/beside_person.hpp"
+#include "referee/person/beside_person.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,61 +1,41 @@
-#include "referee/machine/beside_person.hpp"
-
-#include <fmt/format.h>
+#include "referee/person/transitions_beside_person.hpp"
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
-#include "referee/geometry/ball_out.hpp"
 #include "referee/machine/actions.hpp"
 #include "referee/machine/ball_in_play.hpp"
 #include "referee/machine/cards.hpp"
 #include "referee/machine/guards.hpp"
-#include "referee/machine/machine.hpp"
 #include "referee/machine/retakes.hpp"
-#include "soccer/units.hpp"
 
 namespace autoref::referee {
 namespace {
 
-constexpr double kSlowDown_s = 2_s;              // 2026: robots have 2 s to slow down after a STOP
-constexpr double kGoesOn_s = 1_s;                // our choice
-constexpr double kLongestWait_s = 15_s;          // for the person's answer to a call; our choice
-constexpr double kCalledFor_s = 1_s;             // our choice: later, the event is a new one
-constexpr double kFasterThanStop_mps = 0.3_mps;  // margin for the estimate of a robot's speed
-
-CommandKind given_kind(const RefereeState& state) { return state.person.given->command.kind; }
-
-bool starts_play(CommandKind kind) {
-  return kind == CommandKind::kNormalStart || kind == CommandKind::kForceStart ||
-         kind == CommandKind::kDirectFree || kind == CommandKind::kIndirectFree;
+bool given_starts_play(const RefereeState& /*state*/, const RefereeInput& input) {
+  return starts_play(input.given->command.kind);
 }
 
-bool given_starts_play(const RefereeState& state, const Configuration& /*configuration*/) {
-  return starts_play(given_kind(state));
+bool given_halts(const RefereeState& /*state*/, const RefereeInput& input) {
+  const CommandKind kind = input.given->command.kind;
+  return kind == CommandKind::kHalt || kind == CommandKind::kGoal;
 }
 
-bool given_halts(const RefereeState& state, const Configuration& /*configuration*/) {
-  return given_kind(state) == CommandKind::kHalt || given_kind(state) == CommandKind::kGoal;
+bool given_is_timeout(const RefereeState& /*state*/, const RefereeInput& input) {
+  return input.given->command.kind == CommandKind::kTimeout;
 }
 
-bool given_is_timeout(const RefereeState& state, const Configuration& /*configuration*/) {
-  return given_kind(state) == CommandKind::kTimeout;
+bool person_commands(const RefereeState& /*state*/, const RefereeInput& input) {
+  return input.configuration.control == Control::kHuman;
 }
 
-bool person_commands(const RefereeState& /*state*/, const Configuration& configuration) {
-  return configuration.control == Control::kHuman;
+bool nobody_commands(const RefereeState& /*state*/, const RefereeInput& input) {
+  return input.configuration.control == Control::kNone;
 }
 
-bool nobody_commands(const RefereeState& /*state*/, const Configuration& configuration) {
-  return configuration.control == Control::kNone;
+bool person_commands_fouls_stop(const RefereeState& state, const RefereeInput& input) {
+  return person_commands(state, input) && fouls_stop_play(state, input);
 }
-
-bool person_commands_fouls_stop(const RefereeState& state, const Configuration& configuration) {
-  return person_commands(state, configuration) && fouls_stop_play(state, configuration);
-}
-
-bool is_play(State state) { return state == State::kRun || state == State::kCalled; }
 
 // The half that a stage belongs to, counted from 0; the stages before a half and the break before
 // it belong to it.
@@ -84,15 +64,14 @@ void count_kick(RefereeState& state) {
     ++state.shootout.kicks[*state.play.kicker];
 }
 
-void end_followed_play(RefereeState& state) {
+void end_followed_play(RefereeState& state, const RefereeInput& input) {
   count_kick(state);
   // As after AutoRef's own stop (actions.cpp), the second foul near the area and the second attempt
   // at a restart count.
   const PerSide<int> fouls_near_area = state.watch.attacker_too_close_to_defense_area.fouls;
-  const OwnCall* call = state.person.calls.empty() ? nullptr : &state.person.calls.back();
-  const Retakes retakes = call == nullptr ? Retakes{} : retakes_after(state.retakes, call->finding);
-  const bool stays_near_area =
-      call != nullptr && call->finding.event == Event::kAttackerStaysNearArea;
+  const Finding* call = input.own_call;
+  const Retakes retakes = call == nullptr ? Retakes{} : retakes_after(state.retakes, *call);
+  const bool stays_near_area = call != nullptr && call->event == Event::kAttackerStaysNearArea;
   end_play(state);
   state.retakes = retakes;
   if (stays_near_area) state.watch.attacker_too_close_to_defense_area.fouls = fouls_near_area;
@@ -102,11 +81,11 @@ void end_followed_play(RefereeState& state) {
 // this frame.
 double given_s(const RefereeState& state, const RefereeInput& input) {
   const bool is_joining = state.machine_state == State::kInit;
-  return is_joining ? std::min(input.time_s(), state.person.given->command_time_s) : input.time_s();
+  return is_joining ? std::min(input.time_s(), input.given->command_time_s) : input.time_s();
 }
 
-void take_restart(RefereeState& state) {
-  const RefereeSignal& given = *state.person.given;
+void take_restart(RefereeState& state, const RefereeInput& input) {
+  const RefereeSignal& given = *input.given;
   RefereeSignal& signal = state.signal;
   signal.next_command = given.next_command;
   if (!given.placement) {
@@ -118,15 +97,15 @@ void take_restart(RefereeState& state) {
 
 void take_command(RefereeState& state, const RefereeInput& input) {
   const double since_s = given_s(state, input);
-  send(state, input, state.person.given->command);
+  send(state, input, input.given->command);
   state.signal.command_time_s = since_s;
   take_values(state, input);
 }
 
 void follow_start(RefereeState& state, const RefereeInput& input, const Finding& /*finding*/) {
   const bool is_joining = state.machine_state == State::kInit;
-  if (is_play(state.machine_state)) end_followed_play(state);
-  const Command command = state.person.given->command;
+  if (is_play(state.machine_state)) end_followed_play(state, input);
+  const Command command = input.given->command;
   const std::optional<Placement> placement = state.signal.placement;
   take_command(state, input);
   state.play =
@@ -137,16 +116,14 @@ void follow_start(RefereeState& state, const RefereeInput& input, const Finding&
   state.signal.placement.reset();
   state.signal.next_command.reset();
   state.watch = kept_at_start(state.watch);
-  state.person.calls.clear();
-  state.person.ball_is_out = false;
 }
 
 void follow_stop(RefereeState& state, const RefereeInput& input, const Finding& /*finding*/) {
   const bool is_joining = state.machine_state == State::kInit;
   if (state.machine_state == State::kTimeout) state.watch = RuleWatch{};
-  if (is_play(state.machine_state)) end_followed_play(state);
+  if (is_play(state.machine_state)) end_followed_play(state, input);
   take_command(state, input);
-  take_restart(state);
+  take_restart(state, input);
   const Command command = state.signal.command;
   if (command.kind == CommandKind::kPrepareKickoff || command.kind == CommandKind::kPreparePenalty)
     state.prepared = command;
@@ -159,12 +136,12 @@ void follow_stop(RefereeState& state, const RefereeInput& input, const Finding& 
 // After a halt, another stop begins.
 void follow_halt(RefereeState& state, const RefereeInput& input, const Finding& /*finding*/) {
   if (is_play(state.machine_state)) {
-    end_followed_play(state);
+    end_followed_play(state, input);
   } else if (state.signal.command.kind != CommandKind::kTimeout) {
     end_play(state);
   }
   take_command(state, input);
-  take_restart(state);
+  take_restart(state, input);
 }
 
 // On its own call AutoRef sends STOP and keeps the play, in case it is overruled.
@@ -173,7 +150,6 @@ void emit_stop(RefereeState& state, const RefereeInput& input, const Finding& fi
   place_ball(state, finding.ball_to_m);
   state.signal.next_command = finding.restart;
   send(state, input, {CommandKind::kStop, Side::kWest});
-  state.person.goes_on = {};
 }
 
 void note_call(RefereeState& state, const RefereeInput& input, const Finding& finding) {
@@ -187,10 +163,9 @@ void note_call_in_penalty(RefereeState& state, const RefereeInput& input, const 
 
 // The person's command is in force again.
 void resume_play(RefereeState& state, const RefereeInput& input, const Finding& /*finding*/) {
-  state.signal.command = state.person.given->command;
+  state.signal.command = input.given->command;
   state.signal.placement.reset();
   state.signal.next_command.reset();
-  for (OwnCall& call : state.person.calls) call.found_s = input.time_s();
 }
 
 void join_play(RefereeState& state, const RefereeInput& input, const Finding& /*finding*/) {
@@ -251,55 +226,17 @@ constexpr std::array kBesidePerson = {
 };
 // clang-format on
 
-void watch_signs(PlayGoesOn& goes_on, const RefereeInput& input) {
-  const Configuration& c = input.configuration;
-  const bool is_on_field = input.ball && !is_out_of_field(c.field, input.ball->position_m);
-  if (!is_on_field) goes_on.ball_on_field_since_s.reset();
-  if (is_on_field && !goes_on.ball_on_field_since_s) goes_on.ball_on_field_since_s = input.time_s();
-  const double fast_mps = c.rules.stop_speed_mps + kFasterThanStop_mps;
-  for (const Side side : kSides) {
-    const TrackedRobots& robots = input.tracks.robots[side];
-    const bool is_fast =
-        std::any_of(robots.begin(), robots.end(), [fast_mps](const TrackedRobot& robot) {
-          return robot.is_seen && robot.velocity_mps.norm() > fast_mps;
-        });
-    if (is_fast) goes_on.fast_s[side] = input.time_s();
-  }
-}
-
-bool visibly_goes_on(const PlayGoesOn& goes_on, double now_s) {
-  const auto is_recent = [&](const std::optional<double>& fast_s) {
-    return fast_s && now_s - *fast_s <= kGoesOn_s;
-  };
-  return goes_on.ball_on_field_since_s &&
-         has_passed(*goes_on.ball_on_field_since_s, kGoesOn_s, now_s) &&
-         is_recent(goes_on.fast_s[Side::kWest]) && is_recent(goes_on.fast_s[Side::kEast]);
-}
-
-// Whether the ball has left the field since the call: without a signal, play was still on.
-bool has_left_since(const PersonWatch& person, const RefereeInput& input) {
-  return !person.ball_is_out && input.ball &&
-         is_out_of_field(input.configuration.field, input.ball->position_m);
-}
-
-// Whether the command is not the one that AutoRef's call would lead to.
-bool contradicts(const OwnCall& call, const Command& command) {
-  const bool decides = starts_play(command.kind) || command.kind == CommandKind::kPrepareKickoff ||
-                       command.kind == CommandKind::kPreparePenalty;
-  return decides && command.kind != CommandKind::kNormalStart && command != call.finding.restart;
-}
-
 }  // namespace
 
 std::span<const Transition> transitions_beside_person() { return kBesidePerson; }
 
-bool is_new_command(const RefereeState& state, const RefereeSignal& given) {
-  const std::optional<RefereeSignal>& last = state.person.given;
-  return !last || last->command_counter != given.command_counter || last->command != given.command;
+bool starts_play(CommandKind kind) {
+  return kind == CommandKind::kNormalStart || kind == CommandKind::kForceStart ||
+         kind == CommandKind::kDirectFree || kind == CommandKind::kIndirectFree;
 }
 
 void take_values(RefereeState& state, const RefereeInput& input) {
-  const RefereeSignal& given = *state.person.given;
+  const RefereeSignal& given = *input.given;
   RefereeSignal& signal = state.signal;
   const PerSide<int> robots_before = signal.robots_allowed;
   signal.stage = given.stage;
@@ -314,64 +251,7 @@ void take_values(RefereeState& state, const RefereeInput& input) {
   note_robots_allowed(state, input, robots_before);
   count_goals(state);
   // In CALLED, AutoRef's own restart is in force.
-  if (!is_play(state.machine_state)) take_restart(state);
-}
-
-Finding finding_of_command(const RefereeState& state) {
-  Finding finding;
-  finding.event = Event::kCommandGiven;
-  finding.rule = "paper 4.1, 5";
-  const Command command = state.person.given->command;
-  finding.evidence = fmt::format("The referee sent {}", name_of(command));
-  if (!state.person.calls.empty() && contradicts(state.person.calls.back(), command)) {
-    const OwnCall& call = state.person.calls.back();
-    finding.evidence +=
-        fmt::format(", which contradicts the call {} at {:.3f} s (next: {})",
-                    name_of(call.finding.event), call.called_s, name_of(call.finding.restart));
-  }
-  finding.evidence += ".";
-  return finding;
-}
-
-std::optional<Finding> find_overruled(RefereeState& state, const RefereeInput& input) {
-  watch_signs(state.person.goes_on, input);
-  const double called_s = state.signal.command_time_s;
-  const double now_s = input.time_s();
-  const bool goes_on =
-      has_left_since(state.person, input) ||
-      (has_passed(called_s, kSlowDown_s, now_s) && visibly_goes_on(state.person.goes_on, now_s));
-  if (!goes_on && !has_passed(called_s, kLongestWait_s, now_s)) return std::nullopt;
-  Finding finding;
-  finding.event = Event::kOverruled;
-  finding.rule = "AutoRef";
-  finding.value = now_s - called_s;
-  finding.unit = "s";
-  finding.evidence = fmt::format("No command has followed the call for {:.2f} s{}.", finding.value,
-                                 goes_on ? ", and play goes on" : "");
-  return finding;
-}
-
-bool is_called_already(RefereeState& state, const RefereeInput& input, const Finding& finding) {
-  if (!stops_play(finding.event) && !stops_play_by_book(finding.event)) return false;
-  if (stops_play_by_book(finding.event) && !input.configuration.rules.fouls_stop_play) return false;
-  auto& calls = state.person.calls;
-  const bool ball_is_out =
-      input.ball && is_out_of_field(input.configuration.field, input.ball->position_m);
-  const double now_s = input.time_s();
-  const auto is_same = [&](const OwnCall& call) {
-    if (now_s - call.found_s > kCalledFor_s) return false;
-    if (call.ball_is_out && ball_is_out) return true;
-    return call.finding.event == finding.event && call.finding.offender == finding.offender;
-  };
-  const auto same = std::find_if(calls.begin(), calls.end(), is_same);
-  if (same != calls.end()) {
-    same->found_s = now_s;
-    return true;
-  }
-  if (calls.size() == calls.capacity()) calls.erase(calls.begin());
-  calls.push_back({finding, now_s, now_s, ball_is_out});
-  state.person.ball_is_out = ball_is_out;
-  return false;
+  if (!is_play(state.machine_state)) take_restart(state, input);
 }
 
 }  // namespace autoref::referee

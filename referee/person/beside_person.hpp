@@ -1,0 +1,78 @@
+// AutoRef beside a person: the person (or the game controller) commands the game, AutoRef follows
+// and calls what it sees.
+//
+// "AutoRef ... stops play at once" on its own call and then waits for the person's signal (paper,
+// sections 4.1 and 5): it sends STOP, and goes on observing. If no command follows and play visibly
+// goes on, or after 15 s, the call was overruled. Scores, cards and stages are the person's. If
+// nobody commands the game, play is on throughout, and calls are only reported.
+#pragma once
+
+#include <boost/container/static_vector.hpp>
+#include <optional>
+
+#include "referee/machine/official.hpp"
+
+namespace autoref::referee {
+
+// Without the rules on what a person decides: cards, timeouts and the end of the game.
+Configuration beside_person(Configuration configuration);
+
+class BesidePerson final : public Official {
+ public:
+  explicit BesidePerson(const Configuration& configuration);
+
+  // Under Control::kNone, there is nobody to follow. The evidence of the finding says whether the
+  // command contradicts AutoRef's call.
+  std::optional<Finding> follow(const RefereeSignal& given, const RefereeInput& input) override;
+
+  // In CALLED: kOverruled once play visibly goes on, or 15 s after the call. Play visibly goes on
+  // if the ball has been on the field for a second and a robot of each team has been faster than a
+  // stop allows within that second; robots have 2 s to slow down. It also goes on if the ball
+  // leaves the field: without a signal, this is an event of its own.
+  std::optional<Finding> find_before_rules(const RefereeInput& input) override;
+  std::optional<Finding> find(const RefereeInput& input) override;
+  // The person keeps the time.
+  std::optional<Finding> find_time_over(const RefereeInput& input) override;
+
+  // A finding leads to no step if its event has been called in this play already: the same event by
+  // the same side, until it has not been found for a second; or any event while the ball stays
+  // outside the field.
+  Step next(const RefereeInput& input, const Finding& finding) override;
+  void enter(const RefereeInput& input, const Finding& finding, Step step) override;
+  void show_time(const RefereeInput& input) override;
+
+  bool is_exit_called() const override { return is_exit_called_; }
+  void note_return() override { is_exit_called_ = false; }
+  void forget(const Frame& frame) override;
+
+ private:
+  // AutoRef's own call, while it waits for the person's answer, and its record afterwards, so that
+  // one event is not called twice.
+  struct OwnCall {
+    Finding finding;
+    double called_s = 0;
+    double found_s = 0;        // when the rule last found it
+    bool ball_is_out = false;  // the ball was outside the field
+  };
+
+  // Signs that play continues after a call, in spite of it.
+  struct PlayGoesOn {
+    std::optional<double> ball_on_field_since_s;
+    PerSide<std::optional<double>> fast_s;  // when a robot last was faster than a stop allows
+  };
+
+  RefereeInput with_person(const RefereeInput& input) const;
+  bool is_new_command(const RefereeSignal& given) const;
+  Finding finding_of_command() const;
+  bool is_called_already(const RefereeInput& input, const Finding& finding);
+  void watch_signs(const RefereeInput& input);
+  bool visibly_goes_on(double now_s) const;
+
+  bool has_person_;
+  std::optional<RefereeSignal> given_;                 // the person's last signal
+  boost::container::static_vector<OwnCall, 8> calls_;  // of the current play, oldest first
+  bool is_exit_called_ = false;  // while the ball was out, and it has not come back
+  PlayGoesOn goes_on_;           // in CALLED
+};
+
+}  // namespace autoref::referee

@@ -1,0 +1,18 @@
+// The machine's transitions while a person or nobody commands the game.
+#pragma once
+
+#include <span>
+
+#include "referee/machine/machine.hpp"
+
+namespace autoref::referee {
+
+std::span<const Transition> transitions_beside_person();
+
+// Whether a command lets play begin.
+bool starts_play(CommandKind kind);
+
+// Takes score, cards, stage, placement and next command from the person's signal.
+void take_values(RefereeState& state, const RefereeInput& input);
+
+}  // namespace autoref::referee

@@ -1,0 +1,119 @@
+#include "referee/touch/sight.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace autoref::referee {
+namespace {
+
+// After a longer gap in vision, nothing is inferred across it.
+constexpr double kLongestGap_s = 1;
+
+}  // namespace
+
+Sight::Sight(const Configuration& configuration, bool ball_may_jump)
+    : ball_may_jump_(ball_may_jump),
+      online_touch_(history_, configuration.field, configuration.touch, configuration.noise),
+      retrospective_touch_(history_, configuration.field, TouchHypothesisParameters{},
+                           configuration.noise) {}
+
+bool Sight::take(const Frame& frame, bool is_play) {
+  const bool is_gap = has_begun_ && frame.time_s - frame_.time_s > kLongestGap_s;
+  frame_ = is_finite(frame) ? frame : finite_part(frame);
+  if (is_gap) forget(is_play);
+  if (!ball_may_jump_) return is_gap;
+  if (!is_play) ball_jump_.forget();
+  ball_jump_.filter(frame_);
+  return is_gap;
+}
+
+// Begins afresh, except for what the ball shows later of the last touch.
+void Sight::forget(bool is_play) {
+  if (is_play) before_gap_ = online_touch_.before_gap();
+  ball_.reset();
+  ball_jump_.forget();
+  was_lifted_ = false;
+  joins_ = is_play;
+}
+
+void Sight::complete(const Tracks& tracks) {
+  tracks_ = tracks;
+  has_begun_ = true;
+  add_unseen_robots();
+  lift_ball();
+  see_ball();
+}
+
+// Robots missing from the frame are added at the tracker's estimate. Both lists are sorted by
+// number.
+void Sight::add_unseen_robots() {
+  for (const Side side : kSides) {
+    SeenRobots& robots = frame_.robots[side];
+    if (robots.size() == tracks_.robots[side].size()) continue;
+    for (const TrackedRobot& known : tracks_.robots[side]) {
+      if (find_robot(robots, known.number) != nullptr) continue;
+      const auto next = std::find_if(
+          robots.begin(), robots.end(),
+          [&known](const RobotObservation& robot) { return robot.number > known.number; });
+      robots.insert(next, {known.number, known.position_m, known.heading});
+    }
+  }
+}
+
+// Without a reported height, a flying ball is not where the camera projects it: use the tracker's
+// position.
+void Sight::lift_ball() {
+  // If the frame is not newer than the last one, the tracker has no ball.
+  if (!frame_.ball || frame_.ball->height_m || !tracks_.ball) return;
+  const bool flies = tracks_.ball->height_m > 0;
+  if (flies) {
+    frame_.ball->position_m = tracks_.ball->position_m;
+    frame_.ball->height_m = tracks_.ball->height_m;
+  }
+  // The source of the positions changes here, so a velocity computed across the change would be
+  // wrong.
+  if (flies != was_lifted_) history_.lose_sight();
+  was_lifted_ = flies;
+}
+
+// A frame without a ball keeps the last known ball.
+void Sight::see_ball() {
+  if (!frame_.ball) return;
+  const Vec2& now_m = frame_.ball->position_m;
+  const double height_m = frame_.ball->height_m.value_or(0.0);
+  ball_ = BallSight{now_m, ball_ ? ball_->position_m : now_m, height_m,
+                    frame_.ball->height_m || !tracks_.ball || tracks_.ball->is_height_known};
+}
+
+void Sight::begin_play(const Frame& frame, const std::optional<Vec2>& ball_from_m) {
+  history_.restart(frame, ball_from_m);
+  online_touch_.restart();
+}
+
+const Frame* Sight::joined_in() const {
+  if (joins_) return &frame_;
+  return ball_jump_.jumped().empty() ? nullptr : &ball_jump_.jumped().front();
+}
+
+void Sight::join_play() {
+  if (std::exchange(joins_, false)) {
+    begin_play(frame_, std::nullopt);
+    if (before_gap_) online_touch_.resume(*std::exchange(before_gap_, std::nullopt));
+    return;
+  }
+  // The ball counts as at rest where it has appeared, so that a robot that kicks it away at once is
+  // seen to touch it.
+  const BallJumpFilter::Frames& jumped = ball_jump_.jumped();
+  begin_play(jumped.front(), jumped.front().ball->position_m);
+  for (const Frame& frame : jumped) {
+    history_.push(frame);
+    online_touch_.update();
+  }
+}
+
+void Sight::follow_ball() {
+  history_.push(frame_, tracks_.ball);
+  online_touch_.update();
+}
+
+}  // namespace autoref::referee

@@ -1,0 +1,78 @@
+// What the referee sees of a game: the frame at hand, completed by the tracks, the ball, and who
+// touched it in the current play.
+#pragma once
+
+#include <optional>
+
+#include "referee/configuration.hpp"
+#include "referee/referee_input.hpp"
+#include "referee/touch/ball_jump_filter.hpp"
+#include "referee/touch/frame_history.hpp"
+#include "referee/touch/online_touch_detector.hpp"
+#include "referee/touch/retrospective_touch_detector.hpp"
+#include "soccer/frame.hpp"
+#include "soccer/tracks.hpp"
+
+namespace autoref::referee {
+
+class Sight {
+ public:
+  // `ball_may_jump`: in recorded and live games, a ball that is suddenly farther away than any ball
+  // can fly is ignored until it has been seen there several times.
+  Sight(const Configuration& configuration, bool ball_may_jump);
+  Sight(const Sight&) = delete;
+  Sight& operator=(const Sight&) = delete;
+
+  // Takes the next frame, without objects that have non-finite numbers or a ball that jumps.
+  // Returns whether nothing before it counts any more, because it comes after a long gap. While
+  // play is stopped (`is_play` is false), people move the ball.
+  bool take(const Frame& frame, bool is_play);
+
+  // Adds to that frame what the tracks know of unseen robots and of a flying ball.
+  void complete(const Tracks& tracks);
+
+  // Whether a frame has been completed.
+  bool has_begun() const { return has_begun_; }
+  const Frame& frame() const { return frame_; }
+  const Tracks& tracks() const { return tracks_; }
+  const std::optional<BallSight>& ball() const { return ball_; }
+  const FrameHistory& history() const { return history_; }
+  const LastTouch& last_touch() const { return online_touch_.last(); }
+  // The last touch by all that has been seen since, for a ball that has just left the field.
+  LastTouch last_touch_in_hindsight() const {
+    return retrospective_touch_.detect(online_touch_.last());
+  }
+
+  // A play begins in this frame, with the ball at rest at `ball_from_m`; nullopt if its beginning
+  // was not seen.
+  void begin_play(const Frame& frame, const std::optional<Vec2>& ball_from_m);
+  // Lets the play that is on be joined in this frame, since its beginning is not known any more.
+  void lose_play() { joins_ = true; }
+  // The frame in which the play that is on has to be joined; null if it is followed already.
+  const Frame* joined_in() const;
+  void join_play();
+
+  // Follows the ball and its touches through this frame of play.
+  void follow_ball();
+
+ private:
+  void forget(bool is_play);
+  void add_unseen_robots();
+  void lift_ball();
+  void see_ball();
+
+  bool ball_may_jump_;
+  Frame frame_;
+  Tracks tracks_;
+  std::optional<BallSight> ball_;
+  bool has_begun_ = false;
+  bool joins_ = false;                   // play is joined afresh in this frame
+  std::optional<BeforeGap> before_gap_;  // then, after a gap in vision
+  bool was_lifted_ = false;              // whether lift_ball() moved the ball in the previous frame
+  FrameHistory history_;                 // of the current play
+  OnlineTouchDetector online_touch_;
+  RetrospectiveTouchDetector retrospective_touch_;
+  BallJumpFilter ball_jump_;
+};
+
+}  // namespace autoref::referee
