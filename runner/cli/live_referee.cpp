@@ -9,6 +9,7 @@
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/controlled.hpp"
 #include "runner/cli/output_file.hpp"
+#include "runner/cli/page_recorder.hpp"
 #include "runner/cli/referee_game.hpp"
 #include "runner/game/event_log.hpp"
 #include "runner/game/game_event.hpp"
@@ -163,7 +164,7 @@ class LiveRefereeOutput {
     watch.on_decision = [this](const referee::Decision& decision) {
       screen_.take(decision);
       events_.write(decision_json(decision, teams_));
-      if (page_) page_->add(decision);
+      if (page_) page_->add(recorded(decision));
     };
     watch.on_frame = [this](const Frame& frame, const RefereeSignal& signal) {
       if (page_) page_->add(frame, signal);

@@ -1,14 +1,19 @@
 #include "runner/cli/page_recorder.hpp"
 
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "runner/cli/shown_game.hpp"
+#include "runner/game/event_log.hpp"
 #include "runner/io/checksum.hpp"
 #include "runner/view/page.hpp"
-#include "runner/view/recorded_decision.hpp"
 #include "soccer/published.hpp"
 
 namespace autoref::runner {
+
+RecordedDecision recorded(const referee::Decision& decision) {
+  return recorded(decision_object(decision));
+}
 
 void PageRecorder::on_frame(const Frame& frame, const RefereeSignal& signal,
                             const sim::World& /*world*/) {

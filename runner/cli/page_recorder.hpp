@@ -7,8 +7,12 @@
 #include "runner/game/game_record.hpp"
 #include "runner/game/observer.hpp"
 #include "runner/view/game_recording.hpp"
+#include "runner/view/recorded_decision.hpp"
 
 namespace autoref::runner {
+
+// What a page shows of a decision.
+RecordedDecision recorded(const referee::Decision& decision);
 
 class PageRecorder final : public Observer {
  public:

@@ -7,6 +7,7 @@
 #include "runner/cli/command_line.hpp"
 #include "runner/cli/one_of.hpp"
 #include "runner/cli/output_file.hpp"
+#include "runner/cli/page_recorder.hpp"
 #include "runner/cli/referee_game.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"

@@ -5,8 +5,10 @@
 #include <chrono>
 #include <thread>
 
+#include "runner/cli/page_recorder.hpp"
 #include "runner/io/build_id.hpp"
 #include "runner/io/errors.hpp"
+#include "soccer/published.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -20,6 +22,13 @@ std::vector<PageFact> facts_of(const GameConfiguration& game) {
           {"seed", std::to_string(game.seed)},
           {"build", std::string(build_id())}};
 }
+
+void WebObserver::on_frame(const Frame& frame, const RefereeSignal& signal,
+                           const sim::World& /*world*/) {
+  view_->add(published(frame, signal.blue_on_positive_half), published(signal));
+}
+
+void WebObserver::on_decision(const referee::Decision& decision) { view_->add(recorded(decision)); }
 
 ShownGame::ShownGame(const GameConfiguration& game, const WebFlags& web) {
   if (web.address.empty()) return;

@@ -16,6 +16,18 @@ namespace autoref::runner {
 // Which game and which program a page shows.
 std::vector<PageFact> facts_of(const GameConfiguration& game);
 
+// Shows a simulated game.
+class WebObserver final : public Observer {
+ public:
+  explicit WebObserver(WebView& view) : view_(&view) {}
+
+  void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World& world) override;
+  void on_decision(const referee::Decision& decision) override;
+
+ private:
+  WebView* view_;
+};
+
 class ShownGame {
  public:
   // Shows the game at `web`, and says so on stderr; nowhere if its address is empty. Throws

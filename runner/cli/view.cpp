@@ -12,8 +12,8 @@
 #include "runner/io/errors.hpp"
 #include "runner/logs/log_recorder.hpp"
 #include "runner/logs/user_log.hpp"
-#include "runner/view/decision_lines.hpp"
 #include "runner/view/page.hpp"
+#include "runner/view/recorded_decision.hpp"
 
 namespace autoref::runner {
 namespace {

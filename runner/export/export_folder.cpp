@@ -4,6 +4,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <charconv>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -26,64 +27,19 @@ namespace {
 
 using Row = std::vector<SqliteValue>;
 
+constexpr const char* kEvents = "events";
 constexpr const char* kInteger = "INTEGER";
 constexpr const char* kReal = "REAL";
 constexpr const char* kText = "TEXT";
-
-// A column of `events`, and where its value is in a line of the event log.
-struct EventColumn {
-  const char* name;
-  const char* pointer;  // RFC 6901
-  const char* type = kText;
-};
-
-constexpr EventColumn kEventColumns[] = {
-    {"time_s", "/time_s", kReal},
-    {"stage", "/stage"},
-    {"clock_s", "/clock_s", kReal},
-    {"clock_left_s", "/clock_left_s", kReal},
-    {"score_yellow", "/score/yellow", kInteger},
-    {"score_blue", "/score/blue", kInteger},
-    {"shootout_yellow", "/shootout/yellow", kInteger},
-    {"shootout_blue", "/shootout/blue", kInteger},
-    {"transition", "/transition"},
-    {"from_state", "/from"},
-    {"to_state", "/to"},
-    {"command", "/command"},
-    {"event", "/event"},
-    {"league_event", "/league_event"},
-    {"rule", "/rule"},
-    {"value", "/value", kReal},
-    {"threshold", "/threshold", kReal},
-    {"unit", "/unit"},
-    {"confidence", "/confidence", kReal},
-    {"robots", "/robots"},
-    {"offender", "/offender"},
-    {"card", "/card"},
-    {"card_reason", "/card_reason"},
-    {"position_x_m", "/position_m/0", kReal},
-    {"position_y_m", "/position_m/1", kReal},
-    {"yellow_defends", "/yellow_defends"},
-    {"restart", "/restart"},
-    {"last_touch_colour", "/last_touch/colour"},
-    {"last_touch_robot", "/last_touch/robot", kInteger},
-    {"last_touch_time_s", "/last_touch/time_s", kReal},
-    {"last_touch_gap_m", "/last_touch/gap_m", kReal},
-    {"last_touch_speed_change_mps", "/last_touch/speed_change_mps", kReal},
-    {"last_touch_runner_up", "/last_touch/runner_up"},
-    {"evidence", "/evidence"},
-    {"shootout_kicker", "/shootout_kick/kicker"},
-    {"shootout_kick", "/shootout_kick/number", kInteger},
-    {"shootout_scored", "/shootout_kick/scored", kInteger},
-    {"team_yellow", "/teams/yellow/team"},
-    {"team_blue", "/teams/blue/team"},
-};
 
 const std::vector<SqliteColumn> kSettingsColumns = {{"setting", kText}, {"value"}};
 
 std::vector<SqliteColumn> columns_of_events() {
   std::vector<SqliteColumn> columns = {{"game_id", kText}, {"number", kInteger}};
-  for (const EventColumn& column : kEventColumns) columns.push_back({column.name, column.type});
+  for (const DecisionField& field : decision_fields()) {
+    const std::string name = column_of(field);
+    if (!name.empty()) columns.push_back({name, field.type});
+  }
   return columns;
 }
 
@@ -112,15 +68,19 @@ SqliteValue value_of(const std::string& cell) {
   std::int64_t integer = 0;
   if (reads(cell, integer)) return integer;
   double real = 0;
-  if (reads(cell, real) && real - real == 0) return real;
+  if (reads(cell, real) && std::isfinite(real)) return real;
   return cell;
 }
 
+SqliteValue value_of(double real) {
+  return std::isfinite(real) ? SqliteValue(real) : SqliteValue();
+}
+
 SqliteValue value_of(const Json& json) {
-  if (json.is_null()) return {};
+  if (json.is_null() || json.is_discarded()) return {};
   if (json.is_boolean()) return std::int64_t{json.get<bool>()};
   if (json.is_number_integer()) return json.get<std::int64_t>();
-  if (json.is_number()) return json.get<double>();
+  if (json.is_number()) return value_of(json.get<double>());
   if (json.is_string()) return json.get<std::string>();
   return json_text(json);
 }
@@ -183,20 +143,42 @@ std::vector<std::size_t> games_with_events(const ResultFolder& folder) {
   return games;
 }
 
-// Plays games again. Their event logs are too long for a worker's answer, so they pass through
-// files.
+// The rows of one game, in a database of their own.
+class DecisionRows final : public Observer {
+ public:
+  DecisionRows(std::string id, const PerSide<EventTeam>& teams)
+      : id_(std::move(id)), teams_(teams) {}
+
+  void on_decision(const referee::Decision& decision) override {
+    Row row = {id_, ++number_};
+    for (const DecisionField& field : decision_fields())
+      if (!column_of(field).empty()) row.push_back(value_of(field.value(decision, teams_)));
+    table_.add(row);
+  }
+
+  std::string bytes() const { return file_.bytes(); }
+
+ private:
+  std::string id_;
+  PerSide<EventTeam> teams_;
+  std::int64_t number_ = 0;
+  SqliteFile file_;
+  SqliteTable table_{file_, kEvents, columns_of_events()};
+};
+
+// Plays games again. Their events are too many for a worker's answer, so they pass through files.
 class Replays {
  public:
   explicit Replays(const ResultFolder& folder) : folder_(folder) {}
 
-  // In a worker: leaves the game's event log in a file, and returns the hash of its final state.
+  // In a worker: leaves the game's events in a file, and returns the hash of its final state.
   std::string play_again(std::size_t game) const {
     const GameConfiguration configuration = resolved(folder_.games[game]);
-    EventLog log(event_teams_of(configuration));
+    DecisionRows events(folder_.games[game].id, event_teams_of(configuration));
     GamePrograms programs = recorded_programs(configuration, folder_.path);
-    GameRecord record = play(configuration, &log, programs.maker());
+    GameRecord record = play(configuration, &events, programs.maker());
     programs.finish(record);
-    PendingFile(log_of(game)).commit(log.text());
+    PendingFile(file_of(game)).commit(events.bytes());
     return hash_text(record.state_hash);
   }
 
@@ -212,27 +194,12 @@ class Replays {
                                  id, why, folder_.build));
   }
 
-  std::string events_of(std::size_t game) const { return read_file(log_of(game)).value_or(""); }
+  std::string file_of(std::size_t game) const { return files_ / std::to_string(game); }
 
  private:
-  std::filesystem::path log_of(std::size_t game) const { return logs_ / std::to_string(game); }
-
   const ResultFolder& folder_;
-  WorkingFolder logs_;
+  WorkingFolder files_;
 };
-
-void add_events_of(SqliteTable& table, const std::string& id, std::string_view log) {
-  std::int64_t number = 0;
-  for (const std::string_view line : complete_lines(log)) {
-    const Json json = Json::parse(line);
-    Row row = {id, ++number};
-    for (const EventColumn& column : kEventColumns) {
-      const Json::json_pointer pointer(column.pointer);
-      row.push_back(json.contains(pointer) ? value_of(json.at(pointer)) : SqliteValue());
-    }
-    table.add(row);
-  }
-}
 
 void add_events(SqliteFile& file, const ResultFolder& folder, const ExportOptions& options) {
   const std::vector<std::size_t> games = games_with_events(folder);
@@ -248,9 +215,8 @@ void add_events(SqliteFile& file, const ResultFolder& folder, const ExportOption
                                 {[&](const Job& job) { return replays.play_again(job.number); },
                                  done, [&bar] { bar.tick(); }});
   if (ending == Ending::kInterrupted) throw Interrupted();
-  SqliteTable table(file, "events", columns_of_events());
-  for (const std::size_t game : games)
-    add_events_of(table, folder.games[game].id, replays.events_of(game));
+  const SqliteTable table(file, kEvents, columns_of_events());
+  for (const std::size_t game : games) file.add_rows(kEvents, replays.file_of(game));
 }
 
 }  // namespace
@@ -264,8 +230,8 @@ std::string exported(const ResultFolder& folder, const ExportOptions& options) {
   file.execute("BEGIN");
   add_games(file, folder);
   add_settings(file, folder);
-  if (options.has_events) add_events(file, folder, options);
   file.execute("COMMIT");
+  if (options.has_events) add_events(file, folder, options);
   return file.bytes();
 }
 

@@ -11,20 +11,24 @@ namespace {
 
 [[noreturn]] void fail(sqlite3* database, int code) {
   const std::string why = database != nullptr ? sqlite3_errmsg(database) : sqlite3_errstr(code);
-  const bool is_environment = code == SQLITE_NOMEM || code == SQLITE_FULL || code == SQLITE_TOOBIG;
+  const bool is_environment = code == SQLITE_NOMEM || code == SQLITE_FULL ||
+                              code == SQLITE_TOOBIG || code == SQLITE_IOERR ||
+                              code == SQLITE_CANTOPEN;
   if (is_environment) throw InputOutputError("the database cannot be made: " + why);
   throw std::logic_error("SQLite: " + why);
 }
 
-// An SQL identifier.
-std::string quoted_name(std::string_view name) {
-  std::string quoted = "\"";
-  for (const char c : name) {
-    if (c == '"') quoted += '"';
+std::string in_quotes(std::string_view text, char quote) {
+  std::string quoted(1, quote);
+  for (const char c : text) {
+    if (c == quote) quoted += quote;
     quoted += c;
   }
-  return quoted + "\"";
+  return quoted + quote;
 }
+
+// An SQL identifier.
+std::string quoted_name(std::string_view name) { return in_quotes(name, '"'); }
 
 struct Binding {
   sqlite3_stmt* statement;
@@ -53,6 +57,13 @@ SqliteFile::~SqliteFile() { sqlite3_close(database_); }
 void SqliteFile::execute(const std::string& sql) {
   const int code = sqlite3_exec(database_, sql.c_str(), nullptr, nullptr, nullptr);
   if (code != SQLITE_OK) fail(database_, code);
+}
+
+void SqliteFile::add_rows(std::string_view table, const std::string& file) {
+  const std::string name = quoted_name(table);
+  execute("ATTACH " + in_quotes(file, '\'') + " AS other");
+  execute("INSERT INTO main." + name + " SELECT * FROM other." + name);
+  execute("DETACH other");
 }
 
 std::string SqliteFile::bytes() const {

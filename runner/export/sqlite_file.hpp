@@ -27,6 +27,10 @@ class SqliteFile {
   // InputOutputError if memory runs out; so do all functions below.
   void execute(const std::string& sql);
 
+  // Adds to `table` the rows of the same table in another database, a file. Not within a
+  // transaction.
+  void add_rows(std::string_view table, const std::string& file);
+
   // The database as a file. The same calls give the same bytes.
   std::string bytes() const;
 

@@ -1,97 +1,175 @@
 #include "runner/game/event_log.hpp"
 
+#include <algorithm>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "runner/game/configuration.hpp"
-#include "runner/io/json.hpp"
 #include "soccer/colour.hpp"
 #include "soccer/published.hpp"
 
 namespace autoref::runner {
 namespace {
 
+using referee::Decision;
+using referee::Finding;
+using referee::HalfClock;
+using referee::LastTouch;
+using referee::ShootoutKick;
+using In = const Decision&;
+using Teams = const PerSide<EventTeam>&;
+
+constexpr const char* kInteger = "INTEGER";
+constexpr const char* kReal = "REAL";
+constexpr const char* kText = "TEXT";
+constexpr const char* kNoColumn = "";
+
 // Null if the text is empty.
 Json text_or_null(std::string_view text) { return text.empty() ? Json() : Json(text); }
 
-Json json_of(RobotId robot) {
-  return {{"colour", colour_of(robot.side)}, {"number", robot.number}};
+Json json_of(Side side) { return colour_of(side); }
+
+Json json_of(RobotId robot) { return {{"colour", json_of(robot.side)}, {"number", robot.number}}; }
+
+Json json_of(const referee::ConcernedRobots& robots) {
+  Json list = Json::array();
+  for (const RobotId robot : robots) list.push_back(json_of(robot));
+  return list;
 }
 
-Json json_of(const std::optional<RobotId>& robot) { return robot ? json_of(*robot) : Json(); }
-
-Json json_of(const std::optional<Vec2>& v) { return v ? Json::array({v->x(), v->y()}) : Json(); }
-
-// Null before the first touch; colour "unknown" if it is not known who touched the ball.
-Json json_of(const referee::LastTouch& touch) {
-  if (!touch.side && touch.time_s == 0) return {};
-  return {{"colour", touch.side ? colour_of(*touch.side) : "unknown"},
-          {"robot", touch.robot ? Json(touch.robot->number) : Json()},
-          {"time_s", touch.time_s},
-          {"gap_m", touch.gap_m},
-          {"speed_change_mps", touch.speed_change_mps},
-          {"runner_up", json_of(touch.runner_up)},
-          {"kept", touch.kept}};
+// The name of an enumerator or a command; a number or a text itself.
+template <typename T>
+Json json_of(const T& value) {
+  if constexpr (requires { name_of(value); })
+    return name_of(value);
+  else
+    return value;
 }
 
-Json goals_json(const PerSide<int>& goals) {
-  return {{colour_of(Side::kWest), goals[Side::kWest]},
-          {colour_of(Side::kEast), goals[Side::kEast]}};
+template <typename T>
+Json json_of(const std::optional<T>& value) {
+  return value ? json_of(*value) : Json();
 }
 
-Json json_of(const EventTeam& team) {
-  return {{"team", text_or_null(team.letter)}, {"name", text_or_null(team.name)}};
+// A member of an object of the line, discarded without that object.
+template <typename Object, typename Member>
+Json part(const Object& object, const Member& member) {
+  return object ? json_of(std::invoke(member, *object)) : Json(Json::value_t::discarded);
 }
 
-Json json_of(const std::optional<referee::ShootoutKick>& kick) {
-  if (!kick) return {};
-  return {
-      {"kicker", colour_of(kick->kicker)}, {"number", kick->number}, {"scored", kick->has_scored}};
+template <auto kMember>
+Json of_decision(In d, Teams) {
+  return json_of(std::invoke(kMember, d));
 }
 
-void add_standing(Json& json, const referee::Decision& d) {
-  json["stage"] = name_of(d.stage);
-  json["clock_s"] = d.clock ? Json(d.clock->played_s) : Json();
-  json["clock_left_s"] = d.clock ? Json(d.clock->left_s) : Json();
-  json["score"] = goals_json(d.goals);
-  json["shootout"] = d.stage == Stage::kShootout ? goals_json(d.shootout_goals) : Json();
+template <auto kMember>
+Json of_finding(In d, Teams) {
+  return json_of(std::invoke(kMember, d.finding));
 }
 
-void add_transition(Json& json, const referee::Decision& d) {
-  const referee::EventEntry& entry = referee::entry_of(d.finding.event);
-  json["transition"] = d.transition;
-  json["from"] = name_of(d.from);
-  json["to"] = name_of(d.to);
-  json["command"] = d.command ? Json(name_of(*d.command)) : Json();
-  json["event"] = entry.name;
-  json["league_event"] = text_or_null(entry.league_event);
+template <auto kMember>
+Json of_clock(In d, Teams) {
+  return d.clock ? json_of(std::invoke(kMember, *d.clock)) : Json();
 }
 
-void add_measurement(Json& json, const referee::Finding& finding) {
-  const bool is_measured = !finding.unit.empty();
-  json["rule"] = finding.rule;
-  json["value"] = is_measured ? Json(finding.value) : Json();
-  json["threshold"] = is_measured ? Json(finding.threshold) : Json();
-  json["unit"] = text_or_null(finding.unit);
-  json["confidence"] = referee::is_call(finding.event) ? Json(finding.confidence) : Json();
+template <auto kMember>
+Json measured(In d, Teams) {
+  return d.finding.unit.empty() ? Json() : json_of(std::invoke(kMember, d.finding));
 }
 
-void add_position(Json& json, const referee::Decision& d) {
-  const std::optional<Vec2>& at_m = d.finding.position_m;
-  const bool blue_on_positive_half = d.blue_on_positive_half;
-  json["position_m"] =
-      json_of(at_m ? std::optional(published(*at_m, blue_on_positive_half)) : std::nullopt);
-  json["yellow_defends"] = end_of_yellow(blue_on_positive_half);
+Json confidence_in(In d, Teams) {
+  return is_call(d.finding.event) ? Json(d.finding.confidence) : Json();
 }
 
-void add_blame(Json& json, const referee::Decision& d) {
-  const referee::Finding& finding = d.finding;
-  Json& robots = json["robots"] = Json::array();
-  for (const RobotId robot : finding.robots) robots.push_back(json_of(robot));
-  json["offender"] = finding.offender ? Json(colour_of(*finding.offender)) : Json();
-  json["card"] = finding.card != referee::Card::kNone ? Json(name_of(finding.card)) : Json();
-  json["card_reason"] = text_or_null(d.card_reason);
+Json card_in(In d, Teams) {
+  return d.finding.card != referee::Card::kNone ? json_of(d.finding.card) : Json();
 }
+
+template <Side kSide>
+Json shootout_goals(In d, Teams) {
+  return part(d.stage == Stage::kShootout ? &d.shootout_goals : nullptr,
+              [](const PerSide<int>& goals) { return goals[kSide]; });
+}
+
+template <int kAxis>
+Json coordinate(In d, Teams) {
+  return part(d.finding.position_m, [&](const Vec2& position_m) {
+    return published(position_m, d.blue_on_positive_half)[kAxis];
+  });
+}
+
+template <auto kMember>
+Json of_touch(In d, Teams) {
+  const LastTouch& touch = d.last_touch;
+  const bool is_before_first = !touch.side && touch.time_s == 0;
+  return part(is_before_first ? nullptr : &touch, kMember);
+}
+
+std::string_view toucher(const LastTouch& touch) {
+  return touch.side ? colour_of(*touch.side) : "unknown";
+}
+
+std::optional<int> touching_robot(const LastTouch& touch) {
+  return touch.robot ? std::optional(touch.robot->number) : std::nullopt;
+}
+
+template <auto kMember>
+Json of_kick(In d, Teams) {
+  return part(d.shootout_kick, kMember);
+}
+
+template <Side kSide, auto kMember>
+Json of_team(In, Teams teams) {
+  return text_or_null(std::invoke(kMember, teams[kSide]));
+}
+
+constexpr DecisionField kFields[] = {
+    {"/time_s", kReal, of_decision<&Decision::time_s>},
+    {"/stage", kText, of_decision<&Decision::stage>},
+    {"/clock_s", kReal, of_clock<&HalfClock::played_s>},
+    {"/clock_left_s", kReal, of_clock<&HalfClock::left_s>},
+    {"/score/yellow", kInteger, [](In d, Teams) -> Json { return d.goals[Side::kWest]; }},
+    {"/score/blue", kInteger, [](In d, Teams) -> Json { return d.goals[Side::kEast]; }},
+    {"/shootout/yellow", kInteger, shootout_goals<Side::kWest>},
+    {"/shootout/blue", kInteger, shootout_goals<Side::kEast>},
+    {"/transition", kText, of_decision<&Decision::transition>},
+    {"/from", kText, of_decision<&Decision::from>, "from_state"},
+    {"/to", kText, of_decision<&Decision::to>, "to_state"},
+    {"/command", kText, of_decision<&Decision::command>},
+    {"/event", kText, of_finding<&Finding::event>},
+    {"/league_event", kText,
+     [](In d, Teams) { return text_or_null(entry_of(d.finding.event).league_event); }},
+    {"/rule", kText, of_finding<&Finding::rule>},
+    {"/value", kReal, measured<&Finding::value>},
+    {"/threshold", kReal, measured<&Finding::threshold>},
+    {"/unit", kText, [](In d, Teams) { return text_or_null(d.finding.unit); }},
+    {"/confidence", kReal, confidence_in},
+    {"/robots", kText, of_finding<&Finding::robots>},
+    {"/offender", kText, of_finding<&Finding::offender>},
+    {"/card", kText, card_in},
+    {"/card_reason", kText, [](In d, Teams) { return text_or_null(d.card_reason); }},
+    {"/position_m/0", kReal, coordinate<0>, "position_x_m"},
+    {"/position_m/1", kReal, coordinate<1>, "position_y_m"},
+    {"/yellow_defends", kText,
+     [](In d, Teams) -> Json { return end_of_yellow(d.blue_on_positive_half); }},
+    {"/restart", kText, of_decision<&Decision::restart>},
+    {"/last_touch/colour", kText, of_touch<toucher>},
+    {"/last_touch/robot", kInteger, of_touch<touching_robot>},
+    {"/last_touch/time_s", kReal, of_touch<&LastTouch::time_s>},
+    {"/last_touch/gap_m", kReal, of_touch<&LastTouch::gap_m>},
+    {"/last_touch/speed_change_mps", kReal, of_touch<&LastTouch::speed_change_mps>},
+    {"/last_touch/runner_up", kText, of_touch<&LastTouch::runner_up>},
+    {"/last_touch/kept", kReal, of_touch<&LastTouch::kept>, kNoColumn},
+    {"/evidence", kText, [](In d, Teams) { return text_or_null(d.finding.evidence); }},
+    {"/shootout_kick/kicker", kText, of_kick<&ShootoutKick::kicker>, "shootout_kicker"},
+    {"/shootout_kick/number", kInteger, of_kick<&ShootoutKick::number>, "shootout_kick"},
+    {"/shootout_kick/scored", kInteger, of_kick<&ShootoutKick::has_scored>, "shootout_scored"},
+    {"/teams/yellow/team", kText, of_team<Side::kWest, &EventTeam::letter>, "team_yellow"},
+    {"/teams/yellow/name", kText, of_team<Side::kWest, &EventTeam::name>, kNoColumn},
+    {"/teams/blue/team", kText, of_team<Side::kEast, &EventTeam::letter>, "team_blue"},
+    {"/teams/blue/name", kText, of_team<Side::kEast, &EventTeam::name>, kNoColumn},
+};
 
 }  // namespace
 
@@ -104,20 +182,30 @@ PerSide<EventTeam> event_teams_of(const GameConfiguration& game) {
   return teams;
 }
 
-std::string decision_json(const referee::Decision& d, const PerSide<EventTeam>& teams) {
-  Json json;
-  json["time_s"] = d.time_s;
-  add_standing(json, d);
-  add_transition(json, d);
-  add_measurement(json, d.finding);
-  add_blame(json, d);
-  add_position(json, d);
-  json["restart"] = d.restart() ? Json(name_of(*d.restart())) : Json();
-  json["last_touch"] = json_of(d.last_touch);
-  json["evidence"] = text_or_null(d.finding.evidence);
-  json["shootout_kick"] = json_of(d.shootout_kick);
-  for (const Side side : kSides) json["teams"][colour_of(side)] = json_of(teams[side]);
-  return json_text(json);
+std::span<const DecisionField> decision_fields() { return kFields; }
+
+std::string column_of(const DecisionField& field) {
+  if (field.column != nullptr) return field.column;
+  std::string name = field.path + 1;
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name;
+}
+
+Json decision_object(const Decision& decision, const PerSide<EventTeam>& teams) {
+  Json object;
+  for (const DecisionField& field : kFields) {
+    const Json::json_pointer path(field.path);
+    Json value = field.value(decision, teams);
+    if (value.is_discarded())
+      object[path.parent_pointer()] = Json();
+    else
+      object[path] = std::move(value);
+  }
+  return object;
+}
+
+std::string decision_json(const Decision& decision, const PerSide<EventTeam>& teams) {
+  return json_text(decision_object(decision, teams));
 }
 
 }  // namespace autoref::runner

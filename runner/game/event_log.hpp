@@ -1,10 +1,12 @@
-// The referee's decisions in a game, one JSON object per line.
+// The fields of the referee's decisions, and the event log of a game: one JSON object per line.
 #pragma once
 
+#include <span>
 #include <string>
 #include <utility>
 
 #include "runner/game/game.hpp"
+#include "runner/io/json.hpp"
 
 namespace autoref::runner {
 
@@ -17,9 +19,27 @@ struct EventTeam {
 // The teams of a game, with the names returned by shown_names() (configuration.hpp).
 PerSide<EventTeam> event_teams_of(const GameConfiguration& game);
 
-// One line, without the newline. Every line has the same keys; unknown or inapplicable values are
-// null. Sides are identified by their colours, "yellow" and "blue", as in the commands. Positions
-// are published ones (soccer/published.hpp).
+// A field of a decision, in event logs and in databases. Sides are identified by their colours,
+// "yellow" and "blue", as in the commands. Positions are published ones (soccer/published.hpp).
+struct DecisionField {
+  const char* path;  // in a line of the event log (RFC 6901)
+  const char* type;  // of its column in a database: INTEGER, REAL or TEXT
+  // Null if unknown or inapplicable; discarded if the whole object that contains it is null.
+  Json (*value)(const referee::Decision& decision, const PerSide<EventTeam>& teams);
+  const char* column = nullptr;  // its name, unless it follows from the path; empty without one
+};
+
+// All fields, in the order of a line's keys and of a database's columns. What event logs and
+// databases contain follows from this list; pages choose from it (view/recorded_decision.hpp).
+std::span<const DecisionField> decision_fields();
+
+// The name of the field's column: by default its path, with underscores. Empty without a column.
+std::string column_of(const DecisionField& field);
+
+// A line of the event log as an object. All lines have the same keys.
+Json decision_object(const referee::Decision& decision, const PerSide<EventTeam>& teams = {});
+
+// The line as text, without the newline.
 std::string decision_json(const referee::Decision& decision, const PerSide<EventTeam>& teams = {});
 
 // Collects the lines of a game.

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "runner/view/live_messages.hpp"
-#include "runner/view/recorded_decision.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -60,10 +59,9 @@ void LivePage::add(const Frame& frame, const RefereeSignal& signal) {
   if (now >= next_message_) send_newest(now);
 }
 
-void LivePage::add(const referee::Decision& decision) {
-  RecordedDecision record = recorded(decision);
-  newest_.add(record);
-  calls_.add(std::move(record));
+void LivePage::add(const RecordedDecision& decision) {
+  newest_.add(decision);
+  calls_.add(decision);
 }
 
 void LivePage::take(const Frame& frame) {

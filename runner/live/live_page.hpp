@@ -5,11 +5,11 @@
 #include <optional>
 #include <string>
 
-#include "referee/decision.hpp"
 #include "runner/live/frame_pacer.hpp"
 #include "runner/live/message_history.hpp"
 #include "runner/view/game_recording.hpp"
 #include "runner/view/page.hpp"
+#include "runner/view/recorded_decision.hpp"
 #include "soccer/frame.hpp"
 #include "soccer/referee_signal.hpp"
 
@@ -28,7 +28,7 @@ class LivePage {
 
   // Times must increase.
   void add(const Frame& frame, const RefereeSignal& signal);
-  void add(const referee::Decision& decision);
+  void add(const RecordedDecision& decision);
   void end();  // the game is over
 
   // May be called in any thread.

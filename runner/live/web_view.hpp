@@ -1,8 +1,6 @@
 // Shows one game to watchers on the network.
 #pragma once
 
-#include "referee/decision.hpp"
-#include "runner/game/observer.hpp"
 #include "runner/live/live_page.hpp"
 #include "runner/live/network.hpp"
 #include "runner/live/web_server.hpp"
@@ -17,7 +15,7 @@ class WebView {
 
   // As those of LivePage.
   void add(const Frame& frame, const RefereeSignal& signal) { page_.add(frame, signal); }
-  void add(const referee::Decision& decision) { page_.add(decision); }
+  void add(const RecordedDecision& decision) { page_.add(decision); }
   void end() { page_.end(); }
 
   std::string url() const { return server_.url(); }
@@ -27,18 +25,6 @@ class WebView {
   LivePage page_;
   NetworkThread thread_;
   WebServer server_;
-};
-
-// Shows a simulated game.
-class WebObserver final : public Observer {
- public:
-  explicit WebObserver(WebView& view) : view_(&view) {}
-
-  void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World& world) override;
-  void on_decision(const referee::Decision& decision) override { view_->add(decision); }
-
- private:
-  WebView* view_;
 };
 
 }  // namespace autoref::runner

@@ -81,22 +81,6 @@ Json signal_json(const RecordedSignal& recorded) {
           {"next", signal.next_command ? Json(name_of(*signal.next_command)) : Json()}};
 }
 
-Json decision_json(const RecordedDecision& decision) {
-  const auto text_or_null = [](const std::string& text) {
-    return text.empty() ? Json() : Json(text);
-  };
-  const auto& at_m = decision.position_m;
-  return {{"time_s", decision.time_s},
-          {"event", decision.event},
-          {"rule", text_or_null(decision.rule)},
-          {"reason", text_or_null(decision.reason)},
-          {"offender", text_or_null(decision.offender)},
-          {"card", text_or_null(decision.card)},
-          {"card_reason", text_or_null(decision.card_reason)},
-          {"restart", text_or_null(decision.restart)},
-          {"position_m", at_m ? Json::array({at_m->x(), at_m->y()}) : Json()}};
-}
-
 Json clock_json(const ClockMark& mark) { return Json::array({mark.time_s, mark.left_s}); }
 
 Json robot_json(RobotId robot) {
@@ -120,7 +104,7 @@ void fill_recording(const GameRecording& recording, Json& json) {
   json["robots"] = list_json(recording.robots(), robot_json);
   json["signals"] = list_json(recording.signals(), signal_json);
   json["clock"] = list_json(recording.clock(), clock_json);
-  json["decisions"] = list_json(recording.decisions(), decision_json);
+  json["decisions"] = list_json(recording.decisions(), page_json);
 }
 
 Json game_json(const PageContent& content) {

@@ -2,13 +2,46 @@
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 
-#include "soccer/colour.hpp"
-#include "soccer/published.hpp"
+#include "referee/event.hpp"
+#include "runner/io/errors.hpp"
 
 namespace autoref::runner {
+namespace {
 
 using referee::Event;
+
+struct ShownText {
+  const char* name;  // on the page
+  const char* key;   // in the event log
+  std::string RecordedDecision::*text;
+};
+
+// What a page shows besides time, event and position.
+constexpr ShownText kShownTexts[] = {
+    {"rule", "rule", &RecordedDecision::rule},
+    {"reason", "evidence", &RecordedDecision::reason},
+    {"offender", "offender", &RecordedDecision::offender},
+    {"card", "card", &RecordedDecision::card},
+    {"card_reason", "card_reason", &RecordedDecision::card_reason},
+    {"restart", "restart", &RecordedDecision::restart},
+};
+
+// Returns the text under this key, or an empty string if there is none.
+std::string text_at(const Json& line, const char* key) {
+  const auto found = line.find(key);
+  return found != line.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+// Throws Json::exception if a coordinate is not a number.
+std::optional<Vec2> position_in(const Json& line) {
+  const auto found = line.find("position_m");
+  if (found == line.end() || !found->is_array() || found->size() != 2) return std::nullopt;
+  return Vec2((*found)[0].get<double>(), (*found)[1].get<double>());
+}
+
+}  // namespace
 
 bool is_shown(const std::string& event) {
   constexpr std::array kInEveryGame = {
@@ -18,20 +51,40 @@ bool is_shown(const std::string& event) {
                       [&](Event one) { return name_of(one) == event; });
 }
 
-RecordedDecision recorded(const referee::Decision& decision) {
-  const referee::Finding& finding = decision.finding;
-  RecordedDecision record;
-  record.time_s = decision.time_s;
-  record.event = name_of(finding.event);
-  record.rule = finding.rule;
-  record.reason = finding.evidence;
-  if (finding.offender) record.offender = colour_of(*finding.offender);
-  if (finding.card != referee::Card::kNone) record.card = name_of(finding.card);
-  record.card_reason = decision.card_reason;
-  if (const auto restart = decision.restart()) record.restart = name_of(*restart);
-  if (finding.position_m)
-    record.position_m = published(*finding.position_m, decision.blue_on_positive_half);
-  return record;
+RecordedDecision recorded(const Json& line) {
+  RecordedDecision decision;
+  decision.time_s = line.at("time_s").get<double>();
+  decision.event = line.at("event").get<std::string>();
+  for (const ShownText& shown : kShownTexts) decision.*shown.text = text_at(line, shown.key);
+  decision.position_m = position_in(line);
+  return decision;
+}
+
+std::vector<RecordedDecision> decisions_in(std::string_view lines, const std::string& file) {
+  std::vector<RecordedDecision> decisions;
+  for (int number = 1; !lines.empty(); ++number) {
+    const std::string line(lines.substr(0, lines.find('\n')));
+    lines.remove_prefix(std::min(line.size() + 1, lines.size()));
+    if (line.empty()) continue;
+    try {
+      decisions.push_back(recorded(Json::parse(line)));
+    } catch (const Json::exception&) {
+      throw InputError({file, number, 1}, "",
+                       "this is not a referee's decision as written by `autoref play --events`");
+    }
+  }
+  return decisions;
+}
+
+Json page_json(const RecordedDecision& decision) {
+  Json json = {{"time_s", decision.time_s}, {"event", decision.event}};
+  for (const ShownText& shown : kShownTexts) {
+    const std::string& text = decision.*shown.text;
+    json[shown.name] = text.empty() ? Json() : Json(text);
+  }
+  const std::optional<Vec2>& at_m = decision.position_m;
+  json["position_m"] = at_m ? Json::array({at_m->x(), at_m->y()}) : Json();
+  return json;
 }
 
 }  // namespace autoref::runner

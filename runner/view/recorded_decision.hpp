@@ -3,13 +3,15 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
-#include "referee/decision.hpp"
+#include "runner/io/json.hpp"
 #include "soccer/geometry.hpp"
 
 namespace autoref::runner {
 
-// Texts are those of the event log (event_log.hpp); a null there becomes an empty text.
+// Texts are those of the event log; a null there becomes an empty text.
 struct RecordedDecision {
   double time_s = 0;
   std::string event;
@@ -27,6 +29,14 @@ struct RecordedDecision {
 // restart.
 bool is_shown(const std::string& event);
 
-RecordedDecision recorded(const referee::Decision& decision);
+// What a page shows of a line of an event log. Throws Json::exception if it is not a decision.
+RecordedDecision recorded(const Json& line);
+
+// The decisions of an event log, as written by `autoref play --events`: `lines`, one JSON object
+// per line. Throws InputError with `file` and the line's number if a line is not a decision.
+std::vector<RecordedDecision> decisions_in(std::string_view lines, const std::string& file);
+
+// The decision as the page's script reads it (page/highlights.js).
+Json page_json(const RecordedDecision& decision);
 
 }  // namespace autoref::runner

@@ -8,7 +8,7 @@
 #include "runner/io/errors.hpp"
 #include "runner/lab/lab.hpp"
 #include "runner/settings/robot_types.hpp"
-#include "runner/view/decision_lines.hpp"
+#include "runner/view/recorded_decision.hpp"
 
 namespace {
 

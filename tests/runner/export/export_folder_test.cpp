@@ -1,17 +1,29 @@
 #include "runner/export/export_folder.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "runner/export/sqlite_file.hpp"
+#include "runner/game/event_log.hpp"
+#include "runner/io/csv.hpp"
 #include "runner/io/errors.hpp"
 #include "tests/runner/cli/answer.hpp"
 #include "tests/runner/support/temporary_folder.hpp"
 
 namespace autoref::runner {
 namespace {
+
+// What a database says of a value.
+std::string cell_of(const Json& value) {
+  if (value.is_null()) return "";
+  if (value.is_boolean()) return value.get<bool>() ? "1" : "0";
+  if (value.is_string()) return value.get<std::string>();
+  return value.is_number() ? fmt::format("{:.9g}", value.get<double>()) : json_text(value);
+}
 
 // The rows of a query, their cells joined with '|'; NULL is empty.
 std::vector<std::string> rows_of(const std::filesystem::path& file, const std::string& query) {
@@ -102,6 +114,27 @@ TEST_F(Export, WritesTheEventsOfEachGame) {
     EXPECT_NE(lines.find(evidence), std::string::npos) << evidence;
 }
 
+TEST_F(Export, HasTheValuesOfTheEventLog) {
+  const std::string log = (folder_ / "events.jsonl").string();
+  answer_to({"export", results_.c_str(), "--sqlite", database_.c_str()});
+  answer_to({"replay", results_.c_str(), "b.robots=5-p0001-2", "--events", log.c_str()});
+  const std::string text = content_of(log);
+  for (const DecisionField& field : decision_fields()) {
+    const std::string column = column_of(field);
+    if (column.empty()) continue;
+    std::vector<std::string> logged;
+    for (const std::string_view line : complete_lines(text))
+      logged.push_back(cell_of(Json::parse(line).value(Json::json_pointer(field.path), Json())));
+    const bool is_real = field.type == std::string_view("REAL");
+    const std::string cell = is_real ? "printf('%.9g', " + column + ")" : column;
+    EXPECT_EQ(rows_of(database_, fmt::format("SELECT iif({0} IS NULL, NULL, {1}) FROM events WHERE "
+                                             "game_id = 'b.robots=5-p0001-2' ORDER BY number",
+                                             column, cell)),
+              logged)
+        << column;
+  }
+}
+
 TEST_F(Export, RepeatsByteForByte) {
   const std::string again = (folder_ / "again.sqlite").string();
   answer_to({"export", results_.c_str(), "--sqlite", database_.c_str(), "-j", "2"});
@@ -142,6 +175,21 @@ TEST_F(Export, LeavesAnExistingFileAloneIfItFails) {
       answer_to({"export", (folder_ / "nowhere").c_str(), "--sqlite", database_.c_str()});
   EXPECT_EQ(answer.code, kBadInput);
   EXPECT_EQ(content_of(database_), "precious");
+}
+
+TEST(SqliteFile, AddsTheRowsOfAnotherFile) {
+  const TemporaryFolder folder;
+  SqliteFile other;
+  SqliteTable(other, "t", {{"x", "REAL"}}).add({0.5});
+  write_content(folder / "it's.sqlite", other.bytes());
+  SqliteFile file;
+  SqliteTable(file, "t", {{"x", "REAL"}}).add({std::monostate()});
+  file.add_rows("t", (folder / "it's.sqlite").string());
+  file.add_rows("t", (folder / "it's.sqlite").string());
+  write_content(folder / "both.sqlite", file.bytes());
+  EXPECT_EQ(rows_of(folder / "both.sqlite", "SELECT x FROM t"),
+            (std::vector<std::string>{"", "0.5", "0.5"}));
+  EXPECT_THROW(file.add_rows("t", (folder / "nowhere/t.sqlite").string()), InputOutputError);
 }
 
 TEST(SqliteFile, KeepsNamesAndTextsWithQuotes) {

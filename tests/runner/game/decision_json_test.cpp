@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+#include <set>
+
 namespace autoref::runner {
 namespace {
 
@@ -43,6 +46,61 @@ TEST(DecisionJson, WritesUnknownIfTheToucherIsUnknown) {
   EXPECT_NE(json.find(R"("last_touch": {"colour": "unknown", "robot": null, "time_s": 12.5)"),
             std::string::npos)
       << json;
+}
+
+// A decision without null.
+referee::Decision full_decision() {
+  referee::Decision decision;
+  const RobotId robot{Side::kWest, 1};
+  decision.command = Command{CommandKind::kStop};
+  decision.stage = Stage::kShootout;
+  decision.clock = referee::HalfClock{1, 2};
+  decision.shootout_kick = referee::ShootoutKick{};
+  decision.card_reason = "3rd foul";
+  decision.last_touch = {Side::kWest, robot, 1, 0, 0, robot};
+  referee::Finding& finding = decision.finding;
+  finding.event = referee::Event::kBotPushedBot;
+  finding.rule = "paper 4.2";
+  finding.unit = "m";
+  finding.robots = {robot};
+  finding.offender = Side::kWest;
+  finding.card = referee::Card::kYellow;
+  finding.position_m = Vec2(1, 2);
+  finding.evidence = "A push.";
+  decision.from = referee::State::kRun;
+  return decision;
+}
+
+bool fits(const Json& value, std::string_view type) {
+  if (type == "REAL") return value.is_number_float();
+  if (type == "INTEGER") return value.is_number_integer() || value.is_boolean();
+  return type == "TEXT" && (value.is_string() || value.is_structured());
+}
+
+TEST(DecisionFields, HaveValuesOfTheirTypes) {
+  const PerSide<EventTeam> teams = {{EventTeam{"a", "zone"}, EventTeam{"b", "bold"}}};
+  for (const DecisionField& field : decision_fields()) {
+    const Json value = field.value(full_decision(), teams);
+    EXPECT_TRUE(fits(value, field.type)) << field.path << ": " << json_text(value);
+  }
+}
+
+TEST(DecisionFields, HaveColumnsOfDifferentNames) {
+  std::set<std::string> names = {""};
+  for (const DecisionField& field : decision_fields())
+    EXPECT_TRUE(names.insert(column_of(field)).second || column_of(field).empty()) << field.path;
+  EXPECT_TRUE(names.contains("score_yellow"));      // named after its path
+  EXPECT_TRUE(names.contains("position_x_m"));      // has a name of its own
+  EXPECT_FALSE(names.contains("last_touch_kept"));  // is left out
+}
+
+TEST(DecisionFields, AreDiscardedIfTheirObjectIsNull) {
+  const referee::Decision bare;
+  for (const DecisionField& field : decision_fields()) {
+    const Json::json_pointer parent = Json::json_pointer(field.path).parent_pointer();
+    const bool is_null = decision_object(bare).at(parent).is_null();
+    EXPECT_EQ(field.value(bare, {}).is_discarded(), is_null) << field.path;
+  }
 }
 
 }  // namespace

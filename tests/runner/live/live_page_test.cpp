@@ -50,8 +50,8 @@ class LivePageTest : public testing::Test {
 
   // Every frame with a changed signal, a changed clock and a decision.
   void play_with_calls(int frames, double speed) {
-    referee::Decision decision;
-    decision.finding.event = referee::Event::kGoal;
+    RecordedDecision decision;
+    decision.event = "goal";
     for (int i = 0; i < frames; ++i) {
       ++signal_.command_counter;
       signal_.stage_time_left_s = i % 600;
@@ -111,8 +111,8 @@ TEST_F(LivePageTest, SendsAChangedSignalAtOnceAndOnlyOnce) {
 TEST_F(LivePageTest, SendsADecisionWithTheFrame) {
   play(59);
   sent_.clear();
-  referee::Decision decision;
-  decision.finding.event = referee::Event::kGoal;
+  RecordedDecision decision;
+  decision.event = "goal";
   page_.add(decision);
   play(1);
   ASSERT_EQ(sent_.size(), 1U);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "league/game_log.hpp"
@@ -26,7 +27,7 @@ class LogObserver final : public Observer {
   }
   void on_decision(const referee::Decision& decision) override {
     if (decision.command) log.note(*decision.command);
-    shown.push_back(recorded(decision));
+    shown.push_back(recorded(decision_object(decision)));
     decisions.push_back(decision);
     events += decision_json(decision) + "\n";
   }

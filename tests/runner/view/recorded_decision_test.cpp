@@ -1,6 +1,8 @@
-#include "runner/view/decision_lines.hpp"
+#include "runner/view/recorded_decision.hpp"
 
 #include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
 
 #include "runner/game/event_log.hpp"
 #include "runner/io/errors.hpp"
@@ -37,16 +39,19 @@ TEST(DecisionLines, AreReadBackUnchanged) {
   for (const referee::Decision& decision : {push(), bare}) {
     const auto read = decisions_in(decision_json(decision) + "\n", "events.jsonl");
     ASSERT_EQ(read.size(), 1U);
-    EXPECT_EQ(read.front(), recorded(decision));
+    EXPECT_EQ(read.front(), recorded(decision_object(decision)));
   }
 }
 
 TEST(RecordedDecision, HasTheWordsOfTheEventLog) {
-  const RecordedDecision decision = recorded(push());
+  const RecordedDecision decision = recorded(decision_object(push()));
   EXPECT_EQ(decision.time_s, 12.5);
   EXPECT_EQ(decision.event, "bot_pushed_bot");
+  EXPECT_EQ(decision.rule, "paper 4.2");
+  EXPECT_EQ(decision.reason, "He said \"no\" <twice>.");
   EXPECT_EQ(decision.offender, "blue");
   EXPECT_EQ(decision.card, "yellow");
+  EXPECT_EQ(decision.card_reason, "3rd foul");
   EXPECT_EQ(decision.position_m, Vec2(1, -2));
 }
 
