@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "referee/geometry/ball_out.hpp"
 #include "referee/machine/ball_in_play.hpp"
 #include "referee/machine/confidence.hpp"
 #include "referee/machine/decision_of.hpp"
@@ -39,8 +38,9 @@ std::unique_ptr<Official> make_official(const Configuration& configuration) {
 class Referee::Impl {
  public:
   explicit Impl(const Configuration& configuration)
-      : configuration_(configuration.control == Control::kAutoref ? configuration
-                                                                  : beside_person(configuration)),
+      : configuration_(configuration.control == Control::kAutoref
+                           ? configuration
+                           : without_administration(configuration)),
         sight_(configuration_, configuration_.control != Control::kAutoref),
         official_(make_official(configuration_)) {
     validate(configuration);
@@ -90,19 +90,15 @@ class Referee::Impl {
             sight_.tracks(), requests_, sight_.history()};
   }
 
-  bool is_ball_out() const {
-    return sight_.ball() && is_out_of_field(configuration_.field, sight_.ball()->position_m);
-  }
-
   // Follows the ball and its touches while play is on.
   void follow_ball() {
     // Somebody has put a ball that was called out back on the field.
-    if (official_->is_exit_called() && sight_.ball() && !is_ball_out()) {
+    if (official_->is_exit_called() && sight_.ball() && !is_ball_out(input())) {
       official_->note_return();
-      sight_.lose_play();
+      sight_.rejoin_play();
     }
     PlayState& play = official_->state().play;
-    if (const Frame* joined = sight_.joined_in()) {
+    if (const Frame* joined = sight_.frame_to_join()) {
       play = play_joined(input_with(sight_.last_touch(), *joined));
       sight_.join_play();
       return;
@@ -115,8 +111,8 @@ class Referee::Impl {
 
   // Once the ball is out, the whole path since the touch is known.
   LastTouch evaluate_last_touch() const {
-    const bool has_left =
-        state().machine_state == State::kRun && !official_->is_exit_called() && is_ball_out();
+    const bool has_left = state().machine_state == State::kRun && !official_->is_exit_called() &&
+                          is_ball_out(input());
     return has_left ? sight_.last_touch_in_hindsight() : sight_.last_touch();
   }
 
@@ -164,17 +160,17 @@ class Referee::Impl {
     Finding finding = found;
     add_confidence(finding, state(), input);
     if (found.is_foul && finding.confidence < configuration_.least_confidence) return;
-    Step taken = official_->next(input, finding);
-    if (taken.transition == nullptr) return;
-    decisions_.push_back(decision_of(state(), input, finding, taken));
-    const RefereeState& after = taken.state;
+    std::optional<Step> taken = official_->next(input, finding);
+    if (!taken) return;
+    decisions_.push_back(decision_of(state(), input, finding, *taken));
+    const RefereeState& after = taken->state;
     const bool play_starts =
         after.machine_state == State::kRun &&
         (!is_play(state().machine_state) || after.play.began_s != state().play.began_s);
     // A game may also begin with a restart.
     const bool is_joining =
         state().machine_state == State::kInit && (!state().beginning || after.play.in_play);
-    official_->enter(input, finding, std::move(taken));
+    official_->enter(input, finding, *std::move(taken));
     // A play that is joined in the middle did not begin with the ball at rest.
     if (play_starts)
       sight_.begin_play(input.frame, is_joining ? std::nullopt : state().play.ball_from_m);

@@ -10,7 +10,7 @@
 //   if (view.tracks_begin_afresh) tracker.begin_afresh();
 //   const RefereeSignal& signal = referee.judge(tracker.update(view.frame), requests);
 //
-// A caller who has frames only uses AutoRef: frame in, signal out.
+// If you have frames only, use AutoRef: frame in, signal out.
 #pragma once
 
 #include <cstdint>
@@ -43,9 +43,9 @@ class Referee {
   // before the first frame; only for Control::kAutoref (asserted).
   void begin(const Beginning& beginning);
 
-  // What a frame shows, and tracks are to be made from.
+  // A frame as the referee sees it. Make the tracks from it.
   struct View {
-    const Frame& frame;  // valid until the next one
+    const Frame& frame;  // valid until judge(), which completes it
     // After a gap of more than a second, tracks and touches begin afresh; the last touch stays
     // known, with less confidence, if the ball's path shows that it is the same, or by the robot
     // that had the ball (touch/kept_touch.hpp).
@@ -57,8 +57,9 @@ class Referee {
   // that is suddenly farther away than any ball can fly (touch/ball_jump_filter.hpp).
   View see(const Frame& frame);
 
-  // Judges that frame, and returns the signal now in force. An unseen robot counts as long as it
-  // has a track.
+  // Judges that frame, and returns the signal now in force. Call it once after each see(), with
+  // tracks made from the frame of its view. A robot that is missing from the frame is judged at its
+  // track's position.
   const RefereeSignal& judge(const Tracks& tracks, const PerSide<TeamRequests>& requests);
 
   // Takes note of the signal of the person who commands the game (Control::kHuman; otherwise only
@@ -88,7 +89,7 @@ class Referee {
 };
 
 // A referee with a tracker of its own.
-class AutoRef : public Referee {
+class AutoRef final : public Referee {
  public:
   // As Referee.
   explicit AutoRef(const Configuration& configuration)
@@ -106,6 +107,9 @@ class AutoRef : public Referee {
   const Tracks& tracks() const { return tracker_.tracks(); }
 
  private:
+  using Referee::judge;
+  using Referee::see;
+
   Tracker tracker_;
 };
 

@@ -31,7 +31,8 @@ struct RefereeInput {
   const Tracks& tracks;                  // with velocities, including robots missing from the frame
   const PerSide<TeamRequests>& requests;
   const FrameHistory& frames;  // of the current play so far, including this frame
-  // Beside a person: their last signal, and AutoRef's own last call in the current play.
+  // Set only for the transitions of person/, during their step: the person's last signal, and
+  // AutoRef's own last call in the current play.
   const RefereeSignal* given = nullptr;
   const Finding* own_call = nullptr;
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "referee/geometry/ball_out.hpp"
 #include "referee/machine/ball_placement.hpp"
 #include "referee/machine/readiness.hpp"
 #include "referee/machine/timekeeping.hpp"
@@ -49,8 +50,8 @@ std::optional<Finding> Official::find_time_over(const RefereeInput& input) {
   return referee::find_time_over(state_, input);
 }
 
-Step Official::next(const RefereeInput& input, const Finding& finding) {
-  return step(state_, input, finding);
+std::optional<Step> Official::next(const RefereeInput& input, const Finding& finding) {
+  return if_taken(step(state_, input, finding));
 }
 
 void Official::enter(const RefereeInput& /*input*/, const Finding& /*finding*/, Step step) {
@@ -65,6 +66,14 @@ void Official::forget(const Frame& frame) {
   state_.watch = RuleWatch{};
   state_.ball_in_position_since_s.reset();
   state_.saved = positions_in(frame);
+}
+
+std::optional<Step> if_taken(Step step) {
+  return step.transition != nullptr ? std::optional(std::move(step)) : std::nullopt;
+}
+
+bool is_ball_out(const RefereeInput& input) {
+  return input.ball && is_out_of_field(input.configuration.field, input.ball->position_m);
 }
 
 Finding passed_by_itself(Event event) {

@@ -1,7 +1,8 @@
-// AutoRef as an official: holds the machine's state, and takes findings to the machine.
+// AutoRef as an official: holds the machine's state, and takes findings to the machine. The referee
+// calls it in each frame.
 //
-// This class officiates alone: it commands the game (paper, section 4.3) and keeps its time. See
-// person/ for a game that somebody else commands.
+// This class officiates alone: it commands the game (paper, section 4.3) and keeps its time. A game
+// that somebody else commands has one that is derived from it (person/).
 #pragma once
 
 #include <optional>
@@ -27,21 +28,23 @@ class Official {
   // command.
   virtual std::optional<Finding> follow(const RefereeSignal& given, const RefereeInput& input);
 
-  // What the machine's state waits for: before the rules of a frame, after them, and at its end.
+  // What the machine's state waits for. Before the rules of each frame:
   virtual std::optional<Finding> find_before_rules(const RefereeInput& input);
+  // After them, if they have changed neither the state nor the command:
   virtual std::optional<Finding> find(const RefereeInput& input);
+  // At the end of each frame:
   virtual std::optional<Finding> find_time_over(const RefereeInput& input);
 
-  // The step that a finding leads to from the current state; without a transition if it leads to
-  // none.
-  virtual Step next(const RefereeInput& input, const Finding& finding);
+  // Takes note of a finding. Returns the step that it leads to from the current state; nullopt if
+  // it leads to none.
+  virtual std::optional<Step> next(const RefereeInput& input, const Finding& finding);
   // Takes that step.
   virtual void enter(const RefereeInput& input, const Finding& finding, Step step);
 
   // Shows the time that is left in the signal.
   virtual void show_time(const RefereeInput& input);
 
-  // Whether the ball is still outside the field after its exit was called, though play is on.
+  // Whether the ball has stayed outside the field since its exit was called, though play is on.
   virtual bool is_exit_called() const { return false; }
   // Takes note that it is back.
   virtual void note_return() {}
@@ -53,7 +56,13 @@ class Official {
   RefereeState state_;
 };
 
+// The step to what was taken from the tables, if anything.
+std::optional<Step> if_taken(Step step);
+
 // A finding without evidence: the first frame, or the end of a briefly sent command.
 Finding passed_by_itself(Event event);
+
+// Whether the ball was last seen outside the field.
+bool is_ball_out(const RefereeInput& input);
 
 }  // namespace autoref::referee

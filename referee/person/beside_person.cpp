@@ -6,7 +6,6 @@
 #include <array>
 #include <utility>
 
-#include "referee/geometry/ball_out.hpp"
 #include "referee/machine/readiness.hpp"
 #include "referee/person/transitions_beside_person.hpp"
 #include "soccer/units.hpp"
@@ -20,8 +19,10 @@ constexpr double kLongestWait_s = 15_s;          // for the person's answer to a
 constexpr double kCalledFor_s = 1_s;             // our choice: later, the event is a new one
 constexpr double kFasterThanStop_mps = 0.3_mps;  // margin for the estimate of a robot's speed
 
-bool is_ball_out(const RefereeInput& input) {
-  return input.ball && is_out_of_field(input.configuration.field, input.ball->position_m);
+// Whether a call of this event would stop play under the rule book.
+bool would_stop_play(const RefereeInput& input, Event event) {
+  return stops_play(event) ||
+         (stops_play_by_book(event) && input.configuration.rules.fouls_stop_play);
 }
 
 // Whether the command is not the one that AutoRef's call would lead to.
@@ -33,7 +34,7 @@ bool contradicts(const Finding& call, const Command& command) {
 
 }  // namespace
 
-Configuration beside_person(Configuration configuration) {
+Configuration without_administration(Configuration configuration) {
   for (const RuleId rule : {RuleId::kCards, RuleId::kTimeouts, RuleId::kGoalLead})
     configuration.rules.in_force[rule] = false;
   return configuration;
@@ -138,17 +139,20 @@ RefereeInput BesidePerson::with_person(const RefereeInput& input) const {
   return complete;
 }
 
-Step BesidePerson::next(const RefereeInput& input, const Finding& finding) {
-  if (state().machine_state == State::kRun && is_called_already(input, finding))
-    return Step{state(), nullptr, {}, std::nullopt};
+std::optional<Step> BesidePerson::next(const RefereeInput& input, const Finding& finding) {
+  if (state().machine_state == State::kRun && would_stop_play(input, finding.event)) {
+    if (OwnCall* same = find_same_call(input, finding)) {
+      same->found_s = input.time_s();
+      return std::nullopt;
+    }
+    note_call(input, finding);
+  }
   const std::array tables = {transitions_beside_person()};
-  return step(tables, state(), with_person(input), finding);
+  return if_taken(step(tables, state(), with_person(input), finding));
 }
 
-// Takes note if the event is found again.
-bool BesidePerson::is_called_already(const RefereeInput& input, const Finding& finding) {
-  if (!stops_play(finding.event) && !stops_play_by_book(finding.event)) return false;
-  if (stops_play_by_book(finding.event) && !input.configuration.rules.fouls_stop_play) return false;
+BesidePerson::OwnCall* BesidePerson::find_same_call(const RefereeInput& input,
+                                                    const Finding& finding) {
   const bool ball_is_out = is_ball_out(input);
   const double now_s = input.time_s();
   const auto is_same = [&](const OwnCall& call) {
@@ -157,14 +161,13 @@ bool BesidePerson::is_called_already(const RefereeInput& input, const Finding& f
     return call.finding.event == finding.event && call.finding.offender == finding.offender;
   };
   const auto same = std::find_if(calls_.begin(), calls_.end(), is_same);
-  if (same != calls_.end()) {
-    same->found_s = now_s;
-    return true;
-  }
+  return same == calls_.end() ? nullptr : &*same;
+}
+
+void BesidePerson::note_call(const RefereeInput& input, const Finding& finding) {
   if (calls_.size() == calls_.capacity()) calls_.erase(calls_.begin());
-  calls_.push_back({finding, now_s, now_s, ball_is_out});
-  is_exit_called_ = ball_is_out;
-  return false;
+  calls_.push_back({finding, input.time_s(), input.time_s(), is_ball_out(input)});
+  is_exit_called_ = calls_.back().ball_is_out;
 }
 
 void BesidePerson::enter(const RefereeInput& input, const Finding& finding, Step step) {

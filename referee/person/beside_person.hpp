@@ -15,14 +15,14 @@
 namespace autoref::referee {
 
 // Without the rules on what a person decides: cards, timeouts and the end of the game.
-Configuration beside_person(Configuration configuration);
+Configuration without_administration(Configuration configuration);
 
 class BesidePerson final : public Official {
  public:
   explicit BesidePerson(const Configuration& configuration);
 
-  // Under Control::kNone, there is nobody to follow. The evidence of the finding says whether the
-  // command contradicts AutoRef's call.
+  // Under Control::kNone, signals are ignored. The evidence of the finding says whether the command
+  // contradicts AutoRef's call.
   std::optional<Finding> follow(const RefereeSignal& given, const RefereeInput& input) override;
 
   // In CALLED: kOverruled once play visibly goes on, or 15 s after the call. Play visibly goes on
@@ -36,8 +36,8 @@ class BesidePerson final : public Official {
 
   // A finding leads to no step if its event has been called in this play already: the same event by
   // the same side, until it has not been found for a second; or any event while the ball stays
-  // outside the field.
-  Step next(const RefereeInput& input, const Finding& finding) override;
+  // outside the field. Otherwise the event counts as called from now on.
+  std::optional<Step> next(const RefereeInput& input, const Finding& finding) override;
   void enter(const RefereeInput& input, const Finding& finding, Step step) override;
   void show_time(const RefereeInput& input) override;
 
@@ -64,7 +64,8 @@ class BesidePerson final : public Official {
   RefereeInput with_person(const RefereeInput& input) const;
   bool is_new_command(const RefereeSignal& given) const;
   Finding finding_of_command() const;
-  bool is_called_already(const RefereeInput& input, const Finding& finding);
+  OwnCall* find_same_call(const RefereeInput& input, const Finding& finding);
+  void note_call(const RefereeInput& input, const Finding& finding);
   void watch_signs(const RefereeInput& input);
   bool visibly_goes_on(double now_s) const;
 

@@ -11,12 +11,12 @@ constexpr double kBetweenCameras_m = 2;
 
 }  // namespace
 
-BallJumpFilter::Sight BallJumpFilter::sight_of(const Frame& frame) {
+BallJumpFilter::Detection BallJumpFilter::detection_in(const Frame& frame) {
   const BallObservation& ball = *frame.ball;
   return {ball.position_m, ball.seen_from.position_m, frame.time_s};
 }
 
-bool BallJumpFilter::is_possible(const Sight& from, const Sight& to) {
+bool BallJumpFilter::is_possible(const Detection& from, const Detection& to) {
   const double slack_m = from.camera_m == to.camera_m ? kSlack_m : kBetweenCameras_m;
   return (to.position_m - from.position_m).norm() <=
          slack_m + kFastest_mps * (to.time_s - from.time_s);
@@ -25,7 +25,7 @@ bool BallJumpFilter::is_possible(const Sight& from, const Sight& to) {
 void BallJumpFilter::filter(Frame& frame) {
   jumped_.clear();
   if (!frame.ball) return;
-  const Sight now = sight_of(frame);
+  const Detection now = detection_in(frame);
   const bool follows = follows_pending(now);
   if (!follows && (!last_ || is_possible(*last_, now))) {
     last_ = now;
@@ -44,9 +44,9 @@ void BallJumpFilter::filter(Frame& frame) {
 }
 
 // Whether the ball is where the pending ones lead rather than where the accepted ones do.
-bool BallJumpFilter::follows_pending(const Sight& now) const {
+bool BallJumpFilter::follows_pending(const Detection& now) const {
   if (pending_.empty()) return false;
-  const Sight before = sight_of(pending_.back());
+  const Detection before = detection_in(pending_.back());
   return is_possible(before, now) && (now.position_m - before.position_m).squaredNorm() <
                                          (now.position_m - last_->position_m).squaredNorm();
 }

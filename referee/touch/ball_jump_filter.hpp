@@ -25,16 +25,16 @@ class BallJumpFilter {
   void forget();
 
  private:
-  struct Sight {
+  struct Detection {
     Vec2 position_m{0, 0};
     Vec2 camera_m{0, 0};
     double time_s = 0;
   };
-  static Sight sight_of(const Frame& frame);
-  static bool is_possible(const Sight& from, const Sight& to);
-  bool follows_pending(const Sight& now) const;
+  static Detection detection_in(const Frame& frame);
+  static bool is_possible(const Detection& from, const Detection& to);
+  bool follows_pending(const Detection& now) const;
 
-  std::optional<Sight> last_;  // accepted
+  std::optional<Detection> last_;  // accepted
   Frames pending_;
   Frames jumped_;
 };

@@ -1,6 +1,7 @@
 #include "referee/touch/sight.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace autoref::referee {
@@ -20,6 +21,7 @@ Sight::Sight(const Configuration& configuration, bool ball_may_jump)
 bool Sight::take(const Frame& frame, bool is_play) {
   const bool is_gap = has_begun_ && frame.time_s - frame_.time_s > kLongestGap_s;
   frame_ = is_finite(frame) ? frame : finite_part(frame);
+  is_complete_ = false;
   if (is_gap) forget(is_play);
   if (!ball_may_jump_) return is_gap;
   if (!is_play) ball_jump_.forget();
@@ -37,6 +39,8 @@ void Sight::forget(bool is_play) {
 }
 
 void Sight::complete(const Tracks& tracks) {
+  assert(!is_complete_);
+  is_complete_ = true;
   tracks_ = tracks;
   has_begun_ = true;
   add_unseen_robots();
@@ -90,7 +94,7 @@ void Sight::begin_play(const Frame& frame, const std::optional<Vec2>& ball_from_
   online_touch_.restart();
 }
 
-const Frame* Sight::joined_in() const {
+const Frame* Sight::frame_to_join() const {
   if (joins_) return &frame_;
   return ball_jump_.jumped().empty() ? nullptr : &ball_jump_.jumped().front();
 }

@@ -28,7 +28,8 @@ class Sight {
   // play is stopped (`is_play` is false), people move the ball.
   bool take(const Frame& frame, bool is_play);
 
-  // Adds to that frame what the tracks know of unseen robots and of a flying ball.
+  // Adds the tracks' estimates of unseen robots and of a flying ball to that frame. Call it once
+  // for each frame (asserted).
   void complete(const Tracks& tracks);
 
   // Whether a frame has been completed.
@@ -38,7 +39,7 @@ class Sight {
   const std::optional<BallSight>& ball() const { return ball_; }
   const FrameHistory& history() const { return history_; }
   const LastTouch& last_touch() const { return online_touch_.last(); }
-  // The last touch by all that has been seen since, for a ball that has just left the field.
+  // The last touch according to everything seen since, for a ball that has just left the field.
   LastTouch last_touch_in_hindsight() const {
     return retrospective_touch_.detect(online_touch_.last());
   }
@@ -46,13 +47,14 @@ class Sight {
   // A play begins in this frame, with the ball at rest at `ball_from_m`; nullopt if its beginning
   // was not seen.
   void begin_play(const Frame& frame, const std::optional<Vec2>& ball_from_m);
-  // Lets the play that is on be joined in this frame, since its beginning is not known any more.
-  void lose_play() { joins_ = true; }
-  // The frame in which the play that is on has to be joined; null if it is followed already.
-  const Frame* joined_in() const;
+  // Joins the current play afresh in this frame: its beginning is no longer known.
+  void rejoin_play() { joins_ = true; }
+  // The frame in which the current play has to be joined; null if it is followed already.
+  const Frame* frame_to_join() const;
+  // Begins to follow the play in that frame, which must not be null.
   void join_play();
 
-  // Follows the ball and its touches through this frame of play.
+  // Follows the ball and its touches through this frame, unless the play has to be joined in it.
   void follow_ball();
 
  private:
@@ -66,6 +68,7 @@ class Sight {
   Tracks tracks_;
   std::optional<BallSight> ball_;
   bool has_begun_ = false;
+  bool is_complete_ = true;              // whether frame_ is
   bool joins_ = false;                   // play is joined afresh in this frame
   std::optional<BeforeGap> before_gap_;  // then, after a gap in vision
   bool was_lifted_ = false;              // whether lift_ball() moved the ball in the previous frame

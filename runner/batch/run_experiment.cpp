@@ -222,7 +222,7 @@ class ExperimentRun {
     }
   }
 
-  // Workers make the lines of the games that they play, and nobody writes them differently.
+  // Workers make the final lines of their games; the main process appends them unchanged.
   std::string played_line(const Job& job) const {
     const Clock::time_point began = Clock::now();
     GameRow row = played(outcomes_, games_.schedule().games[job.number]);

@@ -27,19 +27,18 @@ namespace {
 
 using Row = std::vector<SqliteValue>;
 
+using column_type::kInteger;
+using column_type::kReal;
+using column_type::kText;
+
 constexpr const char* kEvents = "events";
-constexpr const char* kInteger = "INTEGER";
-constexpr const char* kReal = "REAL";
-constexpr const char* kText = "TEXT";
 
 const std::vector<SqliteColumn> kSettingsColumns = {{"setting", kText}, {"value"}};
 
 std::vector<SqliteColumn> columns_of_events() {
   std::vector<SqliteColumn> columns = {{"game_id", kText}, {"number", kInteger}};
-  for (const DecisionField& field : decision_fields()) {
-    const std::string name = column_of(field);
-    if (!name.empty()) columns.push_back({name, field.type});
-  }
+  for (const DecisionField& field : decision_fields())
+    if (field.has_column()) columns.push_back({column_of(field), field.type});
   return columns;
 }
 
@@ -147,16 +146,22 @@ std::vector<std::size_t> games_with_events(const ResultFolder& folder) {
 class DecisionRows final : public Observer {
  public:
   DecisionRows(std::string id, const PerSide<EventTeam>& teams)
-      : id_(std::move(id)), teams_(teams) {}
+      : id_(std::move(id)), teams_(teams) {
+    file_.execute("BEGIN");
+  }
 
   void on_decision(const referee::Decision& decision) override {
     Row row = {id_, ++number_};
     for (const DecisionField& field : decision_fields())
-      if (!column_of(field).empty()) row.push_back(value_of(field.value(decision, teams_)));
+      if (field.has_column()) row.push_back(value_of(field.value(decision, teams_)));
     table_.add(row);
   }
 
-  std::string bytes() const { return file_.bytes(); }
+  // After the game.
+  std::string bytes() {
+    file_.execute("COMMIT");
+    return file_.bytes();
+  }
 
  private:
   std::string id_;

@@ -14,7 +14,7 @@ namespace {
   const bool is_environment = code == SQLITE_NOMEM || code == SQLITE_FULL ||
                               code == SQLITE_TOOBIG || code == SQLITE_IOERR ||
                               code == SQLITE_CANTOPEN;
-  if (is_environment) throw InputOutputError("the database cannot be made: " + why);
+  if (is_environment) throw InputOutputError("cannot create the database: " + why);
   throw std::logic_error("SQLite: " + why);
 }
 

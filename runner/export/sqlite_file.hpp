@@ -28,7 +28,7 @@ class SqliteFile {
   void execute(const std::string& sql);
 
   // Adds to `table` the rows of the same table in another database, a file. Not within a
-  // transaction.
+  // transaction. Throws InputOutputError also if the file cannot be read.
   void add_rows(std::string_view table, const std::string& file);
 
   // The database as a file. The same calls give the same bytes.

@@ -20,9 +20,10 @@ using referee::ShootoutKick;
 using In = const Decision&;
 using Teams = const PerSide<EventTeam>&;
 
-constexpr const char* kInteger = "INTEGER";
-constexpr const char* kReal = "REAL";
-constexpr const char* kText = "TEXT";
+using column_type::kInteger;
+using column_type::kReal;
+using column_type::kText;
+
 constexpr const char* kNoColumn = "";
 
 // Null if the text is empty.
@@ -74,7 +75,7 @@ Json of_clock(In d, Teams) {
 }
 
 template <auto kMember>
-Json measured(In d, Teams) {
+Json measurement(In d, Teams) {
   return d.finding.unit.empty() ? Json() : json_of(std::invoke(kMember, d.finding));
 }
 
@@ -106,7 +107,7 @@ Json of_touch(In d, Teams) {
   return part(is_before_first ? nullptr : &touch, kMember);
 }
 
-std::string_view toucher(const LastTouch& touch) {
+std::string_view touching_colour(const LastTouch& touch) {
   return touch.side ? colour_of(*touch.side) : "unknown";
 }
 
@@ -141,8 +142,8 @@ constexpr DecisionField kFields[] = {
     {"/league_event", kText,
      [](In d, Teams) { return text_or_null(entry_of(d.finding.event).league_event); }},
     {"/rule", kText, of_finding<&Finding::rule>},
-    {"/value", kReal, measured<&Finding::value>},
-    {"/threshold", kReal, measured<&Finding::threshold>},
+    {"/value", kReal, measurement<&Finding::value>},
+    {"/threshold", kReal, measurement<&Finding::threshold>},
     {"/unit", kText, [](In d, Teams) { return text_or_null(d.finding.unit); }},
     {"/confidence", kReal, confidence_in},
     {"/robots", kText, of_finding<&Finding::robots>},
@@ -154,7 +155,7 @@ constexpr DecisionField kFields[] = {
     {"/yellow_defends", kText,
      [](In d, Teams) -> Json { return end_of_yellow(d.blue_on_positive_half); }},
     {"/restart", kText, of_decision<&Decision::restart>},
-    {"/last_touch/colour", kText, of_touch<toucher>},
+    {"/last_touch/colour", kText, of_touch<touching_colour>},
     {"/last_touch/robot", kInteger, of_touch<touching_robot>},
     {"/last_touch/time_s", kReal, of_touch<&LastTouch::time_s>},
     {"/last_touch/gap_m", kReal, of_touch<&LastTouch::gap_m>},

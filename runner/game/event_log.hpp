@@ -19,14 +19,23 @@ struct EventTeam {
 // The teams of a game, with the names returned by shown_names() (configuration.hpp).
 PerSide<EventTeam> event_teams_of(const GameConfiguration& game);
 
+// Types of columns in a database.
+namespace column_type {
+inline constexpr const char* kInteger = "INTEGER";
+inline constexpr const char* kReal = "REAL";
+inline constexpr const char* kText = "TEXT";
+}  // namespace column_type
+
 // A field of a decision, in event logs and in databases. Sides are identified by their colours,
 // "yellow" and "blue", as in the commands. Positions are published ones (soccer/published.hpp).
 struct DecisionField {
   const char* path;  // in a line of the event log (RFC 6901)
-  const char* type;  // of its column in a database: INTEGER, REAL or TEXT
+  const char* type;  // of its column in a database
   // Null if unknown or inapplicable; discarded if the whole object that contains it is null.
   Json (*value)(const referee::Decision& decision, const PerSide<EventTeam>& teams);
   const char* column = nullptr;  // its name, unless it follows from the path; empty without one
+
+  bool has_column() const { return column == nullptr || *column != 0; }
 };
 
 // All fields, in the order of a line's keys and of a database's columns. What event logs and

@@ -17,10 +17,9 @@
 namespace autoref::runner {
 
 // Owns the world, the camera, the tracker, the referee and both teams, and calls them once per
-// frame. It reads
-// no files, clock or command line: the caller decides how fast it runs and what to do with the
-// results; see play() below. Games share no data, so one thread can step several games alternately.
-// Do not step games in two threads at once, because Box2D has global state.
+// frame. It reads no files, clock or command line: the caller decides how fast it runs and what to
+// do with the results; see play() below. Games share no data, so one thread can step several games
+// alternately. Do not step games in two threads at once, because Box2D has global state.
 class Game {
  public:
   // Sets up the game before its first frame. The observers must outlive the game; `make_team` is

@@ -15,7 +15,8 @@
 
 namespace autoref::runner {
 
-// The phases of a frame, in order. kRecord also occurs after kReferee.
+// The phases of a frame, in order. kReferee includes the tracker; kRecord also occurs after
+// kReferee.
 enum class Phase : std::uint8_t { kCamera, kReferee, kTeamWest, kTeamEast, kPhysics, kRecord };
 inline constexpr int kPhaseCount = 6;
 
@@ -32,7 +33,8 @@ class Observer {
   // Once per frame, after the referee and before the teams.
   virtual void on_frame(const Frame& /*frame*/, const RefereeSignal& /*signal*/,
                         const sim::World& /*world*/) {}
-  // Once per frame, just before the world moves: what the robots and the ball will do in it.
+  // Once per frame, just before the world moves: the commands that reach the robots, and where the
+  // ball is placed by hand, if it is.
   virtual void on_commands(const PerSide<TeamCommands>& /*commands*/,
                            const std::optional<Placement>& /*placement*/,
                            const sim::World& /*world*/) {}

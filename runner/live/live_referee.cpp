@@ -18,7 +18,8 @@ constexpr std::chrono::milliseconds kIdle{20};
 constexpr double kGather_s = 2;
 constexpr double kLongestGather_s = 10;
 constexpr std::size_t kMostGathered = 50'000;  // packets
-// Parsed, packets take two to three times as much memory, malicious ones thirty times.
+// Parsed, packets take two to three times as much memory; malicious ones thirty times, so at most
+// 3 GB.
 constexpr std::size_t kMostGathered_bytes = 100'000'000;
 constexpr double kNs = 1e-9;
 
@@ -64,10 +65,10 @@ class LiveReferee::Impl {
     while (!is_enough(reader, first)) {
       check(static_cast<std::int64_t>(gathered_.size()));
       std::optional<LiveMessage> live = next_message();
-      if (!live || gathered_.size() == kMostGathered || received_bytes_ > kMostGathered_bytes)
-        continue;
+      if (!live) continue;
       reader.take(live->message, live->time_s, live->host);
-      gathered_.push_back(*std::move(live));
+      if (gathered_.size() < kMostGathered && received_bytes_ <= kMostGathered_bytes)
+        gathered_.push_back(*std::move(live));
       if (!first && reader.frames() > 0) first = Clock::now();
     }
     league::LogSummary summary;

@@ -10,6 +10,7 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <cstdint>
 #include <cstring>
 #include <exception>
 #include <utility>
@@ -27,6 +28,12 @@ constexpr std::size_t kLongestFailure = 10'000;
 
 // Main loop of a worker: reads jobs and writes results until the other end closes. Ctrl-C reaches
 // the whole process group; only the parent decides what to do about it.
+// A job on its way to a worker, without padding.
+struct JobMessage {
+  std::uint64_t number;
+  std::int64_t attempt;
+};
+
 [[noreturn]] void live_as_worker(int socket, pid_t parent, const sigset_t& former_mask,
                                  const WorkerProcess::Work& work) {
   // The kernel kills the worker when its parent dies, however that happens. If the parent died
@@ -38,11 +45,11 @@ constexpr std::size_t kLongestFailure = 10'000;
   // The other descriptors belong to the parent: the lock on its rows and its ends of other sockets.
   if (socket > 3) close_range(3, static_cast<unsigned>(socket - 1), 0);
   close_range(static_cast<unsigned>(socket + 1), ~0U, 0);
-  Job job;
+  JobMessage job{};
   while (recv(socket, &job, sizeof job, 0) == sizeof job) {
     std::string payload;
     try {
-      payload = work(job);
+      payload = work({static_cast<std::size_t>(job.number), static_cast<int>(job.attempt)});
     } catch (const std::exception& error) {
       const std::optional<std::string> failure = environment_failure(error);
       if (!failure) _exit(1);
@@ -127,7 +134,8 @@ void WorkerProcess::start(const EndSignals& signals, const Work& work) {
 void WorkerProcess::give(const Job& job) {
   job_ = job;
   began_ = Clock::now();
-  [[maybe_unused]] const ssize_t ignored = send(socket_, &job, sizeof job, MSG_NOSIGNAL);
+  const JobMessage message{job.number, job.attempt};
+  [[maybe_unused]] const ssize_t ignored = send(socket_, &message, sizeof message, MSG_NOSIGNAL);
 }
 
 std::optional<WorkerAnswer> WorkerProcess::answer() {
