@@ -3,14 +3,14 @@
 // It owns the state of the game: score, stage, clock, next restart and last touch. It sees only
 // vision frames, the tracks made from them, and the teams' requests ("operates based solely on
 // vision information", paper, section 4.1), takes the time from the frames, and draws no random
-// numbers. Whoever runs a game has the tracker, whose tracks teams and network use as well, and
-// calls once per frame:
+// numbers. The tracker belongs to whoever runs the game, because teams and network use its tracks,
+// too. In each frame, call:
 //
 //   const Referee::View view = referee.see(frame);
 //   if (view.tracks_begin_afresh) tracker.begin_afresh();
 //   const RefereeSignal& signal = referee.judge(tracker.update(view.frame), requests);
 //
-// If you have frames only, use AutoRef: frame in, signal out.
+// If you only have frames, use AutoRef: frame in, signal out.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,8 @@
-// AutoRef as an official: holds the machine's state, and takes findings to the machine. The referee
-// calls it in each frame.
+// AutoRef as an official: holds the machine's state, and passes findings to the machine. The
+// referee calls it in each frame.
 //
-// This class officiates alone: it commands the game (paper, section 4.3) and keeps its time. A game
-// that somebody else commands has one that is derived from it (person/).
+// This class officiates alone: it commands the game (paper, section 4.3) and keeps its time. If
+// somebody else commands the game, a class derived from it takes its place (person/).
 #pragma once
 
 #include <optional>
@@ -49,14 +49,14 @@ class Official {
   // Takes note that it is back.
   virtual void note_return() {}
 
-  // Takes note of a long gap before this frame: the rules' records begin afresh.
+  // Forgets what the rules have recorded, because of a long gap before this frame.
   virtual void forget(const Frame& frame);
 
  private:
   RefereeState state_;
 };
 
-// The step to what was taken from the tables, if anything.
+// The step; nullopt if it has no transition.
 std::optional<Step> if_taken(Step step);
 
 // A finding without evidence: the first frame, or the end of a briefly sent command.

@@ -1,5 +1,5 @@
-// What the referee sees of a game: the frame at hand, completed by the tracks, the ball, and who
-// touched it in the current play.
+// What the referee sees of a game: the current frame, with what the tracks add to it, the ball, and
+// who touched it in the current play.
 #pragma once
 
 #include <optional>
@@ -24,8 +24,8 @@ class Sight {
   Sight& operator=(const Sight&) = delete;
 
   // Takes the next frame, without objects that have non-finite numbers or a ball that jumps.
-  // Returns whether nothing before it counts any more, because it comes after a long gap. While
-  // play is stopped (`is_play` is false), people move the ball.
+  // Returns true after a long gap: then the earlier frames are forgotten. While play is stopped
+  // (`is_play` is false), a ball may jump, since people move it.
   bool take(const Frame& frame, bool is_play);
 
   // Adds the tracks' estimates of unseen robots and of a flying ball to that frame. Call it once
@@ -47,7 +47,7 @@ class Sight {
   // A play begins in this frame, with the ball at rest at `ball_from_m`; nullopt if its beginning
   // was not seen.
   void begin_play(const Frame& frame, const std::optional<Vec2>& ball_from_m);
-  // Joins the current play afresh in this frame: its beginning is no longer known.
+  // Forgets how the current play began; it has to be joined in this frame.
   void rejoin_play() { joins_ = true; }
   // The frame in which the current play has to be joined; null if it is followed already.
   const Frame* frame_to_join() const;

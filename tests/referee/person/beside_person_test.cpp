@@ -11,9 +11,9 @@
 namespace autoref::referee {
 namespace {
 
-Configuration commanded_by(Control control) {
+Configuration commanded_by_person() {
   Configuration configuration;
-  configuration.control = control;
+  configuration.control = Control::kHuman;
   return configuration;
 }
 
@@ -39,7 +39,7 @@ class Person {
 
 // A game beside a person, before any command.
 struct PersonsGame {
-  ScriptedGame game{commanded_by(Control::kHuman)};
+  ScriptedGame game{commanded_by_person()};
   Person person{game};
 
   PersonsGame() {
@@ -215,7 +215,7 @@ TEST(BesideAPerson, RobotsThatStopDoNotOverruleTheCall) {
 }
 
 TEST(BesideAPerson, AnExitAfterACallThatNobodyAnsweredIsCalledToo) {
-  Configuration configuration = commanded_by(Control::kHuman);
+  Configuration configuration = commanded_by_person();
   configuration.rules = *find_rule_book("2014");
   ScriptedGame game(configuration);
   game.placement_works = false;
@@ -256,7 +256,7 @@ TEST(BesideAPerson, ASingleFalseBallChangesNothing) {
 }
 
 TEST(BesideAPerson, PlayIsJoinedInTheMiddleWithoutAHistory) {
-  ScriptedGame game(commanded_by(Control::kHuman));
+  ScriptedGame game(commanded_by_person());
   game.placement_works = false;
   game.line_up();
   RefereeSignal given;
@@ -287,7 +287,7 @@ TEST(BesideAPerson, NothingIsInferredAcrossAGap) {
 }
 
 TEST(BesideAPerson, NoCardIsShown) {
-  Configuration configuration = commanded_by(Control::kHuman);
+  Configuration configuration = commanded_by_person();
   configuration.rules = *find_rule_book("2026-b");
   ScriptedGame game(configuration);
   game.line_up().run(0.1);
@@ -304,7 +304,7 @@ TEST(BesideAPerson, NoCardIsShown) {
 
 // "A goal is awarded if the defending team commits any foul" (2026, Penalty Kick); play goes on.
 TEST(BesideAPerson, AFoulByTheDefendersAtAPenaltyKickIsAGoal) {
-  Configuration configuration = commanded_by(Control::kHuman);
+  Configuration configuration = commanded_by_person();
   configuration.rules = *find_rule_book("2026-b");
   ScriptedGame game(configuration);
   game.placement_works = false;
@@ -327,32 +327,6 @@ TEST(BesideAPerson, AFoulByTheDefendersAtAPenaltyKickIsAGoal) {
   EXPECT_EQ(goal.from, State::kRun);
   EXPECT_EQ(goal.to, State::kCalled);
   EXPECT_EQ(goal.finding.restart.side, Side::kEast);
-}
-
-TEST(WithoutCommands, PlayIsOnFromTheFirstFrame) {
-  ScriptedGame game(commanded_by(Control::kNone));
-  game.line_up();
-  game.step();
-  EXPECT_EQ(game.referee.state(), State::kRun);
-  EXPECT_TRUE(game.referee.is_ball_in_play());
-}
-
-TEST(WithoutCommands, CallsAreReportedOnceAndPlayStaysOn) {
-  ScriptedGame game(commanded_by(Control::kNone));
-  game.placement_works = false;
-  game.line_up().run(0.1);
-  game.kick_from(Side::kWest, 1, {0.5, 1.2}, {0, 3});
-  const Decision call = game.run_until("throw_in", 2);
-  EXPECT_EQ(call.to, State::kRun);
-  EXPECT_EQ(call.restart(), (Command{CommandKind::kIndirectFree, Side::kEast}));
-  game.ball_mps = Vec2(0, 0);
-  game.run(30);
-  EXPECT_EQ(game.count("throw_in"), 1);
-  game.put_ball({0.5, -1});
-  game.run(2);
-  game.kick_from(Side::kEast, 1, {0.5, -1.2}, {0, -3});
-  EXPECT_EQ(game.run_until("throw_in", 2).restart(),
-            (Command{CommandKind::kIndirectFree, Side::kWest}));
 }
 
 }  // namespace
