@@ -52,7 +52,7 @@ struct SequentialState {
 // with few goals shows both a low mean and a low spread: of tests with d0 = 0 and a true lead of
 // d1 = 0.05, 29 to 41 % err instead of 5 % when one team scores most goals. With half of |d| it is
 // up to 8 %, with |d| at most 5.8 %; that costs 9 % to 40 % more pairs there, and nothing where the
-// differences vary by more. `coverage` (tests/coverage/) measures the error rates, which Wald's
+// differences vary by more. `coverage` (tools/coverage/) measures the error rates, which Wald's
 // bounds give only approximately, for standard deviations from 0.2 to 4 goals and leads from 0.05
 // to 1.
 //

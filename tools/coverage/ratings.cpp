@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "tests/coverage/leagues.hpp"
-#include "tests/coverage/measured.hpp"
+#include "tools/coverage/leagues.hpp"
+#include "tools/coverage/measured.hpp"
 
 namespace autoref::coverage {
 namespace {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "runner/io/words.hpp"
-#include "tests/coverage/measured.hpp"
+#include "tools/coverage/measured.hpp"
 
 namespace autoref::coverage {
 namespace {

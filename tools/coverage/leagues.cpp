@@ -1,4 +1,4 @@
-#include "tests/coverage/leagues.hpp"
+#include "tools/coverage/leagues.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "runner/statistics/bradley_terry.hpp"
 #include "runner/statistics/goal_rating.hpp"
-#include "tests/coverage/goals.hpp"
+#include "tools/coverage/goals.hpp"
 
 namespace autoref::coverage {
 namespace {

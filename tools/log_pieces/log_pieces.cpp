@@ -25,7 +25,7 @@
 #include "runner/settings/fields.hpp"
 #include "runner/settings/resolved.hpp"
 #include "soccer/random.hpp"
-#include "tests/log_pieces/piece_calls.hpp"
+#include "tools/log_pieces/piece_calls.hpp"
 
 namespace autoref::runner {
 namespace {

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "runner/statistics/sequential_test.hpp"
-#include "tests/coverage/goals.hpp"
-#include "tests/coverage/measured.hpp"
+#include "tools/coverage/goals.hpp"
+#include "tools/coverage/measured.hpp"
 
 namespace autoref::coverage {
 namespace {

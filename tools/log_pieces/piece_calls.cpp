@@ -1,4 +1,4 @@
-#include "tests/log_pieces/piece_calls.hpp"
+#include "tools/log_pieces/piece_calls.hpp"
 
 #include <fmt/format.h>
 

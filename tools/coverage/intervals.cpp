@@ -4,8 +4,8 @@
 
 #include "runner/statistics/mean_interval.hpp"
 #include "runner/statistics/proportion_interval.hpp"
-#include "tests/coverage/goals.hpp"
-#include "tests/coverage/measured.hpp"
+#include "tools/coverage/goals.hpp"
+#include "tools/coverage/measured.hpp"
 
 namespace autoref::coverage {
 namespace {
