@@ -6,7 +6,7 @@
 #include <string>
 #include <thread>
 
-#include "runner/bench/beside_live_game.hpp"
+#include "benchmarks/beside_live_game.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/live/live_options.hpp"
 #include "runner/live/network.hpp"
@@ -98,7 +98,7 @@ TEST(RecordSource, AnAddressOfAnotherComputerIsAnError) {
 // Networks that do not pass multicast on: the league's game controller can broadcast.
 TEST(RecordSourceOfAGroup, ReceivesWhatIsBroadcast) {
   NetworkThread thread;
-  const int port = free_ports(thread, 1)[0];
+  const int port = benchmarks::free_ports(thread, 1)[0];
   RecordSource source(kLoopback,
                       {{MessageKind::kReferee2013, kRefereeGroup, port, "--referee-port"}});
   DatagramSender everybody(kLoopback, {*broadcast_address(kLoopback), port});

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "benchmarks/beside_live_game.hpp"
 #include "league/messages/simulation.pb.h"
-#include "runner/bench/beside_live_game.hpp"
 #include "runner/io/errors.hpp"
 #include "runner/live/live_game.hpp"
 #include "tests/runner/live/caller.hpp"
@@ -92,7 +92,7 @@ void record_game_with_slow_robots(const std::filesystem::path& file) {
   Caller control(options.ports.control);
   control.say(slow_robots());
   EXPECT_EQ(control.hear(), "");  // no error
-  const CommandingThread teams({options.ports.blue, options.ports.yellow}, 6, 2000);
+  const benchmarks::CommandingThread teams({options.ports.blue, options.ports.yellow}, 6, 2000);
   GamePrograms programs =
       GamePrograms::live(short_network_game(), {file},
                          [&](const TeamConfiguration&, const strategies::TeamContext& team) {

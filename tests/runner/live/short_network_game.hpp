@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "runner/bench/beside_live_game.hpp"
+#include "benchmarks/beside_live_game.hpp"
 #include "runner/game/configuration.hpp"
 #include "runner/live/live_options.hpp"
 #include "runner/live/network.hpp"
@@ -28,7 +28,7 @@ inline LiveOptions loopback_options(Pace pace) {
   options.speed = {pace};
   options.unicast = kLoopback;
   options.answer_s = 60;
-  const std::vector<int> free = free_ports(thread, 6);
+  const std::vector<int> free = benchmarks::free_ports(thread, 6);
   options.ports.vision = free[0];
   options.ports.referee = free[1];
   options.ports.tracker = free[2];

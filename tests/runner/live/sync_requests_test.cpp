@@ -6,8 +6,8 @@
 #include <future>
 #include <string>
 
+#include "benchmarks/beside_live_game.hpp"
 #include "league/messages/simulation.pb.h"
-#include "runner/bench/beside_live_game.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -30,7 +30,7 @@ class PortsTest : public testing::Test {
           return std::nullopt;
         }) {
     options_.speed.pace = pace;
-    options_.ports.yellow = free_ports(thread_, 1).front();
+    options_.ports.yellow = benchmarks::free_ports(thread_, 1).front();
     options_.ports.blue = options_.ports.control = options_.ports.grsim = 0;
     ports_.emplace(
         thread_, options_, game_on_network(),

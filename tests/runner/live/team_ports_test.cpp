@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "benchmarks/beside_live_game.hpp"
 #include "league/messages/simulation.pb.h"
-#include "runner/bench/beside_live_game.hpp"
 #include "runner/live/lock_step.hpp"
 #include "tests/runner/live/caller.hpp"
 
@@ -29,7 +29,7 @@ class TeamPortsTest : public testing::Test {
  protected:
   TeamPortsTest() {
     game_.a.on_network = true;
-    const std::vector<int> free = free_ports(thread_, 2);
+    const std::vector<int> free = benchmarks::free_ports(thread_, 2);
     options_.ports.yellow = free[0];
     options_.ports.control = free[1];
     options_.ports.grsim = 0;
@@ -127,7 +127,7 @@ TEST_F(TeamPortsTest, ATeamThatIsThereMayCommandNoRobot) {
 
 // grSim's port takes datagrams only, and does not answer.
 TEST_F(TeamPortsTest, GarbageAtTheGrsimPortShowsNoTeam) {
-  options_.ports.grsim = free_ports(thread_, 1).front();
+  options_.ports.grsim = benchmarks::free_ports(thread_, 1).front();
   open(nullptr);
   DatagramSender sender(kLoopback, {kLoopback, options_.ports.grsim});
   for (const char* packet : {"\x05hello", "\x7a\x02hi"}) sender.send(packet);

@@ -1,0 +1,85 @@
+// What runs beside a live game while its punctuality is measured.
+#pragma once
+
+#include <sys/types.h>
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "runner/live/frame_pacer.hpp"
+#include "runner/live/network.hpp"
+#include "soccer/side.hpp"
+
+namespace autoref::benchmarks {
+
+// A thread that does nothing but sleep until each frame is due.
+class BareLoop {
+ public:
+  // The first frame is due after `delay`, so that the two loops do not wake each other.
+  BareLoop(double frames_per_s, std::chrono::duration<double> delay);
+
+  // Ends the loop and returns how punctual it was.
+  runner::Punctuality stop();
+
+ private:
+  runner::Punctuality punctuality_;
+  std::jthread thread_;
+};
+
+// Processes that never sleep, as other programs on the computer: the system distributes processors
+// between sessions first, and they are in one of their own.
+class BusyProcesses {
+ public:
+  // Throws InputOutputError. Call it before there are threads.
+  explicit BusyProcesses(int count);
+  ~BusyProcesses();
+  BusyProcesses(const BusyProcesses&) = delete;
+  BusyProcesses& operator=(const BusyProcesses&) = delete;
+
+ private:
+  std::vector<pid_t> processes_;
+};
+
+// A thread that commands teams by the simulation protocol, a packet per team and period.
+class CommandingThread {
+ public:
+  CommandingThread(const std::vector<int>& ports, int robots, double packets_per_s);
+
+ private:
+  std::jthread thread_;
+};
+
+// Counts the numbered frames that arrive at a port of this computer.
+class FrameCounter {
+ public:
+  // Returns the frame's number, or nullopt if a packet does not count.
+  using NumberOf = std::function<std::optional<std::int64_t>(std::string_view bytes)>;
+
+  FrameCounter(runner::NetworkThread& thread, NumberOf number_of);
+
+  int port() const { return receiver_.port(); }
+  std::int64_t received() const { return received_; }
+  // The frames that are missing from 0 to the last one.
+  std::int64_t lost() const { return last_ + 1 - received_; }
+
+ private:
+  std::atomic<std::int64_t> received_{0};
+  std::atomic<std::int64_t> last_{-1};
+  runner::DatagramReceiver receiver_;
+};
+
+// The numbers of the frames in packets of vision's first camera, and of trackers.
+std::optional<std::int64_t> vision_frame_in(std::string_view bytes);
+std::optional<std::int64_t> tracker_frame_in(std::string_view bytes);
+
+// Different ports of this computer that nobody uses at the moment, neither for datagrams nor for
+// connections. They are below those that Linux gives to sockets without a port of their own, so
+// that no such socket takes one of them before it is used. Throws InputError if none is found.
+std::vector<int> free_ports(runner::NetworkThread& thread, std::size_t count);
+
+}  // namespace autoref::benchmarks

@@ -1,0 +1,45 @@
+// Measures the speed of whole games relative to a bare Box2D simulation of the same size, and how
+// long teams take to decide.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "benchmarks/options.hpp"
+#include "runner/game/observer.hpp"
+
+namespace autoref::benchmarks {
+
+struct WholeGames {
+  double ns_per_frame = 0;  // in whole games, median of the rounds
+  // Time per frame of the bare Box2D benchmark (bare_box2d_benchmark.hpp), median of the rounds.
+  double bare_ns_per_frame = 0;
+  double ratio = 0;             // median of the rounds' ratios
+  double x_real_time = 0;       // simulated seconds per wall second
+  std::uint64_t signature = 0;  // hash over the fixed games; changes whenever behaviour changes
+  std::array<double, runner::kPhaseCount> shares{};  // fraction of a game's time in each Phase
+  double referee_ns_per_frame = 0;  // in one game with every rule in force, including the filters
+};
+
+// Plays the fixed games of a registered team against itself, each immediately followed by the bare
+// Box2D benchmark with as many frames, so a slowdown of the machine affects both.
+WholeGames measure_whole_games(const std::string& team);
+
+// Decision time of one team.
+struct TeamCost {
+  std::string name;
+  double ns_per_decision = 0;  // for the whole team; mean over a game against itself
+  std::int64_t decisions = 0;  // made by both teams in that game
+};
+
+// Measures a registered team in a fixed game against itself: six against six, two halves of 300 s.
+// Reading the clock adds about 30 ns. Throws std::invalid_argument for an unknown name, and
+// std::logic_error if the game is void.
+TeamCost cost_of_team(std::string_view name);
+
+// Prints what the fixed games cost, and, without --strong, the decisions of each registered team.
+void print_whole_games(const Options& options);
+
+}  // namespace autoref::benchmarks
