@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "runner/io/words.hpp"
-#include "runner/settings/renamed.hpp"
 
 namespace autoref::runner {
 namespace {
@@ -146,8 +145,6 @@ std::string unknown_verb_message(const CLI::App& app, const std::string& word) {
     return fmt::format("'{0}' has no verb '{1}'{2} `autoref help {0}` lists them", before, word,
                        end);
   }
-  if (const std::optional<std::string_view> now = new_verb_of(word))
-    return fmt::format("unknown verb '{}'; its name is '{}' now", word, *now);
   return fmt::format("unknown verb '{}'{} `autoref help` lists them", word, end);
 }
 

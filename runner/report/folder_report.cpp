@@ -41,7 +41,7 @@ struct ReportState {
   fs::path into;
   std::string build;
   std::string games;     // "12 of 24"
-  std::string checksum;  // of its rows; empty in reports by earlier versions
+  std::string checksum;  // of its rows
 };
 
 // Reads the state of one build's report; an overview of several builds does not count.
@@ -61,7 +61,7 @@ std::optional<ReportState> state_of_report(const ResultFolder& folder) {
 bool is_stale(const ReportState& state, const ResultFolder& folder) {
   if (state.games != games_text(folder)) return true;
   // The number of games alone does not change when games are replaced by others.
-  return !state.checksum.empty() && state.checksum != rows_checksum(folder);
+  return state.checksum != rows_checksum(folder);
 }
 
 }  // namespace

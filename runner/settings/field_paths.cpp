@@ -6,20 +6,11 @@
 
 #include "runner/io/words.hpp"
 #include "runner/settings/fields.hpp"
-#include "runner/settings/renamed.hpp"
 #include "runner/settings/robot_types.hpp"
 #include "strategies/registry.hpp"
 
 namespace autoref::runner {
 namespace {
-
-// Replaces outdated names in the path by current ones.
-std::string renamed_path(std::string_view path) {
-  const std::size_t dot = path.find('.');
-  const std::string_view name = path.substr(0, dot);
-  const std::string today(new_name_of(name).value_or(name));
-  return dot == std::string_view::npos ? today : today + "." + renamed_path(path.substr(dot + 1));
-}
 
 // The paths whose last names `path` nearly is.
 std::vector<std::string> paths_nearly_ending_in(std::string_view path,
@@ -41,10 +32,6 @@ std::vector<std::string> suggested_paths(std::string_view path,
 }
 
 std::string unknown_path_message(const std::vector<Setting>& settings, std::string_view path) {
-  const std::string today = renamed_path(path);
-  if (today != path && find_setting(settings, full_path(today)) != nullptr) {
-    return renamed_message(path, today);
-  }
   const std::vector<std::string> known =
       path.starts_with("teams.") ? full_paths(settings) : short_paths(settings);
   const std::vector<std::string> meant = suggested_paths(path, known);
@@ -198,10 +185,6 @@ std::vector<std::string> names_below(const std::vector<Setting>& settings,
 }
 
 std::string unknown_key_message(std::string_view key, const std::vector<std::string>& known) {
-  const std::optional<std::string_view> today = new_name_of(key);
-  if (today && std::find(known.begin(), known.end(), *today) != known.end()) {
-    return renamed_message(key, *today);
-  }
   const std::string nearest = suggestion(key, known);
   return fmt::format("unknown key '{}'{} Known here: {}", key, nearest.empty() ? "." : nearest,
                      listed(known));

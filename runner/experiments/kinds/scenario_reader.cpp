@@ -10,7 +10,6 @@
 #include "runner/io/errors.hpp"
 #include "runner/io/files.hpp"
 #include "runner/io/words.hpp"
-#include "runner/settings/renamed.hpp"
 #include "runner/settings/settings_reader.hpp"
 #include "runner/settings/yaml.hpp"
 
@@ -47,10 +46,6 @@ class ScenarioReader {
  private:
   void refuse_other_files(const YamlEntry& kind) const {
     const std::string text = kind.value.IsScalar() ? kind.value.Scalar() : "";
-    if (const std::optional<std::string_view> now = new_kind_of(text)) {
-      top_.file().refuse(value_location(kind), "kind",
-                         fmt::format("unknown kind '{}'; its name is '{}' now", text, *now));
-    }
     if (text == "lab") {
       top_.file().refuse(value_location(kind), "kind",
                          "this is a scene; play it with: autoref lab FILE");

@@ -70,37 +70,5 @@ TEST(MatchRules, RefuseAnUnknownSwitchByItsName) {
   }
 }
 
-std::string refusal_of_rules(const std::string& lines) {
-  try {
-    game_in(lines);
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
-TEST(MatchRules, NameTheNewNameOfARenamedSwitch) {
-  for (const auto& [before, now] :
-       {std::pair{"kick_speed", "bot_kicked_ball_too_fast"}, std::pair{"crash", "bot_crash_unique"},
-        std::pair{"dribbling", "bot_dribbled_ball_too_far"}}) {
-    const std::string lines = std::string("match: { switch: { ") + before + ": true } }\n";
-    const std::string refusal = refusal_of_rules(lines);
-    EXPECT_NE(refusal.find(std::string("its name is '") + now + "' now"), std::string::npos)
-        << refusal;
-  }
-}
-
-TEST(MatchRules, NameTheNewPathOfARenamedSwitch) {
-  GameSettings game;
-  try {
-    set_by_path(game, "match.switch.crash", "true");
-    FAIL() << "accepted";
-  } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "unknown key 'match.switch.crash'; its name is 'match.switch.bot_crash_unique' now");
-  }
-}
-
 }  // namespace
 }  // namespace autoref::runner
