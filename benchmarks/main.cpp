@@ -101,11 +101,7 @@ void add_live(CLI::App& app, Arguments& arguments) {
   verb->callback([&arguments] { print_live_punctuality(arguments.live); });
 }
 
-}  // namespace
-}  // namespace autoref::benchmarks
-
-int main(int argc, char** argv) {
-  using namespace autoref::benchmarks;
+int run(int argc, char** argv) {
   CLI::App app("Measures the speed of AutoRef.", "benchmarks");
   app.require_subcommand(1);
   Arguments arguments;
@@ -119,9 +115,18 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::Error& error) {
     return app.exit(error);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace autoref::benchmarks
+
+int main(int argc, char** argv) {
+  try {
+    return autoref::benchmarks::run(argc, argv);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "benchmarks: %s\n", error.what());
     return 1;
   }
-  return 0;
 }
