@@ -145,7 +145,7 @@ bool advance(LockStep& lock_step, CommandSlots& slots, std::int64_t frame) {
                            LockStep::Clock::now() + std::chrono::minutes(1));
 }
 
-std::string request_for_a_step() {
+std::string serialized_step_request() {
   simulation::SimulationSyncRequest request;
   request.set_sim_step(1.0F / 60);
   return request.SerializeAsString();
@@ -162,7 +162,7 @@ TEST_F(TeamPortsTest, GarbageAtTheControlPortDoesNotTakePartInTheLockStep) {
   EXPECT_EQ(response.robot_control_response().errors(0).code(), "PACKET");
   EXPECT_EQ(ports_->wrong_control(), 1);
   Caller team(options_.ports.yellow);
-  team.say(request_for_a_step());
+  team.say(serialized_step_request());
   EXPECT_TRUE(advance(lock_step, slots_, 0));
   ports_.reset();
 }
@@ -189,7 +189,7 @@ TEST_F(TeamPortsTest, ARequestWithoutAStepDoesNotStopTheLockStep) {
   program.say(last.SerializeAsString());
   program.hear();
   Caller team(options_.ports.yellow);
-  team.say(request_for_a_step());
+  team.say(serialized_step_request());
   EXPECT_TRUE(advance(lock_step, slots_, 0));
   EXPECT_TRUE(codes_heard(program).empty());
   EXPECT_EQ(codes_heard(program), std::vector<std::string>{"STEP"});
@@ -204,7 +204,7 @@ TEST_F(TeamPortsTest, AStrangerDoesNotTakeATeamsDetections) {
   stranger.say(std::string("\x0d\x00\x00\x00\x00", 5));
   EXPECT_EQ(codes_heard(stranger), std::vector<std::string>{"NO_COMMANDS"});
   Caller team(options_.ports.yellow);
-  for (int i = 0; i < 2; ++i) team.say(request_for_a_step());
+  for (int i = 0; i < 2; ++i) team.say(serialized_step_request());
   for (const int frame : {0, 1}) EXPECT_TRUE(advance(lock_step, slots_, frame));
   simulation::SimulationSyncResponse response;
   ASSERT_TRUE(response.ParseFromString(team.hear()));
