@@ -24,7 +24,7 @@ import autoref  # noqa: E402
 from autoref.team import codec_of  # noqa: E402
 
 _TURNS = 7
-_ENCODINGS = ("flat", "protobuf", "json")
+_ENCODINGS = ("flat", "json")
 
 
 class Constant(autoref.Team):
@@ -76,13 +76,7 @@ def _frames(encoding: str, folder: str, count: int) -> list[bytes]:
     with open(file, "rb") as stream:
         while length := stream.read(4):
             messages.append(stream.read(int.from_bytes(length, "little")))
-    prefix = encoding == "protobuf"
-    messages = [_varint(len(data)) + data if prefix else data for data in messages[:-1]]
-    return messages[: count + 1]
-
-
-def _varint(number: int) -> bytes:
-    return bytes([number]) if number < 128 else bytes([number & 127 | 128]) + _varint(number >> 7)
+    return messages[:-1][: count + 1]
 
 
 def _turn(arguments: list[str], messages: list[bytes]) -> tuple[float, int]:

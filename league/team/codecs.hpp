@@ -9,7 +9,6 @@ namespace autoref::league {
 
 std::unique_ptr<TeamCodec> make_flat_codec();
 std::unique_ptr<TeamCodec> make_json_codec();
-std::unique_ptr<TeamCodec> make_protobuf_codec();
 std::unique_ptr<TeamCodec> make_league_codec();
 
 // Throws std::invalid_argument if a name in `start` is too long to be sent.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <string>
 #include <vector>
 
 #include "league/team/excerpt.hpp"
@@ -11,11 +12,23 @@ namespace autoref::league {
 namespace {
 
 constexpr std::size_t kLongestGreeting = 80;  // bytes, without the end of the line
-constexpr std::string_view kGreetingUsage =
-    "expected \"autoref-team 1 ENCODING [MOTION]\", with ENCODING protobuf, json, flat or league "
-    "and MOTION tracked or detections";
 constexpr std::string_view kGreetingName = "autoref-team";
 constexpr std::string_view kGreetingVersion = "1";
+
+// "json, flat or league".
+template <typename Enumeration>
+std::string alternatives() {
+  std::vector<std::string> names = all_names<Enumeration>();
+  const std::string last = names.back();
+  names.pop_back();
+  return fmt::format("{} or {}", fmt::join(names, ", "), last);
+}
+
+std::string greeting_usage() {
+  return fmt::format(
+      "expected \"autoref-team 1 ENCODING [MOTION]\", with ENCODING {} and MOTION {}",
+      alternatives<TeamEncoding>(), alternatives<TeamMotion>());
+}
 
 // Splits at single spaces.
 std::vector<std::string_view> words_of(std::string_view line) {
@@ -30,7 +43,7 @@ std::vector<std::string_view> words_of(std::string_view line) {
 
 [[noreturn]] void refuse(std::string_view line, std::string_view why) {
   throw TeamFault(
-      fmt::format("the first line is {}: {}; {}", excerpt_of(line), why, kGreetingUsage));
+      fmt::format("the first line is {}: {}; {}", excerpt_of(line), why, greeting_usage()));
 }
 
 template <typename Enumeration>
@@ -66,7 +79,7 @@ std::optional<GreetingAndSize> find_greeting(std::string_view bytes) {
   if (bytes.size() > kLongestGreeting) {
     throw TeamFault(
         fmt::format("the first line begins with {} and does not end within {} bytes; {}",
-                    excerpt_of(beginning), kLongestGreeting, kGreetingUsage));
+                    excerpt_of(beginning), kLongestGreeting, greeting_usage()));
   }
   return std::nullopt;
 }

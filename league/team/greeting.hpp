@@ -10,7 +10,7 @@
 
 namespace autoref::league {
 
-enum class TeamEncoding : std::uint8_t { kProtobuf, kJson, kFlat, kLeague };
+enum class TeamEncoding : std::uint8_t { kJson, kFlat, kLeague };
 
 // What the program is given of robots and ball: motion as the simulator's tracker estimates it, or
 // the detections of the latest camera frame.
@@ -18,8 +18,7 @@ enum class TeamMotion : std::uint8_t { kTracked, kDetections };
 
 // As in a greeting.
 constexpr auto names_of(TeamEncoding /*any*/) {
-  return std::to_array<Named<TeamEncoding>>({{TeamEncoding::kProtobuf, "protobuf"},
-                                             {TeamEncoding::kJson, "json"},
+  return std::to_array<Named<TeamEncoding>>({{TeamEncoding::kJson, "json"},
                                              {TeamEncoding::kFlat, "flat"},
                                              {TeamEncoding::kLeague, "league"}});
 }
@@ -32,14 +31,13 @@ constexpr auto names_of(TeamMotion /*any*/) {
 using autoref::name_of;
 
 struct Greeting {
-  TeamEncoding encoding = TeamEncoding::kProtobuf;
+  TeamEncoding encoding = TeamEncoding::kJson;
   TeamMotion motion = TeamMotion::kTracked;
   bool operator==(const Greeting&) const = default;
 };
 
-// Reads "autoref-team 1 ENCODING [MOTION]", where ENCODING is protobuf, json, flat or league, and
-// MOTION is tracked or detections (the default of league only). Throws TeamFault if the line is
-// anything else.
+// Reads "autoref-team 1 ENCODING [MOTION]", with the names above; without MOTION it is tracked, and
+// in the encoding league detections. Throws TeamFault if the line is anything else.
 Greeting greeting_of(std::string_view line);
 
 struct GreetingAndSize {

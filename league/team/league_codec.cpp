@@ -1,17 +1,39 @@
 #include <fmt/format.h>
 
+#include <array>
+
+#include "league/messages/league_input.pb.h"
 #include "league/messages/referee.pb.h"
-#include "league/messages/team.pb.h"
 #include "league/referee_message.hpp"
+#include "league/simulator/robot_control.hpp"
 #include "league/team/codecs.hpp"
 #include "league/team/delimited.hpp"
 #include "league/team/league_signal.hpp"
 #include "league/team/league_vision.hpp"
-#include "league/team/robot_control.hpp"
+#include "league/team/output_builder.hpp"
 #include "league/team/team_fault.hpp"
 
 namespace autoref::league {
 namespace {
+
+// Headings of a team's robots in the frame of vision, by number.
+using Headings = std::array<Vec2, kMaxRobots>;
+
+// Global velocities are rotated into the robots' frames by `headings`.
+void add_commands(const simulation::RobotControl& control, const Headings& headings,
+                  OutputBuilder& builder) {
+  const CommandPacket packet = updates_of(control, kMaxRobots);
+  if (!packet.errors.empty()) throw TeamFault(packet.errors.front().message);
+  for (const CommandUpdate& update : packet.updates) {
+    if (update.motion && std::holds_alternative<WheelSpeeds>(*update.motion)) {
+      throw TeamFault(fmt::format(
+          "robot {} has a wheel velocity; only local and global velocities can be driven",
+          update.robot));
+    }
+    const Vec2& heading = headings.at(static_cast<std::size_t>(update.robot));
+    builder.add_command(update.robot, command_of(update, heading, {}));
+  }
+}
 
 // Remembers what the messages need of earlier ones: the colour and robots of START, the referee's
 // commands, and of the latest frame its number and the robots' headings.

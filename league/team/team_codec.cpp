@@ -20,8 +20,6 @@ void check_name(std::string_view name, std::size_t longest) {
 
 std::unique_ptr<TeamCodec> make_team_codec(TeamEncoding encoding) {
   switch (encoding) {
-    case TeamEncoding::kProtobuf:
-      return make_protobuf_codec();
     case TeamEncoding::kJson:
       return make_json_codec();
     case TeamEncoding::kFlat:

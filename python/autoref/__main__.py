@@ -43,11 +43,7 @@ def _check(_: argparse.Namespace) -> None:
     version = subprocess.run([program, "--version"], stdout=subprocess.PIPE, text=True, check=True)
     print(f"program   {program}\nversion   {version.stdout.strip()}")
     print(f"python    {sys.version.split()[0]}, {sys.executable}")
-    for module, use in (
-        ("numpy", "results()"),
-        ("pandas", "results(pandas=True)"),
-        ("google.protobuf", "teams in protobuf"),
-    ):
+    for module, use in (("numpy", "results()"), ("pandas", "results(pandas=True)")):
         print(f"{module:<16} {_is_there(module)}, for {use}")
 
 
@@ -66,7 +62,7 @@ def _parser() -> argparse.ArgumentParser:
     check.set_defaults(function=_check)
     team = verbs.add_parser("team", help="run the team in a file, as a game does")
     team.add_argument("file", metavar="FILE")
-    team.add_argument("--encoding", choices=["flat", "json", "protobuf"], default="flat")
+    team.add_argument("--encoding", choices=["flat", "json"], default="flat")
     team.add_argument("--motion", choices=["tracked", "detections"], default="tracked")
     team.set_defaults(function=_team)
     play = verbs.add_parser("play", help="play one game")

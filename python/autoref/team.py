@@ -10,13 +10,13 @@ from typing import Any, BinaryIO
 from .messages import Command, End, Output, Start, View
 from .random_stream import RandomStream
 
-_MODULES = {"flat": "flat", "json": "json_lines", "protobuf": "protobuf"}
+_MODULES = {"flat": "flat", "json": "json_lines"}
 _MOTIONS = ("tracked", "detections")
 _MAX_TEXT_BYTES = 1000
 
 
 def codec_of(encoding: str) -> Any:
-    """The module with read(), decode() and encode() of "flat", "json" or "protobuf"."""
+    """The module with read(), decode() and encode() of "flat" or "json"."""
     if encoding not in _MODULES:
         raise ValueError(f"unknown encoding {encoding!r}; there are {', '.join(_MODULES)}")
     return importlib.import_module(f".{_MODULES[encoding]}", __package__)
@@ -52,8 +52,8 @@ class Team:
     def run(cls, encoding: str = "flat", motion: str = "tracked") -> None:
         """Plays one game over standard input and output, and returns after its end.
 
-        encoding: "flat", "json" or "protobuf"; motion: "tracked" or "detections". What the team
-        prints appears on the standard error. Start it with autoref.play(), not from a terminal.
+        encoding: "flat" or "json"; motion: "tracked" or "detections". What the team prints appears
+        on the standard error. Start it with autoref.play(), not from a terminal.
         """
         if motion not in _MOTIONS:
             raise ValueError(f"unknown motion {motion!r}; there are {', '.join(_MOTIONS)}")

@@ -56,7 +56,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   greet(bytes);
-  const auto encoding = static_cast<TeamEncoding>(data[0] % 4);
+  constexpr auto kEncodings = names_of(TeamEncoding{});
+  const TeamEncoding encoding = kEncodings[data[0] % kEncodings.size()].value;
   const Decoded at_once = decoded(encoding, bytes.substr(1), size);
   constexpr std::size_t kPiece = 7;
   if (decoded(encoding, bytes.substr(1), kPiece) != at_once) std::abort();

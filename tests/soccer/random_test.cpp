@@ -59,5 +59,18 @@ TEST(RandomStream, NormalNumbersHaveMeanZeroAndDeviationOne) {
   EXPECT_NEAR(squares / kDraws, 1, 5 * 1.415 / 316.0);
 }
 
+// docs/team-programs.md has this formula.
+TEST(RandomStream, FollowsTheFormulaThatProgramsAreGiven) {
+  constexpr std::uint64_t kStep = 0x9e3779b97f4a7c15;
+  const auto mix = [](std::uint64_t x) {
+    x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9;
+    x = (x ^ (x >> 27U)) * 0x94d049bb133111eb;
+    return x ^ (x >> 31U);
+  };
+  RandomStream stream(42);
+  EXPECT_EQ(stream(), mix(mix(42 + kStep) + kStep));
+  EXPECT_EQ(stream(), mix(mix(42 + kStep) + 2 * kStep));
+}
+
 }  // namespace
 }  // namespace autoref

@@ -6,7 +6,7 @@
 #include <regex>
 #include <sstream>
 
-#include "league/messages/team.pb.h"
+#include "league/messages/league_input.pb.h"
 #include "league/team/team_codec.hpp"
 #include "tests/checkout.hpp"
 #include "tests/runner/support/temporary_folder.hpp"
@@ -15,21 +15,13 @@
 namespace autoref::runner {
 namespace {
 
-// "protobuf TeamFrame.time_s = 2 double"
-void add_protobuf(const google::protobuf::FileDescriptor& file, Names& names) {
-  for (int i = 0; i < file.message_type_count(); ++i) {
-    const google::protobuf::Descriptor& message = *file.message_type(i);
-    for (int j = 0; j < message.field_count(); ++j) {
-      const google::protobuf::FieldDescriptor& field = *message.field(j);
-      names.push_back(fmt::format("protobuf {}.{} = {} {}", message.name(), field.name(),
-                                  field.number(), field.type_name()));
-    }
-  }
-  for (int i = 0; i < file.enum_type_count(); ++i) {
-    const google::protobuf::EnumDescriptor& words = *file.enum_type(i);
-    for (int j = 0; j < words.value_count(); ++j)
-      names.push_back(
-          fmt::format("protobuf {} = {}", words.value(j)->name(), words.value(j)->number()));
+// "league LeagueInput.frame = 5 int64"
+void add_league(Names& names) {
+  const google::protobuf::Descriptor& message = *team::LeagueInput::descriptor();
+  for (int i = 0; i < message.field_count(); ++i) {
+    const google::protobuf::FieldDescriptor& field = *message.field(i);
+    names.push_back(fmt::format("league {}.{} = {} {}", message.name(), field.name(),
+                                field.number(), field.type_name()));
   }
 }
 
@@ -78,7 +70,7 @@ void add_json(Names& names) {
 
 Names message_names() {
   Names names;
-  add_protobuf(*autoref::team::TeamInput::descriptor()->file(), names);
+  add_league(names);
   add_flat(names);
   add_json(names);
   return names;

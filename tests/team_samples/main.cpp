@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <iostream>
 #include <iterator>
-#include <map>
 
 #include "league/team/output_decoder.hpp"
 #include "tests/league/team/random_messages.hpp"
@@ -51,11 +50,10 @@ int read(TeamCodec& codec) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  const std::map<std::string, TeamEncoding> encodings = {{"protobuf", TeamEncoding::kProtobuf},
-                                                         {"json", TeamEncoding::kJson},
-                                                         {"flat", TeamEncoding::kFlat}};
-  if (count != 3 || !encodings.contains(arguments[2])) return 2;
-  const std::unique_ptr<TeamCodec> codec = make_team_codec(encodings.at(arguments[2]));
+  if (count != 3) return 2;
+  const auto encoding = autoref::find_named<TeamEncoding>(arguments[2]);
+  if (!encoding) return 2;
+  const std::unique_ptr<TeamCodec> codec = make_team_codec(*encoding);
   if (std::string(arguments[1]) == "read") return read(*codec);
   write(*codec);
   return 0;

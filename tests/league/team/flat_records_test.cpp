@@ -10,8 +10,7 @@
 #include <map>
 #include <regex>
 
-#include "league/team/output_decoder.hpp"
-#include "soccer/random.hpp"
+#include "league/team/team_codec.hpp"
 #include "tests/checkout.hpp"
 
 namespace autoref::league {
@@ -30,18 +29,12 @@ void PrintTo(const DocumentedNumber& number, std::ostream* stream) {
 
 using Layout = std::vector<DocumentedNumber>;
 
-std::vector<std::string> documentation() {
-  std::ifstream file(in_checkout("docs/team-programs.md"));
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(file, line);) lines.push_back(line);
-  return lines;
-}
-
 // The tables with offsets, in the order of the page.
 std::vector<Layout> documented_layouts() {
   const std::regex row(R"(\| (\d+) \| (\w+) \| `(\w+)` \|.*)");
   std::vector<Layout> layouts;
-  for (const std::string& line : documentation()) {
+  std::ifstream page(in_checkout("docs/team-programs.md"));
+  for (std::string line; std::getline(page, line);) {
     std::smatch cells;
     if (line.starts_with("| offset |")) layouts.emplace_back();
     if (!layouts.empty() && std::regex_match(line, cells, row))
@@ -344,31 +337,6 @@ TEST(FlatStart, IsFollowedByRobotsRulesAndParameters) {
   const Documented param(bytes, 2, bytes.size() - 64);
   EXPECT_EQ(std::string(param.value<std::array<char, 56>>("name").data()), "line_m");
   EXPECT_EQ(param.f64("value"), 0.25);
-}
-
-TEST(TeamProgramsPage, HasAnExampleThatIsUnderstood) {
-  const std::unique_ptr<TeamCodec> codec = make_team_codec(TeamEncoding::kJson);
-  OutputDecoder decoder(*codec);
-  for (const std::string& line : documentation()) {
-    if (line.starts_with("{\"frame\"")) decoder.add(line + "\n");
-  }
-  TeamOutput output;
-  ASSERT_EQ(decoder.next(output), OutputDecoder::Result::kOutput) << decoder.fault();
-  EXPECT_EQ(output.frame, 118);
-  EXPECT_EQ(output.commands[3].kick_mps, 6.5);
-}
-
-// random.hpp and the formula of the documentation.
-TEST(TeamProgramsPage, HasTheFormulaOfTheRandomStream) {
-  constexpr std::uint64_t kStep = 0x9e3779b97f4a7c15;
-  const auto mix = [](std::uint64_t x) {
-    x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9;
-    x = (x ^ (x >> 27U)) * 0x94d049bb133111eb;
-    return x ^ (x >> 31U);
-  };
-  RandomStream stream(42);
-  EXPECT_EQ(stream(), mix(mix(42 + kStep) + kStep));
-  EXPECT_EQ(stream(), mix(mix(42 + kStep) + 2 * kStep));
 }
 
 }  // namespace

@@ -19,8 +19,8 @@ std::string fault_of(std::string_view bytes) {
 }
 
 TEST(Greeting, NamesTheEncodingAndTheMotion) {
-  EXPECT_EQ(greeting_of("autoref-team 1 protobuf"),
-            (Greeting{TeamEncoding::kProtobuf, TeamMotion::kTracked}));
+  EXPECT_EQ(greeting_of("autoref-team 1 flat"),
+            (Greeting{TeamEncoding::kFlat, TeamMotion::kTracked}));
   EXPECT_EQ(greeting_of("autoref-team 1 json tracked"),
             (Greeting{TeamEncoding::kJson, TeamMotion::kTracked}));
   EXPECT_EQ(greeting_of("autoref-team 1 flat detections"),
@@ -43,6 +43,14 @@ TEST(Greeting, IsFoundOnceItsLineIsComplete) {
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->size, line.size());
   EXPECT_EQ(found->greeting.encoding, TeamEncoding::kJson);
+}
+
+TEST(Greeting, InAnUnknownEncodingIsRefusedWithThoseThatExist) {
+  EXPECT_EQ(
+      fault_of("autoref-team 1 protobuf\n"),
+      "the first line is \"autoref-team 1 protobuf\": unknown encoding \"protobuf\"; expected "
+      "\"autoref-team 1 ENCODING [MOTION]\", with ENCODING json, flat or league and MOTION "
+      "tracked or detections");
 }
 
 struct WrongLine {

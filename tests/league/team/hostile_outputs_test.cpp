@@ -6,15 +6,12 @@
 #include <limits>
 
 #include "league/messages/simulation.pb.h"
-#include "league/messages/team.pb.h"
 #include "league/team/flat_records.hpp"
 #include "league/team/output_decoder.hpp"
-#include "tests/league/team/program_side.hpp"
 
 namespace autoref::league {
 namespace {
 
-using namespace std::string_literals;
 using Result = OutputDecoder::Result;
 
 struct Hostile {
@@ -156,45 +153,6 @@ INSTANTIATE_TEST_SUITE_P(
     name_of_case);
 
 template <typename Change>
-Hostile protobuf(const char* name, const Change& change, const std::string& fault) {
-  team::TeamOutput message;
-  message.set_frame(1);
-  message.add_commands()->set_robot(3);
-  change(message);
-  const std::string content = message.SerializeAsString();
-  return {name, TeamEncoding::kProtobuf, static_cast<char>(content.size()) + content, fault};
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Protobuf, HostileOutput,
-    testing::Values(Hostile{"Garbage", TeamEncoding::kProtobuf, "\x05hello",
-                            "5 bytes is not a TeamOutput"},
-                    Hostile{"Empty", TeamEncoding::kProtobuf, "\0"s, "an output names no frame"},
-                    Hostile{"LongLength", TeamEncoding::kProtobuf, "\xFF\xFF\xFF",
-                            "length is not a number up to 65536"},
-                    Hostile{"TooLong", TeamEncoding::kProtobuf, "\x81\x80\x04",
-                            "an output has 65537 bytes; the limit is 65536"},
-                    protobuf(
-                        "NoFrame", [](auto& m) { m.clear_frame(); }, "names no frame"),
-                    protobuf(
-                        "NaN", [](auto& m) { m.mutable_commands(0)->set_kick_mps(kNotANumber); },
-                        "kick_mps of robot 3 is nan; it must be finite"),
-                    protobuf(
-                        "Infinity", [](auto& m) { m.mutable_commands(0)->set_vx_mps(kInfinity); },
-                        "vx_mps of robot 3 is inf"),
-                    protobuf(
-                        "NoRobot", [](auto& m) { m.add_commands(); }, "a command names no robot"),
-                    protobuf(
-                        "NoSuchRobot", [](auto& m) { m.add_commands()->set_robot(4294967295U); },
-                        "robot is 4294967295"),
-                    protobuf(
-                        "SameRobotTwice", [](auto& m) { m.add_commands()->set_robot(3); },
-                        "robot 3 has two commands"),
-                    protobuf(
-                        "NoSuchKeeper", [](auto& m) { m.set_keeper(99); }, "keeper is 99")),
-    name_of_case);
-
-template <typename Change>
 Hostile league(const char* name, const Change& change, const std::string& fault) {
   simulation::RobotControl message;
   message.add_robot_commands()->set_id(3);
@@ -207,6 +165,8 @@ INSTANTIATE_TEST_SUITE_P(
     League, HostileOutput,
     testing::Values(
         Hostile{"Garbage", TeamEncoding::kLeague, "\x05hello", "5 bytes is not a RobotControl"},
+        Hostile{"LongLength", TeamEncoding::kLeague, "\xFF\xFF\xFF",
+                "length is not a number up to 65536"},
         Hostile{"TooLong", TeamEncoding::kLeague, "\x81\x80\x04",
                 "an output has 65537 bytes; the limit is 65536"},
         league(
@@ -255,7 +215,7 @@ TEST(OutputDecoder, ReportsAFaultForEver) {
 
 TEST(OutputDecoder, FindsAWrongRecordBeforeItIsComplete) {
   EXPECT_NE(decoded_fault(TeamEncoding::kFlat, "autoref"), "");
-  EXPECT_NE(decoded_fault(TeamEncoding::kProtobuf, "\xFF\xFF\x7F"), "");
+  EXPECT_NE(decoded_fault(TeamEncoding::kLeague, "\xFF\xFF\x7F"), "");
 }
 
 TEST(OutputDecoder, QuotesLittleOfALongLine) {

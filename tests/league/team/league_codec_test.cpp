@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "league/field_message.hpp"
+#include "league/messages/league_input.pb.h"
 #include "league/messages/referee.pb.h"
 #include "league/messages/simulation.pb.h"
-#include "league/messages/team.pb.h"
 #include "league/messages/vision.pb.h"
 #include "league/team/output_decoder.hpp"
 

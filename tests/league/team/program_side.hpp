@@ -27,7 +27,5 @@ class ProgramSide {
 
 std::unique_ptr<ProgramSide> make_flat_side();
 std::unique_ptr<ProgramSide> make_json_side();
-std::unique_ptr<ProgramSide> make_protobuf_side();
-std::unique_ptr<ProgramSide> make_program_side(TeamEncoding encoding);
 
 }  // namespace autoref::league

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <stdexcept>
 
 #include "league/team/output_decoder.hpp"
+#include "tests/checkout.hpp"
 #include "tests/league/team/described.hpp"
 #include "tests/league/team/program_side.hpp"
 #include "tests/league/team/random_messages.hpp"
@@ -17,6 +19,7 @@ using Result = OutputDecoder::Result;
 struct EncodingCase {
   const char* name;
   TeamEncoding encoding;
+  std::unique_ptr<ProgramSide> (*make_side)();
 };
 
 class Encoding : public testing::TestWithParam<EncodingCase> {
@@ -30,14 +33,13 @@ class Encoding : public testing::TestWithParam<EncodingCase> {
   }
 
   std::unique_ptr<TeamCodec> codec = make_team_codec(GetParam().encoding);
-  std::unique_ptr<ProgramSide> program = make_program_side(GetParam().encoding);
+  std::unique_ptr<ProgramSide> program = GetParam().make_side();
   RandomMessages random{7};
 };
 
 INSTANTIATE_TEST_SUITE_P(Of, Encoding,
-                         testing::Values(EncodingCase{"Protobuf", TeamEncoding::kProtobuf},
-                                         EncodingCase{"Json", TeamEncoding::kJson},
-                                         EncodingCase{"Flat", TeamEncoding::kFlat}),
+                         testing::Values(EncodingCase{"Json", TeamEncoding::kJson, make_json_side},
+                                         EncodingCase{"Flat", TeamEncoding::kFlat, make_flat_side}),
                          [](const auto& test) { return test.param.name; });
 
 TEST_P(Encoding, KeepsEveryBitOfAStart) {
@@ -141,6 +143,19 @@ TEST(JsonEncoding, AcceptsMembersInAnyOrderAndIntegersAsNumbers) {
   ASSERT_EQ(decoder.next(output), Result::kOutput) << decoder.fault();
   EXPECT_EQ(output.commands[4].velocity_mps, Vec2(2, 0));
   EXPECT_EQ(output.commands[5].velocity_mps, Vec2(0, 0));
+}
+
+TEST(TeamProgramsPage, HasAnExampleThatIsUnderstood) {
+  const std::unique_ptr<TeamCodec> codec = make_team_codec(TeamEncoding::kJson);
+  OutputDecoder decoder(*codec);
+  std::ifstream page(in_checkout("docs/team-programs.md"));
+  for (std::string line; std::getline(page, line);) {
+    if (line.starts_with("{\"frame\"")) decoder.add(line + "\n");
+  }
+  TeamOutput output;
+  ASSERT_EQ(decoder.next(output), Result::kOutput) << decoder.fault();
+  EXPECT_EQ(output.frame, 118);
+  EXPECT_EQ(output.commands[3].kick_mps, 6.5);
 }
 
 }  // namespace
