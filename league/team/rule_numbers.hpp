@@ -22,8 +22,4 @@ void visit_rule_numbers(const RuleBook& rules,
 void visit_start_numbers(const TeamStart& start,
                          const std::function<void(std::string_view name, double value)>& visit);
 
-// Sets the number of that name, as visit_start_numbers() names it, in a team's program; returns
-// false if the name is unknown.
-bool set_start_number(TeamStart& start, std::string_view name, double value);
-
 }  // namespace autoref::league

@@ -2,8 +2,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "league/team/rule_numbers.hpp"
 #include "tests/league/team/program_side.hpp"
+#include "tests/league/team/start_numbers.hpp"
 
 namespace autoref::league {
 namespace {

@@ -6,6 +6,8 @@
 #include <set>
 #include <string>
 
+#include "tests/league/team/start_numbers.hpp"
+
 namespace autoref::league {
 namespace {
 
