@@ -45,7 +45,7 @@ class MeasuredProgram {
     const std::string seed = std::to_string(fixed_seed(round));
     const std::optional<CommandResult> result =
         run_command({program_, "play", scenario_, "--seed", seed, "--json"}, longest_s_);
-    if (!result) throw build_error(program_, "there is no such program");
+    if (!result) throw build_error(program_, "this program cannot be found");
     if (result->is_late)
       throw build_error(program_, fmt::format("a game took longer than {} s", longest_s_));
     if (result->code != 0)

@@ -26,17 +26,17 @@ using namespace runner;
 
 using Clock = std::chrono::steady_clock;
 
-constexpr BenchBatch kFullGames{.pairs = 6};
-constexpr BenchBatch kShortGames{.pairs = 150, .half_s = 10, .halves = 1};
-constexpr BenchBatch kCrowdedGames{.pairs = 48, .half_s = 20, .with_memory = true};
+constexpr MeasuredExperiment kFullGames{.pairs = 6};
+constexpr MeasuredExperiment kShortGames{.pairs = 150, .half_s = 10, .halves = 1};
+constexpr MeasuredExperiment kCrowdedGames{.pairs = 48, .half_s = 20, .with_memory = true};
 constexpr std::array kCrowds = {1, 4, 16, 64};
 
-Sweep sweep_of(const BenchBatch& batch) {
+Sweep sweep_of(const MeasuredExperiment& experiment) {
   Sweep sweep;
-  sweep.base.match.half_s = batch.half_s;
-  sweep.base.match.halves = batch.halves;
+  sweep.base.match.half_s = experiment.half_s;
+  sweep.base.match.halves = experiment.halves;
   sweep.factors = {{"b.handicap", {1.0}}};
-  sweep.pairs = batch.pairs;
+  sweep.pairs = experiment.pairs;
   return sweep;
 }
 
@@ -67,18 +67,19 @@ struct CrowdSamples {
   double resident_mb = 0;
 };
 
-class BatchRounds {
+class ExperimentRounds {
  public:
   void play_round(const std::string& program) {
     start_s_.add(start_s_of(program));
-    const BatchCosts full = costs_of(kFullGames);
+    MeasuredExperiment with_two = kFullGames;
+    with_two.workers = 2;
+    const double with_two_s = costs_of(with_two).wall_s;
+    const CostsOfExperiment full = costs_of(kFullGames);
+    speedup_.add(full.wall_s / with_two_s);
     full_s_.add(full.total_s_per_game());
     overhead_.add(full.overhead());
     set_up_.add(full.worker.set_up_s / full.total_s());
     parent_.add(full.parent_s / full.total_s());
-    BenchBatch with_two = kFullGames;
-    with_two.workers = 2;
-    speedup_.add(full.wall_s / costs_of(with_two).wall_s);
     compare_short(full, costs_of(kShortGames));
     compare_crowds();
   }
@@ -102,8 +103,8 @@ class BatchRounds {
   }
 
  private:
-  void compare_short(const BatchCosts& full, const BatchCosts& brief) {
-    const auto frame_s = [](const BatchCosts& costs) {
+  void compare_short(const CostsOfExperiment& full, const CostsOfExperiment& brief) {
+    const auto frame_s = [](const CostsOfExperiment& costs) {
       return costs.worker.frames_s / static_cast<double>(costs.worker.frames);
     };
     short_s_.add(brief.total_s_per_game());
@@ -115,12 +116,12 @@ class BatchRounds {
 
   // Every other round in the opposite order.
   void compare_crowds() {
-    std::array<BatchCosts, kCrowds.size()> costs;
+    std::array<CostsOfExperiment, kCrowds.size()> costs;
     for (std::size_t i = 0; i < kCrowds.size(); ++i) {
       const std::size_t crowd = is_reversed_ ? kCrowds.size() - 1 - i : i;
-      BenchBatch batch = kCrowdedGames;
-      batch.workers = kCrowds[crowd];
-      costs[crowd] = costs_of(batch);
+      MeasuredExperiment experiment = kCrowdedGames;
+      experiment.workers = kCrowds[crowd];
+      costs[crowd] = costs_of(experiment);
     }
     is_reversed_ = !is_reversed_;
     for (std::size_t i = 0; i < kCrowds.size(); ++i) {
@@ -165,22 +166,22 @@ TextTable crowd_table(const ExperimentCosts& costs) {
 
 }  // namespace
 
-BatchCosts costs_of(const BenchBatch& batch) {
+CostsOfExperiment costs_of(const MeasuredExperiment& experiment) {
   const WorkingFolder folder;
   const WorkerMeter meter;
   ExperimentOptions options;
   options.folder = folder.path();
   options.build = build_id();
-  options.workers = batch.workers;
-  options.play = [&meter, &batch](const GameConfiguration& game) {
-    return meter.play(game, batch.with_memory);
+  options.workers = experiment.workers;
+  options.play = [&meter, &experiment](const GameConfiguration& game) {
+    return meter.play(game, experiment.with_memory);
   };
   const double parent_s = processor_s_of(RUSAGE_SELF);
   const double workers_s = processor_s_of(RUSAGE_CHILDREN);
   const double waits = waits_of(RUSAGE_CHILDREN);
   const Clock::time_point start = Clock::now();
   // Once the experiment returns, all workers have been waited for.
-  const ExperimentReport report = run_experiment({"", sweep_of(batch)}, options);
+  const ExperimentReport report = run_experiment({"", sweep_of(experiment)}, options);
   if (!report.is_complete) throw Interrupted();
   if (report.void_games > 0) throw std::logic_error("a game of the benchmark is void");
   return {meter.costs(), processor_s_of(RUSAGE_SELF) - parent_s,
@@ -189,7 +190,7 @@ BatchCosts costs_of(const BenchBatch& batch) {
 }
 
 ExperimentCosts measure_experiments(const std::string& program, int rounds) {
-  BatchRounds all;
+  ExperimentRounds all;
   for (int round = 0; round < rounds; ++round) all.play_round(program);
   return all.result(rounds);
 }

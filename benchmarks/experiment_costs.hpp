@@ -1,5 +1,5 @@
-// Measures what experiments cost besides the frames of their games: starting the program, games and
-// workers, writing rows, many short games, a second worker, and many workers.
+// Measures what experiments cost besides the frames of their games (starting the program, games and
+// workers, writing rows, many short games, many workers), and what a second worker gains.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 namespace autoref::benchmarks {
 
 // An experiment of games of the default team against itself.
-struct BenchBatch {
+struct MeasuredExperiment {
   int pairs = 1;  // two games each
   double half_s = 600;
   int halves = 2;
@@ -21,7 +21,7 @@ struct BenchBatch {
 };
 
 // What one run of such an experiment cost, from an empty folder to the result files.
-struct BatchCosts {
+struct CostsOfExperiment {
   WorkerCosts worker;
   double parent_s = 0;   // processor time of the process that hands out games and writes rows
   double workers_s = 0;  // of all workers
@@ -39,7 +39,7 @@ struct BatchCosts {
 
 // Runs the experiment in a temporary folder. Throws Interrupted after a signal, and
 // std::logic_error if a game is void.
-BatchCosts costs_of(const BenchBatch& batch);
+CostsOfExperiment costs_of(const MeasuredExperiment& experiment);
 
 // An experiment with many workers, relative to the same games with one worker in the same round.
 struct CrowdRow {

@@ -18,11 +18,11 @@ namespace {
 using namespace runner;
 
 constexpr std::size_t kMostRobots = sim::TeamSpec::Robots::static_capacity;
-constexpr double kScaledHalf_s = 60;
+constexpr double kMeasuredHalf_s = 60;  // of each half of a game
 
 GameConfiguration short_game(const Options& options) {
   GameConfiguration game = fixed_game(0, options.team());
-  game.match.half_s = kScaledHalf_s;
+  game.match.half_s = kMeasuredHalf_s;
   return game;
 }
 
@@ -170,7 +170,7 @@ void print_frame_costs(const Options& options) {
       "# The cost of a frame\n\nProcessor time per frame of games of `{0}` against `{0}`, two "
       "halves of {1:g} s, relative to one row of each table in the same round: median of {2} "
       "rounds with its 95 % confidence interval (sign test).\n\n",
-      options.team(), kScaledHalf_s, options.rounds);
+      options.team(), kMeasuredHalf_s, options.rounds);
   for (std::size_t i = 0; i < all.size(); ++i) text += markdown_of(scale_table(all[i], ns[i]));
   text.pop_back();
   fmt::print("{}", text);

@@ -19,7 +19,7 @@ constexpr double kPacketRate_hz = 60;
 // Thrown in the game's loop when its time is over.
 struct MeasuringIsOver {};
 
-GameConfiguration live_bench_game(double seconds, bool on_network) {
+GameConfiguration measured_configuration(double seconds, bool on_network) {
   GameConfiguration game;
   game.match.half_s = seconds + 1;  // it does not end by itself
   for (TeamConfiguration* team : {&game.a, &game.b}) {
@@ -48,8 +48,8 @@ Punctuality punctuality_of(const GameConfiguration& game, const LiveOptions& opt
   return live.report().punctuality;
 }
 
-MeasuredLiveGame measured(const LiveConditions& conditions, bool on_network) {
-  const GameConfiguration game = live_bench_game(conditions.seconds, on_network);
+MeasuredLiveGame measure_live_game(const LiveConditions& conditions, bool on_network) {
+  const GameConfiguration game = measured_configuration(conditions.seconds, on_network);
   NetworkThread thread;
   FrameCounter vision(thread, vision_frame_in);
   FrameCounter tracker(thread, tracker_frame_in);
@@ -107,7 +107,7 @@ std::optional<double> MeasuredLiveGame::ratio() const {
 
 std::vector<MeasuredLiveGame> measure_live_games(const LiveConditions& conditions) {
   const BusyProcesses load(conditions.load);
-  return {measured(conditions, false), measured(conditions, true)};
+  return {measure_live_game(conditions, false), measure_live_game(conditions, true)};
 }
 
 void print_live_punctuality(const LiveConditions& conditions) {

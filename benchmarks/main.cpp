@@ -1,10 +1,9 @@
 // The program `benchmarks`: a verb for each thing that it measures (README.md).
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <string>
 
 #include "benchmarks/build_comparison.hpp"
 #include "benchmarks/experiment_costs.hpp"
@@ -13,6 +12,7 @@
 #include "benchmarks/options.hpp"
 #include "benchmarks/program_costs.hpp"
 #include "benchmarks/whole_games.hpp"
+#include "runner/io/errors.hpp"
 
 namespace autoref::benchmarks {
 namespace {
@@ -52,8 +52,10 @@ void add_games(CLI::App& app, Arguments& arguments) {
 
 void add_builds(CLI::App& app, Arguments& arguments) {
   CLI::App* verb = app.add_subcommand("builds", "Compare two builds of the program `autoref`.");
-  verb->add_option("BEFORE", arguments.before, "A program `autoref`.")->required();
-  verb->add_option("AFTER", arguments.after, "Another one; by default, this build's.");
+  verb->add_option("BEFORE", arguments.before, "The earlier build: a program `autoref`.")
+      ->required();
+  verb->add_option("AFTER", arguments.after,
+                   "The later build; by default, the program beside this one.");
   add_strong(*verb, arguments);
   add_rounds(*verb, arguments);
   verb->callback([&arguments] {
@@ -82,7 +84,8 @@ void add_programs(CLI::App& app) {
   app.add_subcommand("programs", "Compare games between programs with bare pipes.")->callback([] {
     print_program_costs({this_program(), "answer"});
   });
-  app.add_subcommand("answer", "Be a team's program that does nothing but answer.")->callback([] {
+  // Hidden: the team of those games.
+  app.add_subcommand("answer")->group("")->callback([] {
     if (answer_frames() != 0) throw CLI::RuntimeError(1);
   });
 }
@@ -114,7 +117,10 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Error& error) {
-    return app.exit(error);
+    return app.exit(error) == 0 ? 0 : runner::kBadInput;
+  } catch (const runner::InputError& error) {
+    std::fprintf(stderr, "benchmarks: %s\n", error.what());
+    return runner::kBadInput;
   }
   return 0;
 }
@@ -125,8 +131,10 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return autoref::benchmarks::run(argc, argv);
+  } catch (const autoref::runner::Interrupted&) {
+    return autoref::runner::kInterrupted;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "benchmarks: %s\n", error.what());
-    return 1;
+    return autoref::runner::kInternal;
   }
 }

@@ -1,4 +1,4 @@
-// Options that several benchmarks have.
+// Options of several benchmarks.
 #pragma once
 
 #include <string>
@@ -7,7 +7,8 @@
 
 namespace autoref::benchmarks {
 
-// The fewest with a 95 % interval of the median (runner/statistics/median_interval.hpp).
+// The fewest rounds that give a 95 % interval of the median
+// (runner/statistics/median_interval.hpp).
 inline constexpr int kFewestRounds = 6;
 
 struct Options {

@@ -126,7 +126,7 @@ def main() -> None:
         os.sched_setaffinity(0, [min(os.sched_getaffinity(0))])
         print("encoding   frame  answer  echo us  constant us  ratio  reader us  ratio")
         with tempfile.TemporaryDirectory() as folder:
-            os.chmod(folder, 0o777)  # AutoRef that runs as root starts programs under another user
+            os.chmod(folder, 0o777)  # if AutoRef runs as root, it starts programs as another user
             for encoding in _ENCODINGS:
                 _measure(encoding, _frames(encoding, folder, int(role or 3000)))
 

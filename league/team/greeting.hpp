@@ -36,8 +36,8 @@ struct Greeting {
   bool operator==(const Greeting&) const = default;
 };
 
-// Reads "autoref-team 1 ENCODING [MOTION]", with the names above; without MOTION it is tracked, and
-// in the encoding league detections. Throws TeamFault if the line is anything else.
+// Reads "autoref-team 1 ENCODING [MOTION]", with the names above. MOTION defaults to tracked, in
+// the encoding league to detections. Throws TeamFault if the line is anything else.
 Greeting greeting_of(std::string_view line);
 
 struct GreetingAndSize {

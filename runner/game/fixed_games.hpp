@@ -1,5 +1,5 @@
-// The games that `autoref bench` and the benchmarks play: always the same, so that a hash over them
-// tells builds apart.
+// The games that `autoref bench` and the benchmarks play: always the same, so that builds that play
+// differently get different hashes.
 #pragma once
 
 #include <cstdint>

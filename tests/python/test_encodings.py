@@ -117,11 +117,7 @@ class Encodings(unittest.TestCase):
         for encoding in _ENCODINGS:
             self.assertEqual(codec_of(encoding).read(io.BytesIO(b"")), b"")
 
-    def test_unknown_one_is_refused(self):
-        with self.assertRaisesRegex(ValueError, "unknown encoding 'xml'"):
-            codec_of("xml")
-
-    def test_refusal_names_those_that_exist(self):
+    def test_unknown_one_is_refused_with_the_known_ones(self):
         with self.assertRaisesRegex(ValueError, "unknown encoding 'protobuf'; there are flat, json$"):
             codec_of("protobuf")
 

@@ -40,6 +40,13 @@ void add_flat(Names& names) {
   }
 }
 
+// "play HALT = 0": a number in flat records, and the word in JSON.
+template <typename Enumeration>
+void add_values(const char* field, Names& names) {
+  for (const Named<Enumeration>& value : names_of(Enumeration{}))
+    names.push_back(fmt::format("{} {} = {}", field, value.name, static_cast<int>(value.value)));
+}
+
 void add_members(const YAML::Node& node, const std::string& path, Names& names) {
   if (node.IsSequence() && node.size() > 0) add_members(node[0], path + "[]", names);
   if (!node.IsMap()) return;
@@ -72,6 +79,8 @@ Names message_names() {
   Names names;
   add_league(names);
   add_flat(names);
+  add_values<Play>("play", names);
+  add_values<CommandKind>("next", names);
   add_json(names);
   return names;
 }

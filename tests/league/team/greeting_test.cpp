@@ -45,7 +45,7 @@ TEST(Greeting, IsFoundOnceItsLineIsComplete) {
   EXPECT_EQ(found->greeting.encoding, TeamEncoding::kJson);
 }
 
-TEST(Greeting, InAnUnknownEncodingIsRefusedWithThoseThatExist) {
+TEST(Greeting, WithAnUnknownEncodingIsRefusedAndListsTheKnownOnes) {
   EXPECT_EQ(
       fault_of("autoref-team 1 protobuf\n"),
       "the first line is \"autoref-team 1 protobuf\": unknown encoding \"protobuf\"; expected "

@@ -1,4 +1,4 @@
-// The numbers of a START, read by a program.
+// Reads the numbers of a START, as a team's program does.
 #pragma once
 
 #include <string_view>
