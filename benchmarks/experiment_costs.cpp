@@ -74,7 +74,7 @@ class ExperimentRounds {
     MeasuredExperiment with_two = kFullGames;
     with_two.workers = 2;
     const double with_two_s = costs_of(with_two).wall_s;
-    const CostsOfExperiment full = costs_of(kFullGames);
+    const RunCosts full = costs_of(kFullGames);
     speedup_.add(full.wall_s / with_two_s);
     full_s_.add(full.total_s_per_game());
     overhead_.add(full.overhead());
@@ -103,8 +103,8 @@ class ExperimentRounds {
   }
 
  private:
-  void compare_short(const CostsOfExperiment& full, const CostsOfExperiment& brief) {
-    const auto frame_s = [](const CostsOfExperiment& costs) {
+  void compare_short(const RunCosts& full, const RunCosts& brief) {
+    const auto frame_s = [](const RunCosts& costs) {
       return costs.worker.frames_s / static_cast<double>(costs.worker.frames);
     };
     short_s_.add(brief.total_s_per_game());
@@ -116,7 +116,7 @@ class ExperimentRounds {
 
   // Every other round in the opposite order.
   void compare_crowds() {
-    std::array<CostsOfExperiment, kCrowds.size()> costs;
+    std::array<RunCosts, kCrowds.size()> costs;
     for (std::size_t i = 0; i < kCrowds.size(); ++i) {
       const std::size_t crowd = is_reversed_ ? kCrowds.size() - 1 - i : i;
       MeasuredExperiment experiment = kCrowdedGames;
@@ -166,7 +166,7 @@ TextTable crowd_table(const ExperimentCosts& costs) {
 
 }  // namespace
 
-CostsOfExperiment costs_of(const MeasuredExperiment& experiment) {
+RunCosts costs_of(const MeasuredExperiment& experiment) {
   const WorkingFolder folder;
   const WorkerMeter meter;
   ExperimentOptions options;

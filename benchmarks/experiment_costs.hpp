@@ -21,7 +21,7 @@ struct MeasuredExperiment {
 };
 
 // What one run of such an experiment cost, from an empty folder to the result files.
-struct CostsOfExperiment {
+struct RunCosts {
   WorkerCosts worker;
   double parent_s = 0;   // processor time of the process that hands out games and writes rows
   double workers_s = 0;  // of all workers
@@ -39,7 +39,7 @@ struct CostsOfExperiment {
 
 // Runs the experiment in a temporary folder. Throws Interrupted after a signal, and
 // std::logic_error if a game is void.
-CostsOfExperiment costs_of(const MeasuredExperiment& experiment);
+RunCosts costs_of(const MeasuredExperiment& experiment);
 
 // An experiment with many workers, relative to the same games with one worker in the same round.
 struct CrowdRow {
@@ -67,7 +67,7 @@ struct ExperimentCosts {
   std::vector<CrowdRow> crowds;
 };
 
-// In each round, runs full games with one worker and with two, games of 10 s, and games with 1, 4,
+// In each round, runs full games with two workers and with one, games of 10 s, and games with 1, 4,
 // 16 and 64 workers in turn, so that a slowdown of the machine affects all; and starts `program`,
 // which is `autoref`, once. `rounds` is at least kFewestRounds.
 ExperimentCosts measure_experiments(const std::string& program, int rounds);

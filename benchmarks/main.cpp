@@ -1,7 +1,6 @@
 // The program `benchmarks`: a verb for each thing that it measures (README.md).
 #include <CLI/CLI.hpp>
-#include <cstdio>
-#include <exception>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 
@@ -12,6 +11,7 @@
 #include "benchmarks/options.hpp"
 #include "benchmarks/program_costs.hpp"
 #include "benchmarks/whole_games.hpp"
+#include "runner/cli/command_line.hpp"
 #include "runner/io/errors.hpp"
 
 namespace autoref::benchmarks {
@@ -85,9 +85,7 @@ void add_programs(CLI::App& app) {
     print_program_costs({this_program(), "answer"});
   });
   // Hidden: the team of those games.
-  app.add_subcommand("answer")->group("")->callback([] {
-    if (answer_frames() != 0) throw CLI::RuntimeError(1);
-  });
+  app.add_subcommand("answer")->group("")->callback([] { std::exit(answer_frames()); });
 }
 
 void add_live(CLI::App& app, Arguments& arguments) {
@@ -117,24 +115,15 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Error& error) {
-    return app.exit(error) == 0 ? 0 : runner::kBadInput;
-  } catch (const runner::InputError& error) {
-    std::fprintf(stderr, "benchmarks: %s\n", error.what());
-    return runner::kBadInput;
+    return app.exit(error) == 0 ? runner::kDone : runner::kBadInput;
   }
-  return 0;
+  return runner::kDone;
 }
 
 }  // namespace
 }  // namespace autoref::benchmarks
 
 int main(int argc, char** argv) {
-  try {
-    return autoref::benchmarks::run(argc, argv);
-  } catch (const autoref::runner::Interrupted&) {
-    return autoref::runner::kInterrupted;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "benchmarks: %s\n", error.what());
-    return autoref::runner::kInternal;
-  }
+  return autoref::runner::exit_code_of([&] { return autoref::benchmarks::run(argc, argv); },
+                                       "benchmarks");
 }

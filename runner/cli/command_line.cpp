@@ -19,8 +19,8 @@ namespace {
 
 constexpr const char* kNoOutput = "cannot write the output";
 
-int fail(ExitCode code, std::string_view message) {
-  write_message(stderr, fmt::format("autoref: {}\n", message));
+int fail(std::string_view program, ExitCode code, std::string_view message) {
+  write_message(stderr, fmt::format("{}: {}\n", program, message));
   return code;
 }
 
@@ -37,7 +37,7 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv, const Chosen& c
 
 }  // namespace
 
-int exit_code_of(const Chosen& work) {
+int exit_code_of(const Chosen& work, std::string_view program) {
   try {
     const int code = work();
     // A full disk may go unnoticed until this flush, or an earlier unchecked write may have failed.
@@ -45,14 +45,15 @@ int exit_code_of(const Chosen& work) {
     if (std::ferror(stdout) != 0) throw InputOutputError(kNoOutput);
     return code;
   } catch (const InputError& error) {
-    return fail(kBadInput, error.what());
+    return fail(program, kBadInput, error.what());
   } catch (const league::LogError& error) {
-    return fail(kInputOutput, error.what());
+    return fail(program, kInputOutput, error.what());
   } catch (const Interrupted& error) {
-    return fail(kInterrupted, error.what());
+    return fail(program, kInterrupted, error.what());
   } catch (const std::exception& error) {
-    if (const auto failure = environment_failure(error)) return fail(kInputOutput, *failure);
-    return fail(kInternal, fmt::format("internal error: {}", error.what()));
+    if (const auto failure = environment_failure(error))
+      return fail(program, kInputOutput, *failure);
+    return fail(program, kInternal, fmt::format("internal error: {}", error.what()));
   }
 }
 
@@ -106,7 +107,7 @@ int run_command_line(int argc, const char* const* argv) {
   }
   if (argc == 1) return exit_code_of([&app] { return help_verb(app, {}); });
   if (!word.starts_with('-') && !is_verb(app, word)) {
-    return fail(kBadInput, unknown_verb_message(app, word));
+    return fail("autoref", kBadInput, unknown_verb_message(app, word));
   }
   return exit_code_of([&] { return run_parsed(app, argc, argv, chosen); });
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "runner/cli/play_one.hpp"
@@ -304,7 +305,8 @@ void add_man_verb(CLI::App& app, Chosen& chosen);
 void add_reference_verb(CLI::App& app, Chosen& chosen);
 void add_help_verb(CLI::App& app, Chosen& chosen);
 
-// Runs `work`; turns an exception into a message on stderr and an exit code (errors.hpp).
-int exit_code_of(const Chosen& work);
+// Runs `work`; turns an exception into a message on stderr, which begins with the program's name,
+// and an exit code (errors.hpp).
+int exit_code_of(const Chosen& work, std::string_view program = "autoref");
 
 }  // namespace autoref::runner

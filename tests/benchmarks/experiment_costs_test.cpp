@@ -7,8 +7,8 @@
 namespace autoref::benchmarks {
 namespace {
 
-CostsOfExperiment some_costs() {
-  CostsOfExperiment costs;
+RunCosts some_costs() {
+  RunCosts costs;
   costs.worker.games = 4;
   costs.worker.frames = 600;
   costs.worker.frames_s = 2.7;
@@ -18,11 +18,11 @@ CostsOfExperiment some_costs() {
   return costs;
 }
 
-TEST(CostsOfExperiment, OverheadIsEverythingOutsideTheFrames) {
+TEST(RunCosts, OverheadIsEverythingOutsideTheFrames) {
   EXPECT_NEAR(some_costs().overhead(), 0.1, 1e-12);
 }
 
-TEST(CostsOfExperiment, SpeedCountsTheTimeOfAllProcesses) {
+TEST(RunCosts, SpeedCountsTheTimeOfAllProcesses) {
   EXPECT_NEAR(some_costs().frames_per_s(), 200, 1e-9);
   EXPECT_NEAR(some_costs().total_s_per_game(), 0.75, 1e-12);
   EXPECT_NEAR(some_costs().waits_per_game(), 1.5, 1e-12);
@@ -36,9 +36,8 @@ TEST(MeasuredRatio, IsTheMedianWithItsInterval) {
 }
 
 // Sums, not times, so the test does not depend on the machine's speed.
-TEST(CostsOfExperiment, ComeFromTheGamesOfAllWorkers) {
-  const CostsOfExperiment costs =
-      costs_of({.pairs = 2, .half_s = 1, .workers = 3, .with_memory = true});
+TEST(RunCosts, ComeFromTheGamesOfAllWorkers) {
+  const RunCosts costs = costs_of({.pairs = 2, .half_s = 1, .workers = 3, .with_memory = true});
   EXPECT_EQ(costs.worker.games, 4);
   EXPECT_GT(costs.worker.frames, 4 * 120);  // two halves of 60 frames each, and the stops
   EXPECT_GT(costs.worker.frames_s, 0);
