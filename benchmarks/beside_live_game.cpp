@@ -12,16 +12,14 @@
 #include <string>
 #include <utility>
 
+#include "io/errors.hpp"
 #include "league/messages/simulation.pb.h"
 #include "league/messages/tracker.pb.h"
 #include "league/messages/vision.pb.h"
-#include "runner/io/errors.hpp"
-#include "runner/live/stream_server.hpp"
+#include "live/network/stream_server.hpp"
 
 namespace autoref::benchmarks {
 namespace {
-
-using namespace runner;
 
 constexpr int kLowestFreePort = 21'000;
 constexpr int kHighestFreePort = 29'999;
@@ -59,13 +57,13 @@ std::string circling_commands(int robots) {
 BareLoop::BareLoop(double frames_per_s, std::chrono::duration<double> delay)
     : thread_([this, frames_per_s, delay](const std::stop_token& stop) {
         std::this_thread::sleep_for(delay);
-        SteadyFrameClock clock;
-        FramePacer pacer(clock, frames_per_s);
+        live::SteadyFrameClock clock;
+        live::FramePacer pacer(clock, frames_per_s);
         while (!stop.stop_requested()) pacer.wait();
         punctuality_ = pacer.punctuality();
       }) {}
 
-Punctuality BareLoop::stop() {
+live::Punctuality BareLoop::stop() {
   thread_.request_stop();
   thread_.join();
   return punctuality_;
@@ -75,7 +73,7 @@ BusyProcesses::BusyProcesses(int count) {
   processes_.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     const pid_t process = fork();
-    if (process < 0) throw io_error("cannot start a process", errno);
+    if (process < 0) throw io::io_error("cannot start a process", errno);
     if (process == 0) compute_until_killed();
     processes_.push_back(process);
   }
@@ -91,26 +89,28 @@ BusyProcesses::~BusyProcesses() {
 CommandingThread::CommandingThread(const std::vector<int>& ports, int robots, double packets_per_s)
     : thread_([ports, robots, packets_per_s](const std::stop_token& stop) {
         const std::string bytes = circling_commands(robots);
-        std::vector<DatagramSender> senders;
+        std::vector<live::DatagramSender> senders;
         senders.reserve(ports.size());
-        for (const int port : ports) senders.emplace_back(kLoopback, Address{kLoopback, port});
-        SteadyFrameClock clock;
-        FramePacer pacer(clock, packets_per_s);
+        for (const int port : ports)
+          senders.emplace_back(live::kLoopback, live::Address{live::kLoopback, port});
+        live::SteadyFrameClock clock;
+        live::FramePacer pacer(clock, packets_per_s);
         while (!stop.stop_requested()) {
-          for (DatagramSender& sender : senders) sender.send(bytes);
+          for (live::DatagramSender& sender : senders) sender.send(bytes);
           pacer.wait();
         }
       }) {}
 
-FrameCounter::FrameCounter(NetworkThread& thread, NumberOf number_of)
-    : receiver_(thread, {},
-                [this, number_of = std::move(number_of)](std::string_view bytes, const Address&) {
-                  if (const auto number = number_of(bytes)) {
-                    ++received_;
-                    last_ = std::max<std::int64_t>(last_, *number);
-                  }
-                  return std::nullopt;
-                }) {}
+FrameCounter::FrameCounter(live::NetworkThread& thread, NumberOf number_of)
+    : receiver_(
+          thread, {},
+          [this, number_of = std::move(number_of)](std::string_view bytes, const live::Address&) {
+            if (const auto number = number_of(bytes)) {
+              ++received_;
+              last_ = std::max<std::int64_t>(last_, *number);
+            }
+            return std::nullopt;
+          }) {}
 
 std::optional<std::int64_t> vision_frame_in(std::string_view bytes) {
   const auto packet = message_in<league::VisionPacket>(bytes);
@@ -125,20 +125,20 @@ std::optional<std::int64_t> tracker_frame_in(std::string_view bytes) {
   return packet->tracked_frame().frame_number();
 }
 
-std::vector<int> free_ports(NetworkThread& thread, std::size_t count) {
-  const auto ignore = [](std::string_view, const Address&) { return std::nullopt; };
+std::vector<int> free_ports(live::NetworkThread& thread, std::size_t count) {
+  const auto ignore = [](std::string_view, const live::Address&) { return std::nullopt; };
   std::random_device random;
   std::uniform_int_distribution<int> any(kLowestFreePort, kHighestFreePort);
-  std::vector<std::unique_ptr<DatagramReceiver>> datagrams;
+  std::vector<std::unique_ptr<live::DatagramReceiver>> datagrams;
   std::vector<int> ports;
   for (int attempts = 100; ports.size() < count;) {
-    const DatagramReceiver::Place place{kLoopback, "", any(random), ""};
+    const live::DatagramReceiver::Place place{live::kLoopback, "", any(random), ""};
     try {
-      auto receiver = std::make_unique<DatagramReceiver>(thread, place, ignore);
-      const StreamServer connections(thread, place, ignore);
+      auto receiver = std::make_unique<live::DatagramReceiver>(thread, place, ignore);
+      const live::StreamServer connections(thread, place, ignore);
       datagrams.push_back(std::move(receiver));
       ports.push_back(place.port);
-    } catch (const InputError&) {
+    } catch (const io::InputError&) {
       if (--attempts == 0) throw;
     }
   }

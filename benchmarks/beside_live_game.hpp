@@ -11,8 +11,8 @@
 #include <thread>
 #include <vector>
 
-#include "runner/live/frame_pacer.hpp"
-#include "runner/live/network.hpp"
+#include "live/frame_pacer.hpp"
+#include "live/network/network.hpp"
 #include "soccer/side.hpp"
 
 namespace autoref::benchmarks {
@@ -24,10 +24,10 @@ class BareLoop {
   BareLoop(double frames_per_s, std::chrono::duration<double> delay);
 
   // Ends the loop and returns how punctual it was.
-  runner::Punctuality stop();
+  live::Punctuality stop();
 
  private:
-  runner::Punctuality punctuality_;
+  live::Punctuality punctuality_;
   std::jthread thread_;
 };
 
@@ -60,7 +60,7 @@ class FrameCounter {
   // Returns the frame's number, or nullopt if a packet does not count.
   using NumberOf = std::function<std::optional<std::int64_t>(std::string_view bytes)>;
 
-  FrameCounter(runner::NetworkThread& thread, NumberOf number_of);
+  FrameCounter(live::NetworkThread& thread, NumberOf number_of);
 
   int port() const { return receiver_.port(); }
   std::int64_t received() const { return received_; }
@@ -70,7 +70,7 @@ class FrameCounter {
  private:
   std::atomic<std::int64_t> received_{0};
   std::atomic<std::int64_t> last_{-1};
-  runner::DatagramReceiver receiver_;
+  live::DatagramReceiver receiver_;
 };
 
 // The numbers of the frames in packets of vision's first camera, and of trackers.
@@ -80,6 +80,6 @@ std::optional<std::int64_t> tracker_frame_in(std::string_view bytes);
 // Different ports of this computer that nobody uses at the moment, neither for datagrams nor for
 // connections. They are below those that Linux gives to sockets without a port of their own, so
 // that no such socket takes one of them before it is used. Throws InputError if none is found.
-std::vector<int> free_ports(runner::NetworkThread& thread, std::size_t count);
+std::vector<int> free_ports(live::NetworkThread& thread, std::size_t count);
 
 }  // namespace autoref::benchmarks

@@ -7,23 +7,21 @@
 #include <optional>
 #include <string_view>
 
-#include "runner/game/fixed_games.hpp"
-#include "runner/game/state_hash.hpp"
-#include "runner/io/command.hpp"
-#include "runner/io/errors.hpp"
-#include "runner/io/files.hpp"
-#include "runner/io/json.hpp"
-#include "runner/io/working_folder.hpp"
+#include "game/loop/fixed_games.hpp"
+#include "game/loop/state_hash.hpp"
+#include "io/command.hpp"
+#include "io/errors.hpp"
+#include "io/files.hpp"
+#include "io/json.hpp"
+#include "io/working_folder.hpp"
 
 namespace autoref::benchmarks {
 namespace {
 
-using namespace runner;
-
 constexpr std::size_t kShownOutput = 60;  // bytes of an unexpected output
 
-InputError build_error(const std::string& program, std::string_view message) {
-  return InputError({program}, "", message);
+io::InputError build_error(const std::string& program, std::string_view message) {
+  return io::InputError({program}, "", message);
 }
 
 std::optional<std::uint64_t> hash_in(const std::string& text) {
@@ -42,9 +40,9 @@ class MeasuredProgram {
 
   // Returns the processor time per simulated second.
   double play(int round) {
-    const std::string seed = std::to_string(fixed_seed(round));
-    const std::optional<CommandResult> result =
-        run_command({program_, "play", scenario_, "--seed", seed, "--json"}, longest_s_);
+    const std::string seed = std::to_string(game::fixed_seed(round));
+    const std::optional<io::CommandResult> result =
+        io::run_command({program_, "play", scenario_, "--seed", seed, "--json"}, longest_s_);
     if (!result) throw build_error(program_, "this program cannot be found");
     if (result->is_late)
       throw build_error(program_, fmt::format("a game took longer than {} s", longest_s_));
@@ -57,10 +55,12 @@ class MeasuredProgram {
   // Call this after playing the game of `round`.
   void end_round(int round, double mean_s) {
     speeds_.push_back(1 / mean_s);
-    if (round < kFixedGames) signature_.add(last_.state_hash);
+    if (round < game::kFixedGames) signature_.add(last_.state_hash);
   }
 
-  MeasuredBuild result() const { return {last_.build, median(speeds_), signature_.value()}; }
+  MeasuredBuild result() const {
+    return {last_.build, experiments::median(speeds_), signature_.value()};
+  }
 
  private:
   const std::string& program_;
@@ -68,7 +68,7 @@ class MeasuredProgram {
   double longest_s_;
   MeasuredGame last_;
   std::vector<double> speeds_;
-  StateHash signature_;
+  game::StateHash signature_;
 };
 
 std::string fixed_scenario(const std::string& team) {
@@ -90,26 +90,26 @@ MeasuredGame measured_game(const std::string& program, const std::string& text,
                        fmt::format("expected what `autoref play --json` prints, found '{}'",
                                    text.substr(0, kShownOutput)));
   };
-  const Json json = Json::parse(text, nullptr, false);
+  const io::Json json = io::Json::parse(text, nullptr, false);
   if (!json.is_object()) throw unexpected();
-  const Json hash = json.value("state_hash", Json());
-  const Json sim_s = json.value("sim_s", Json());
-  const Json status = json.value("status", Json());
+  const io::Json hash = json.value("state_hash", io::Json());
+  const io::Json sim_s = json.value("sim_s", io::Json());
+  const io::Json status = json.value("status", io::Json());
   if (!hash.is_string() || !sim_s.is_number() || !status.is_string()) throw unexpected();
   if (status != "ok")
     throw build_error(program, "a game is void: " + text.substr(0, text.find('\n')));
   const std::optional<std::uint64_t> state_hash = hash_in(hash.get<std::string>());
   if (!state_hash || !(sim_s.get<double>() > 0) || !(processor_s > 0)) throw unexpected();
-  const Json build = json.value("build", Json());
+  const io::Json build = json.value("build", io::Json());
   return {processor_s / sim_s.get<double>(), *state_hash,
           build.is_string() ? build.get<std::string>() : "unknown"};
 }
 
 BuildComparison compare_builds(const std::string& before, const std::string& after,
                                const Options& options, double longest_game_s) {
-  const WorkingFolder folder;
+  const io::WorkingFolder folder;
   const std::string scenario = (folder.path() / "game.yaml").string();
-  replace_file(scenario, fixed_scenario(options.team()));
+  io::replace_file(scenario, fixed_scenario(options.team()));
   MeasuredProgram a(before, scenario, longest_game_s);
   MeasuredProgram b(after, scenario, longest_game_s);
   BuildComparison comparison;

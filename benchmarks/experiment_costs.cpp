@@ -9,20 +9,18 @@
 #include <optional>
 #include <stdexcept>
 
-#include "runner/batch/run_experiment.hpp"
-#include "runner/experiments/kinds/sweep/sweep.hpp"
-#include "runner/io/build_id.hpp"
-#include "runner/io/command.hpp"
-#include "runner/io/errors.hpp"
-#include "runner/io/processor_time.hpp"
-#include "runner/io/table.hpp"
-#include "runner/io/terminal.hpp"
-#include "runner/io/working_folder.hpp"
+#include "experiments/kinds/sweep/sweep.hpp"
+#include "experiments/run/run_experiment.hpp"
+#include "io/build_id.hpp"
+#include "io/command.hpp"
+#include "io/errors.hpp"
+#include "io/processor_time.hpp"
+#include "io/table.hpp"
+#include "io/terminal.hpp"
+#include "io/working_folder.hpp"
 
 namespace autoref::benchmarks {
 namespace {
-
-using namespace runner;
 
 using Clock = std::chrono::steady_clock;
 
@@ -31,8 +29,8 @@ constexpr MeasuredExperiment kShortGames{.pairs = 150, .half_s = 10, .halves = 1
 constexpr MeasuredExperiment kCrowdedGames{.pairs = 48, .half_s = 20, .with_memory = true};
 constexpr std::array kCrowds = {1, 4, 16, 64};
 
-Sweep sweep_of(const MeasuredExperiment& experiment) {
-  Sweep sweep;
+experiments::Sweep sweep_of(const MeasuredExperiment& experiment) {
+  experiments::Sweep sweep;
   sweep.base.match.half_s = experiment.half_s;
   sweep.base.match.halves = experiment.halves;
   sweep.factors = {{"b.handicap", {1.0}}};
@@ -49,7 +47,8 @@ double waits_of(int whose) {
 // The processor time to start a program, read its command line and end.
 double start_s_of(const std::string& program) {
   constexpr double kLongest_s = 60;
-  const std::optional<CommandResult> result = run_command({program, "--version"}, kLongest_s);
+  const std::optional<io::CommandResult> result =
+      io::run_command({program, "--version"}, kLongest_s);
   if (!result || result->code != 0) throw std::logic_error(program + " cannot be started");
   return result->processor_s;
 }
@@ -58,7 +57,7 @@ double start_s_of(const std::string& program) {
 struct Samples {
   std::vector<double> values;
   void add(double value) { values.push_back(value); }
-  double middle() const { return median(values); }
+  double middle() const { return experiments::median(values); }
 };
 
 struct CrowdSamples {
@@ -152,8 +151,8 @@ std::string text_of_share(const MeasuredRatio& share) {
                      100 * share.interval.high);
 }
 
-TextTable crowd_table(const ExperimentCosts& costs) {
-  TextTable table{
+io::TextTable crowd_table(const ExperimentCosts& costs) {
+  io::TextTable table{
       {{"workers", "cost of a game", "waits per game", "parent", "private MB", "resident MB"}}};
   for (const CrowdRow& row : costs.crowds) {
     table.rows.push_back(
@@ -167,25 +166,26 @@ TextTable crowd_table(const ExperimentCosts& costs) {
 }  // namespace
 
 RunCosts costs_of(const MeasuredExperiment& experiment) {
-  const WorkingFolder folder;
+  const io::WorkingFolder folder;
   const WorkerMeter meter;
-  ExperimentOptions options;
+  experiments::ExperimentOptions options;
   options.folder = folder.path();
-  options.build = build_id();
+  options.build = io::build_id();
   options.workers = experiment.workers;
-  options.play = [&meter, &experiment](const GameConfiguration& game) {
+  options.play = [&meter, &experiment](const game::GameConfiguration& game) {
     return meter.play(game, experiment.with_memory);
   };
-  const double parent_s = processor_s_of(RUSAGE_SELF);
-  const double workers_s = processor_s_of(RUSAGE_CHILDREN);
+  const double parent_s = io::processor_s_of(RUSAGE_SELF);
+  const double workers_s = io::processor_s_of(RUSAGE_CHILDREN);
   const double waits = waits_of(RUSAGE_CHILDREN);
   const Clock::time_point start = Clock::now();
   // Once the experiment returns, all workers have been waited for.
-  const ExperimentReport report = run_experiment({"", sweep_of(experiment)}, options);
-  if (!report.is_complete) throw Interrupted();
+  const experiments::ExperimentReport report =
+      experiments::run_experiment({"", sweep_of(experiment)}, options);
+  if (!report.is_complete) throw io::Interrupted();
   if (report.void_games > 0) throw std::logic_error("a game of the benchmark is void");
-  return {meter.costs(), processor_s_of(RUSAGE_SELF) - parent_s,
-          processor_s_of(RUSAGE_CHILDREN) - workers_s, waits_of(RUSAGE_CHILDREN) - waits,
+  return {meter.costs(), io::processor_s_of(RUSAGE_SELF) - parent_s,
+          io::processor_s_of(RUSAGE_CHILDREN) - workers_s, waits_of(RUSAGE_CHILDREN) - waits,
           std::chrono::duration<double>(Clock::now() - start).count()};
 }
 
@@ -215,7 +215,7 @@ void print_experiment_costs(const std::string& program, int rounds) {
              text_of_ratio(costs.short_frames));
   fmt::print("  per wall-clock second     {} of those of full games, with one worker\n\n",
              text_of_ratio(costs.short_wall));
-  fmt::print("{}", table_text(crowd_table(costs), text_width(stdout)));
+  fmt::print("{}", io::table_text(crowd_table(costs), io::text_width(stdout)));
 }
 
 }  // namespace autoref::benchmarks

@@ -7,30 +7,28 @@
 #include <stdexcept>
 #include <utility>
 
-#include "runner/game/fixed_games.hpp"
-#include "runner/game/game.hpp"
-#include "runner/io/processor_time.hpp"
+#include "game/loop/fixed_games.hpp"
+#include "game/loop/game.hpp"
+#include "io/processor_time.hpp"
 #include "sim/camera_presets.hpp"
 
 namespace autoref::benchmarks {
 namespace {
 
-using namespace runner;
-
 constexpr std::size_t kMostRobots = sim::TeamSpec::Robots::static_capacity;
 constexpr double kMeasuredHalf_s = 60;  // of each half of a game
 
-GameConfiguration short_game(const Options& options) {
-  GameConfiguration game = fixed_game(0, options.team());
+game::GameConfiguration short_game(const Options& options) {
+  game::GameConfiguration game = game::fixed_game(0, options.team());
   game.match.half_s = kMeasuredHalf_s;
   return game;
 }
 
 ScaleSeries robots_series(const Options& options) {
   ScaleSeries series{"robots per side", "robot", {}, 0};
-  const GameConfiguration base = short_game(options);
+  const game::GameConfiguration base = short_game(options);
   for (std::size_t robots = 1; robots <= kMostRobots; ++robots) {
-    GameConfiguration game = base;
+    game::GameConfiguration game = base;
     if (robots == game.a.robots.size()) series.base = robots - 1;
     game.a.robots.resize(robots);
     game.b.robots.resize(robots);
@@ -43,7 +41,7 @@ ScaleSeries robots_series(const Options& options) {
 ScaleSeries cameras_series(const Options& options) {
   ScaleSeries series{"cameras (rc2026-a)", "camera", {}, 0};
   for (const int cameras : {1, 2, 4}) {
-    GameConfiguration game = short_game(options);
+    game::GameConfiguration game = short_game(options);
     sim::apply_camera_preset("rc2026-a", game.sim);
     game.sim.vision.cameras = cameras;
     series.games.push_back({std::to_string(cameras), cameras, std::move(game)});
@@ -54,19 +52,19 @@ ScaleSeries cameras_series(const Options& options) {
 ScaleSeries presets_series(const Options& options) {
   ScaleSeries series{"camera preset", "", {}, 0};
   for (const std::string& preset : sim::camera_preset_names()) {
-    GameConfiguration game = short_game(options);
+    game::GameConfiguration game = short_game(options);
     sim::apply_camera_preset(preset, game.sim);
     series.games.push_back({preset, 0, std::move(game)});
   }
   return series;
 }
 
-double ns_per_frame(GameConfiguration game, int round) {
-  game.seed = fixed_seed(round);
-  const double before_s = processor_s_of(RUSAGE_SELF);
-  const GameRecord record = play(game);
-  if (record.status != Status::kOk) throw std::logic_error(record.void_reason);
-  return 1e9 * (processor_s_of(RUSAGE_SELF) - before_s) / static_cast<double>(record.frames);
+double ns_per_frame(game::GameConfiguration game, int round) {
+  game.seed = game::fixed_seed(round);
+  const double before_s = io::processor_s_of(RUSAGE_SELF);
+  const game::GameRecord record = game::play(game);
+  if (record.status != game::Status::kOk) throw std::logic_error(record.void_reason);
+  return 1e9 * (io::processor_s_of(RUSAGE_SELF) - before_s) / static_cast<double>(record.frames);
 }
 
 std::string growth_sentence(const ScaleTable& table) {
@@ -137,7 +135,7 @@ Growth growth_of(const ScaleTable& table) {
 ScaleTable scale_table(const ScaleSeries& series,
                        const std::vector<std::vector<double>>& ns_per_frame) {
   const std::vector<double>& base = ns_per_frame[series.base];
-  ScaleTable table{series.name, series.unit, series.base, median(base), {}};
+  ScaleTable table{series.name, series.unit, series.base, experiments::median(base), {}};
   for (std::size_t i = 0; i < series.games.size(); ++i) {
     std::vector<double> ratios;
     ratios.reserve(base.size());

@@ -7,7 +7,7 @@
 
 #include "benchmarks/measured_ratio.hpp"
 #include "benchmarks/options.hpp"
-#include "runner/game/configuration.hpp"
+#include "game/loop/configuration.hpp"
 
 namespace autoref::benchmarks {
 
@@ -15,7 +15,7 @@ namespace autoref::benchmarks {
 struct ScaledGame {
   std::string name;
   int units = 0;  // robots per side, or cameras; 0 in a series of presets
-  runner::GameConfiguration game;
+  game::GameConfiguration game;
 };
 
 struct ScaleSeries {

@@ -5,12 +5,10 @@
 #include <chrono>
 
 #include "benchmarks/beside_live_game.hpp"
-#include "runner/live/live_game.hpp"
+#include "live/simulator/live_game.hpp"
 
 namespace autoref::benchmarks {
 namespace {
-
-using namespace runner;
 
 using LiveClock = std::chrono::steady_clock;
 
@@ -19,26 +17,26 @@ constexpr double kPacketRate_hz = 60;
 // Thrown in the game's loop when its time is over.
 struct MeasuringIsOver {};
 
-GameConfiguration measured_configuration(double seconds, bool on_network) {
-  GameConfiguration game;
+game::GameConfiguration measured_configuration(double seconds, bool on_network) {
+  game::GameConfiguration game;
   game.match.half_s = seconds + 1;  // it does not end by itself
-  for (TeamConfiguration* team : {&game.a, &game.b}) {
+  for (game::TeamConfiguration* team : {&game.a, &game.b}) {
     team->strategy = on_network ? "network" : "cobalt";
     team->on_network = on_network;
   }
   return game;
 }
 
-Punctuality punctuality_of(const GameConfiguration& game, const LiveOptions& options,
-                           double seconds) {
-  SteadyFrameClock clock;
+live::Punctuality punctuality_of(const game::GameConfiguration& game,
+                                 const live::LiveOptions& options, double seconds) {
+  live::SteadyFrameClock clock;
   const LiveClock::time_point start = LiveClock::now();
   const auto check = [&] {
     if (LiveClock::now() - start >= std::chrono::duration<double>(seconds)) throw MeasuringIsOver();
   };
-  LiveGame live(game, options, clock, check);
-  GamePrograms programs = GamePrograms::live(
-      game, {}, [&](const TeamConfiguration&, const strategies::TeamContext& context) {
+  live::LiveGame live(game, options, clock, check);
+  game::GamePrograms programs = game::GamePrograms::live(
+      game, {}, [&](const game::TeamConfiguration&, const strategies::TeamContext& context) {
         return live.make_network_team(context);
       });
   try {
@@ -49,12 +47,12 @@ Punctuality punctuality_of(const GameConfiguration& game, const LiveOptions& opt
 }
 
 MeasuredLiveGame measure_live_game(const LiveConditions& conditions, bool on_network) {
-  const GameConfiguration game = measured_configuration(conditions.seconds, on_network);
-  NetworkThread thread;
+  const game::GameConfiguration game = measured_configuration(conditions.seconds, on_network);
+  live::NetworkThread thread;
   FrameCounter vision(thread, vision_frame_in);
   FrameCounter tracker(thread, tracker_frame_in);
-  LiveOptions live;
-  live.unicast = kLoopback;
+  live::LiveOptions live;
+  live.unicast = live::kLoopback;
   live.ports = {};
   live.ports.vision = vision.port();
   live.ports.tracker = tracker.port();
@@ -79,11 +77,11 @@ MeasuredLiveGame measure_live_game(const LiveConditions& conditions, bool on_net
   return result;
 }
 
-double late_share(const Punctuality& punctuality) {
+double late_share(const live::Punctuality& punctuality) {
   return static_cast<double>(punctuality.late) / static_cast<double>(punctuality.frames);
 }
 
-void print_loop(const char* name, const Punctuality& loop) {
+void print_loop(const char* name, const live::Punctuality& loop) {
   fmt::print("  {:<20}{:9} frames, {} more than 2 ms late, the worst {:.1f} ms\n", name,
              loop.frames, loop.late, loop.worst_ms);
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "runner/live/frame_pacer.hpp"
+#include "live/frame_pacer.hpp"
 
 namespace autoref::benchmarks {
 
@@ -18,8 +18,8 @@ struct LiveConditions {
 // A live game at real time, and a bare loop of the same period beside it.
 struct MeasuredLiveGame {
   std::string teams;
-  runner::Punctuality game;
-  runner::Punctuality bare;
+  live::Punctuality game;
+  live::Punctuality bare;
   std::int64_t received = 0;  // frames of vision and of the tracker that arrived
   std::int64_t lost = 0;      // those that did not
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "app/command_line.hpp"
 #include "benchmarks/build_comparison.hpp"
 #include "benchmarks/experiment_costs.hpp"
 #include "benchmarks/frame_costs.hpp"
@@ -11,8 +12,7 @@
 #include "benchmarks/options.hpp"
 #include "benchmarks/program_costs.hpp"
 #include "benchmarks/whole_games.hpp"
-#include "runner/cli/command_line.hpp"
-#include "runner/io/errors.hpp"
+#include "io/errors.hpp"
 
 namespace autoref::benchmarks {
 namespace {
@@ -115,15 +115,15 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Error& error) {
-    return app.exit(error) == 0 ? runner::kDone : runner::kBadInput;
+    return app.exit(error) == 0 ? io::kDone : io::kBadInput;
   }
-  return runner::kDone;
+  return io::kDone;
 }
 
 }  // namespace
 }  // namespace autoref::benchmarks
 
 int main(int argc, char** argv) {
-  return autoref::runner::exit_code_of([&] { return autoref::benchmarks::run(argc, argv); },
-                                       "benchmarks");
+  return autoref::app::exit_code_of([&] { return autoref::benchmarks::run(argc, argv); },
+                                    "benchmarks");
 }

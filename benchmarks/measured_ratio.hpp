@@ -7,21 +7,21 @@
 #include <string>
 #include <vector>
 
-#include "runner/statistics/interval.hpp"
-#include "runner/statistics/median_interval.hpp"
-#include "runner/statistics/sample.hpp"
+#include "experiments/statistics/interval.hpp"
+#include "experiments/statistics/median_interval.hpp"
+#include "experiments/statistics/sample.hpp"
 
 namespace autoref::benchmarks {
 
 // Median of the rounds with its 95 % interval.
 struct MeasuredRatio {
   double median = 1;
-  runner::Interval interval{1, 1};
+  experiments::Interval interval{1, 1};
 };
 
 // `values` has one value per round, at least kFewestRounds (options.hpp).
 inline MeasuredRatio measured_ratio(const std::vector<double>& values) {
-  return {runner::median(values), runner::median_interval(values).value()};
+  return {experiments::median(values), experiments::median_interval(values).value()};
 }
 
 // "1.042 [1.003, 1.083]", times `factor`.

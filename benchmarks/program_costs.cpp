@@ -17,17 +17,15 @@
 #include <string>
 #include <string_view>
 
+#include "experiments/statistics/sample.hpp"
+#include "game/loop/game.hpp"
+#include "game/team_programs/program_games.hpp"
+#include "io/errors.hpp"
 #include "league/team/flat_records.hpp"
 #include "league/team/team_codec.hpp"
-#include "runner/game/game.hpp"
-#include "runner/io/errors.hpp"
-#include "runner/statistics/sample.hpp"
-#include "runner/team_programs/program_games.hpp"
 
 namespace autoref::benchmarks {
 namespace {
-
-using namespace runner;
 
 using ProgramsClock = std::chrono::steady_clock;
 
@@ -46,7 +44,7 @@ class BareProgram {
     std::array<int, 2> in{};
     std::array<int, 2> out{};
     if (pipe2(in.data(), O_CLOEXEC) != 0 || pipe2(out.data(), O_CLOEXEC) != 0)
-      throw io_error("cannot open a pipe", errno);
+      throw io::io_error("cannot open a pipe", errno);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, in[0], STDIN_FILENO);
@@ -63,7 +61,7 @@ class BareProgram {
     close(out[1]);
     in_ = in[1];
     out_ = out[0];
-    if (error != 0) throw io_error("cannot start " + command[0], error);
+    if (error != 0) throw io::io_error("cannot start " + command[0], error);
   }
   ~BareProgram() {
     close(in_);
@@ -75,13 +73,13 @@ class BareProgram {
 
   void write(std::string_view bytes) const {
     if (::write(in_, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size()))
-      throw io_error("cannot write to a pipe", errno);
+      throw io::io_error("cannot write to a pipe", errno);
   }
   void read(std::size_t size) {
     received_.resize(size);
     for (std::size_t got = 0; got < size;) {
       const ssize_t more = ::read(out_, received_.data() + got, size - got);
-      if (more <= 0) throw io_error("cannot read from a pipe", errno);
+      if (more <= 0) throw io::io_error("cannot read from a pipe", errno);
       got += static_cast<std::size_t>(more);
     }
   }
@@ -123,10 +121,10 @@ double us_per_echo(const std::vector<std::string>& command, std::int64_t frames)
   return us_since(start) / static_cast<double>(frames);
 }
 
-GameConfiguration game_between(const std::vector<std::string>& command) {
-  GameConfiguration game;
+game::GameConfiguration game_between(const std::vector<std::string>& command) {
+  game::GameConfiguration game;
   game.match.half_s = kProgramsHalf_s;
-  TeamProgram program;
+  game::TeamProgram program;
   program.command = command;
   game.a.program = game.b.program = program;
   return game;
@@ -160,17 +158,19 @@ bool read_all(char* bytes, std::size_t size) { return std::fread(bytes, 1, size,
 }  // namespace
 
 ProgramCosts measure_programs(int rounds, const std::vector<std::string>& command) {
-  const GameConfiguration game = game_between(command);
+  const game::GameConfiguration game = game_between(command);
   std::vector<double> games_us, echoes_us, ratios;
   for (int i = 0; i < rounds; ++i) {
     const ProgramsClock::time_point start = ProgramsClock::now();
-    const GameRecord record = play(game, nullptr, make_program_or_registered_team);
-    if (record.status != Status::kOk) throw std::logic_error(record.void_reason);
+    const game::GameRecord record =
+        game::play(game, nullptr, game::make_program_or_registered_team);
+    if (record.status != game::Status::kOk) throw std::logic_error(record.void_reason);
     games_us.push_back(us_since(start) / static_cast<double>(record.frames));
     echoes_us.push_back(us_per_echo(command, record.frames));
     ratios.push_back(games_us.back() / echoes_us.back());
   }
-  ProgramCosts result{median(games_us), median(echoes_us), median(ratios)};
+  ProgramCosts result{experiments::median(games_us), experiments::median(echoes_us),
+                      experiments::median(ratios)};
   result.x_real_time = 1e6 / game.sim.frame_rate_hz / result.us_per_frame;
   return result;
 }

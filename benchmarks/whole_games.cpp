@@ -8,21 +8,19 @@
 #include <vector>
 
 #include "benchmarks/bare_box2d_benchmark.hpp"
-#include "runner/game/fixed_games.hpp"
-#include "runner/game/game.hpp"
-#include "runner/game/state_hash.hpp"
-#include "runner/statistics/sample.hpp"
+#include "experiments/statistics/sample.hpp"
+#include "game/loop/fixed_games.hpp"
+#include "game/loop/game.hpp"
+#include "game/loop/state_hash.hpp"
 #include "soccer/rule_table.hpp"
 #include "strategies/registry.hpp"
 
 namespace autoref::benchmarks {
 namespace {
 
-using namespace runner;
-
 using Clock = std::chrono::steady_clock;
 
-constexpr std::array<std::string_view, kPhaseCount> kPhaseNames = {
+constexpr std::array<std::string_view, game::kPhaseCount> kPhaseNames = {
     "camera", "referee", "team_west", "team_east", "physics", "record"};
 
 double ns_since(Clock::time_point start) {
@@ -30,36 +28,36 @@ double ns_since(Clock::time_point start) {
 }
 
 // A game in which every rule of every rule book is in force.
-GameConfiguration game_with_all_rules(const std::string& team) {
-  GameConfiguration game = fixed_game(0, team);
+game::GameConfiguration game_with_all_rules(const std::string& team) {
+  game::GameConfiguration game = game::fixed_game(0, team);
   game.match.rules = *find_rule_book("2014");
   for (const RuleEntry& entry : rule_table()) game.match.rules.in_force[entry.rule] = true;
   return game;
 }
 
 // Sums up the duration of each phase of the frames.
-class Shares final : public Observer {
+class Shares final : public game::Observer {
  public:
-  void on_phase(Phase ended) override {
+  void on_phase(game::Phase ended) override {
     const Clock::time_point now = Clock::now();
     ns_[static_cast<std::size_t>(ended)] +=
         std::chrono::duration<double, std::nano>(now - last_).count();
     last_ = now;
   }
 
-  double ns_of(Phase phase) const { return ns_[static_cast<std::size_t>(phase)]; }
+  double ns_of(game::Phase phase) const { return ns_[static_cast<std::size_t>(phase)]; }
 
-  std::array<double, kPhaseCount> shares() const {
+  std::array<double, game::kPhaseCount> shares() const {
     double sum = 0;
     for (const double ns : ns_) sum += ns;
-    std::array<double, kPhaseCount> shares{};
-    for (int i = 0; i < kPhaseCount; ++i) shares[i] = ns_[i] / sum;
+    std::array<double, game::kPhaseCount> shares{};
+    for (int i = 0; i < game::kPhaseCount; ++i) shares[i] = ns_[i] / sum;
     return shares;
   }
 
  private:
   Clock::time_point last_ = Clock::now();
-  std::array<double, kPhaseCount> ns_{};
+  std::array<double, game::kPhaseCount> ns_{};
 };
 
 double bare_ns(std::uint64_t seed, std::int64_t frames) {
@@ -102,11 +100,11 @@ class Timed final : public strategies::Strategy {
 
 WholeGames measure_whole_games(const std::string& team) {
   std::vector<double> game_ns, bare_frame_ns, ratios;
-  StateHash signature;
-  for (int i = 0; i < kFixedGames; ++i) {
-    const GameConfiguration game = fixed_game(i, team);
+  game::StateHash signature;
+  for (int i = 0; i < game::kFixedGames; ++i) {
+    const game::GameConfiguration game = game::fixed_game(i, team);
     const Clock::time_point start = Clock::now();
-    const GameRecord record = play(game);
+    const game::GameRecord record = game::play(game);
     const auto frames = static_cast<double>(record.frames);
     game_ns.push_back(ns_since(start) / frames);
     bare_frame_ns.push_back(bare_ns(game.seed, record.frames) / frames);
@@ -115,31 +113,32 @@ WholeGames measure_whole_games(const std::string& team) {
   }
   // The phases are measured in separate games, since reading the clock in every phase costs time.
   Shares shares;
-  play(fixed_game(0, team), &shares);
+  game::play(game::fixed_game(0, team), &shares);
   Shares with_all_rules;
-  const GameRecord refereed = play(game_with_all_rules(team), &with_all_rules);
+  const game::GameRecord refereed = game::play(game_with_all_rules(team), &with_all_rules);
 
   WholeGames result;
-  result.ns_per_frame = median(game_ns);
-  result.bare_ns_per_frame = median(bare_frame_ns);
-  result.ratio = median(ratios);
-  result.x_real_time = 1e9 / GameConfiguration{}.sim.frame_rate_hz / result.ns_per_frame;
+  result.ns_per_frame = experiments::median(game_ns);
+  result.bare_ns_per_frame = experiments::median(bare_frame_ns);
+  result.ratio = experiments::median(ratios);
+  result.x_real_time = 1e9 / game::GameConfiguration{}.sim.frame_rate_hz / result.ns_per_frame;
   result.signature = signature.value();
   result.shares = shares.shares();
   result.referee_ns_per_frame =
-      with_all_rules.ns_of(Phase::kReferee) / static_cast<double>(refereed.frames);
+      with_all_rules.ns_of(game::Phase::kReferee) / static_cast<double>(refereed.frames);
   return result;
 }
 
 TeamCost cost_of_team(std::string_view name) {
-  GameConfiguration game = fixed_game(0, std::string(name));
+  game::GameConfiguration game = game::fixed_game(0, std::string(name));
   game.match.half_s = kTimedHalf_s;
   Decisions decisions;
-  const GameRecord record = play(
-      game, nullptr, [&decisions](const TeamConfiguration& team, const strategies::TeamContext& b) {
-        return std::make_unique<Timed>(make_registered_team(team, b), decisions);
+  const game::GameRecord record = game::play(
+      game, nullptr,
+      [&decisions](const game::TeamConfiguration& team, const strategies::TeamContext& b) {
+        return std::make_unique<Timed>(game::make_registered_team(team, b), decisions);
       });
-  if (record.status == Status::kVoid) {
+  if (record.status == game::Status::kVoid) {
     throw std::logic_error(fmt::format("{} against itself: {}", name, record.void_reason));
   }
   return {std::string(name), decisions.ns / static_cast<double>(decisions.count), decisions.count};
@@ -152,9 +151,9 @@ void print_whole_games(const Options& options) {
   fmt::print("the bare Box2D scene  {:9.0f} ns per frame\n", r.bare_ns_per_frame);
   fmt::print("the referee           {:9.0f} ns per frame, with every rule in force\n",
              r.referee_ns_per_frame);
-  fmt::print("ratio                 {:9.3f}   (median of {} rounds)\n", r.ratio, kFixedGames);
+  fmt::print("ratio                 {:9.3f}   (median of {} rounds)\n", r.ratio, game::kFixedGames);
   fmt::print("signature             {:016x}\n", r.signature);
-  for (int i = 0; i < kPhaseCount; ++i)
+  for (int i = 0; i < game::kPhaseCount; ++i)
     fmt::print("  {:10} {:5.1f} %\n", kPhaseNames[i], 100 * r.shares[i]);
   if (options.strong) return;
   for (const strategies::Entry& entry : strategies::all_strategies()) {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "benchmarks/options.hpp"
-#include "runner/game/observer.hpp"
+#include "game/loop/observer.hpp"
 
 namespace autoref::benchmarks {
 
@@ -19,7 +19,7 @@ struct WholeGames {
   double ratio = 0;             // median of the rounds' ratios
   double x_real_time = 0;       // simulated seconds per wall second
   std::uint64_t signature = 0;  // hash over the fixed games; changes whenever behaviour changes
-  std::array<double, runner::kPhaseCount> shares{};  // fraction of a game's time in each Phase
+  std::array<double, game::kPhaseCount> shares{};  // fraction of a game's time in each Phase
   double referee_ns_per_frame = 0;  // in one game with every rule in force, including the filters
 };
 

@@ -11,13 +11,11 @@
 #include <string>
 #include <string_view>
 
-#include "runner/game/game.hpp"
-#include "runner/io/errors.hpp"
-#include "runner/io/files.hpp"
+#include "game/loop/game.hpp"
+#include "io/errors.hpp"
+#include "io/files.hpp"
 
 namespace autoref::benchmarks {
-
-using namespace runner;
 
 struct WorkerMeter::Totals {
   std::atomic<std::int64_t> games = 0;
@@ -62,22 +60,23 @@ double megabytes(std::int64_t kb) { return 1024e-6 * static_cast<double>(kb); }
 WorkerMeter::WorkerMeter() {
   void* memory =
       mmap(nullptr, sizeof(Totals), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (memory == MAP_FAILED) throw io_error("there is no shared memory", errno);
+  if (memory == MAP_FAILED) throw io::io_error("there is no shared memory", errno);
   totals_ = new (memory) Totals;
 }
 
 WorkerMeter::~WorkerMeter() { munmap(totals_, sizeof(Totals)); }
 
-GameRecord WorkerMeter::play(const GameConfiguration& configuration, bool with_memory) const {
+game::GameRecord WorkerMeter::play(const game::GameConfiguration& configuration,
+                                   bool with_memory) const {
   const std::int64_t begin_ns = processor_ns();
-  std::optional<Game> game(configuration);
+  std::optional<game::Game> game(configuration);
   const std::int64_t first_frame_ns = processor_ns();
   while (game->step()) {
   }
   const std::int64_t last_frame_ns = processor_ns();
-  GameRecord record = game->record();
+  game::GameRecord record = game->record();
   if (with_memory) {
-    const std::string memory = read_file("/proc/self/smaps_rollup").value_or("");
+    const std::string memory = io::read_file("/proc/self/smaps_rollup").value_or("");
     raise_to(totals_->private_kb,
              kb_in(memory, "\nPrivate_Clean:") + kb_in(memory, "\nPrivate_Dirty:"));
     raise_to(totals_->resident_kb, kb_in(memory, "\nRss:"));

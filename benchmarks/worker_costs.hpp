@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "runner/game/game_record.hpp"
+#include "game/loop/game_record.hpp"
 
-namespace autoref::runner {
+namespace autoref::game {
 struct GameConfiguration;
 }
 
@@ -35,7 +35,7 @@ class WorkerMeter {
 
   // Plays one game, like play(), and adds its costs. Called in workers. `with_memory` also measures
   // the worker's memory, which takes about a millisecond.
-  runner::GameRecord play(const runner::GameConfiguration& game, bool with_memory) const;
+  game::GameRecord play(const game::GameConfiguration& game, bool with_memory) const;
 
   WorkerCosts costs() const;
 

@@ -1,8 +1,9 @@
-# Generates the source of autoref::runner::build_id() at build time:
-#   cmake -DSOURCE_DIR=... -DVERSION=... -DOUTPUT=... -P build_id.cmake
+# Generates the source of autoref::io::build_id() at build time:
+#   cmake -DSOURCE_DIR=... "-DROOMS=soccer sim ..." -DVERSION=... -DOUTPUT=... -P build_id.cmake
 # The file is not touched if its content would stay the same.
 set(sources CMakeLists.txt)
-foreach(room IN ITEMS soccer tracking league sim referee strategies runner)
+string(REPLACE " " ";" rooms "${ROOMS}")
+foreach(room IN LISTS rooms)
   file(GLOB_RECURSE found RELATIVE ${SOURCE_DIR}
        ${SOURCE_DIR}/${room}/*.hpp ${SOURCE_DIR}/${room}/*.cpp ${SOURCE_DIR}/${room}/*.proto ${SOURCE_DIR}/${room}/CMakeLists.txt)
   list(APPEND sources ${found})
@@ -16,11 +17,11 @@ endforeach()
 string(SHA256 hash "${all}")
 string(SUBSTRING ${hash} 0 12 hash)
 file(CONFIGURE OUTPUT ${OUTPUT} CONTENT [=[
-#include "runner/io/build_id.hpp"
+#include "io/build_id.hpp"
 
-namespace autoref::runner {
+namespace autoref::io {
 
 std::string_view build_id() { return "@VERSION@-@hash@"; }
 
-}  // namespace autoref::runner
+}  // namespace autoref::io
 ]=] @ONLY)

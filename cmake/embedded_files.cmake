@@ -1,7 +1,7 @@
-# Generates the source for runner/team_programs/team_templates.hpp from the files of a folder:
-#   cmake -DFOLDER=runner/team_programs/templates "-DFILES=c/my_team.c c/README.md" -DOUTPUT=... -P embedded_files.cmake
+# Generates the source for game/team_programs/team_templates.hpp from the files of a folder:
+#   cmake -DFOLDER=game/team_programs/templates "-DFILES=c/my_team.c c/README.md" -DOUTPUT=... -P embedded_files.cmake
 string(REPLACE " " ";" files "${FILES}")
-set(source "#include \"runner/team_programs/team_templates.hpp\"\n\nnamespace autoref::runner {\n\n")
+set(source "#include \"game/team_programs/team_templates.hpp\"\n\nnamespace autoref::game {\n\n")
 string(APPEND source "std::vector<TemplateFile> template_files() {\n  return {")
 foreach(file IN LISTS files)
   file(READ ${FOLDER}/${file} content)
@@ -9,5 +9,5 @@ foreach(file IN LISTS files)
   get_filename_component(language ${file} DIRECTORY)
   string(APPEND source "\n      {\"${language}\", \"${name}\", R\"file(${content})file\"},")
 endforeach()
-string(APPEND source "};\n}\n\n}  // namespace autoref::runner\n")
+string(APPEND source "};\n}\n\n}  // namespace autoref::game\n")
 file(WRITE ${OUTPUT} "${source}")

@@ -1,5 +1,5 @@
-# Generates the source for runner/view/page_parts.hpp:
-#   cmake -DFOLDER=runner/view/page "-DSCRIPTS=a.js b.js" "-DLIVE_SCRIPTS=c.js" -DOUTPUT=... -P page_parts.cmake
+# Generates the source for view/page_parts.hpp:
+#   cmake -DFOLDER=view/page "-DSCRIPTS=a.js b.js" "-DLIVE_SCRIPTS=c.js" -DOUTPUT=... -P page_parts.cmake
 # SCRIPTS and LIVE_SCRIPTS are concatenated in this order.
 function(append_part name)
   set(literals "")
@@ -12,7 +12,7 @@ endfunction()
 
 string(REPLACE " " ";" scripts "${SCRIPTS}")
 string(REPLACE " " ";" live_scripts "${LIVE_SCRIPTS}")
-set(source "#include \"runner/view/page_parts.hpp\"\n\nnamespace autoref::runner {\n\n")
+set(source "#include \"view/page_parts.hpp\"\n\nnamespace autoref::view {\n\n")
 append_part(frame page.html)
 append_part(style style.css)
 append_part(script ${scripts})
@@ -23,5 +23,5 @@ append_part(live_script ${live_scripts})
 append_part(run run.html)
 append_part(run_style run.css)
 append_part(run_script live_connection.js run_main.js)
-string(APPEND source "}  // namespace autoref::runner\n")
+string(APPEND source "}  // namespace autoref::view\n")
 file(WRITE ${OUTPUT} "${source}")

@@ -15,22 +15,22 @@
 #include <utility>
 #include <vector>
 
-#include "runner/game/event_log.hpp"
-#include "runner/game/game.hpp"
-#include "runner/io/build_id.hpp"
-#include "runner/io/checksum.hpp"
-#include "runner/settings/fields.hpp"
-#include "runner/settings/resolved.hpp"
-#include "runner/team_programs/program_games.hpp"
+#include "game/loop/event_log.hpp"
+#include "game/loop/game.hpp"
+#include "game/settings/fields.hpp"
+#include "game/settings/resolved.hpp"
+#include "game/team_programs/program_games.hpp"
+#include "io/build_id.hpp"
+#include "io/checksum.hpp"
 
 namespace py = pybind11;
 
 namespace autoref::python {
 namespace {
 
-using runner::GameConfiguration;
-using runner::GameRecord;
-using runner::GameSettings;
+using game::GameConfiguration;
+using game::GameRecord;
+using game::GameSettings;
 using strategies::Strategy;
 
 constexpr double kFastestBall_mps = 20;     // no kick is nearly as fast
@@ -120,13 +120,13 @@ GameSettings settings_in(std::uint64_t seed, const py::dict& settings) {
   for (const auto& [path, value] : settings) {
     const auto name = py::str(path).cast<std::string>();
     try {
-      runner::set_by_path(game, name, text_of(value));
+      game::set_by_path(game, name, text_of(value));
     } catch (const std::exception& error) {
       throw py::value_error(name + ": " + error.what());
     }
   }
   try {
-    runner::check_game(game);
+    game::check_game(game);
   } catch (const std::exception& error) {
     throw py::value_error(error.what());
   }
@@ -143,10 +143,10 @@ class PythonGame {
   }
 
   void reset(std::uint64_t seed, const py::dict& settings) {
-    const GameConfiguration game = resolved(settings_in(seed, settings));
+    const GameConfiguration game = game::resolved(settings_in(seed, settings));
     externals_ = {};
     lines_.clear();
-    teams_ = runner::event_teams_of(game);
+    teams_ = game::event_teams_of(game);
     game_.emplace(game, &observer_, maker(game.match.a_plays));
     is_played_ = game_->begin_step();
   }
@@ -154,7 +154,7 @@ class PythonGame {
   bool step(const std::optional<Commands>& a, const std::optional<Commands>& b) {
     set_commands('a', a);
     set_commands('b', b);
-    runner::Game& game = playing();
+    game::Game& game = playing();
     if (!is_played_) return false;
     lines_.clear();
     is_played_ = game.end_step() && game.begin_step();
@@ -219,7 +219,7 @@ class PythonGame {
     entries["void_reason"] = record.void_reason;
     entries["frames"] = record.frames;
     entries["sim_s"] = record.sim_s;
-    entries["state_hash"] = runner::hash_text(record.state_hash);
+    entries["state_hash"] = io::hash_text(record.state_hash);
     return entries;
   }
 
@@ -233,11 +233,11 @@ class PythonGame {
   double goal_width_m() { return playing().configuration().field.goal_width_m; }
 
  private:
-  class Lines final : public runner::Observer {
+  class Lines final : public game::Observer {
    public:
     explicit Lines(PythonGame& game) : game_(&game) {}
     void on_decision(const referee::Decision& decision) override {
-      game_->lines_.push_back(runner::decision_json(decision, game_->teams_));
+      game_->lines_.push_back(game::decision_json(decision, game_->teams_));
     }
 
    private:
@@ -257,7 +257,7 @@ class PythonGame {
                     field.wall_x_m(), field.wall_y_m()));
   }
 
-  runner::Game& playing() {
+  game::Game& playing() {
     if (!game_) throw py::value_error("call reset() first");
     return *game_;
   }
@@ -272,21 +272,21 @@ class PythonGame {
     externals_[index_of(team)].commands = commands_in(*rows, team);
   }
 
-  runner::TeamMaker maker(Side side_a) {
-    return [this, side_a](const runner::TeamConfiguration& team,
+  game::TeamMaker maker(Side side_a) {
+    return [this, side_a](const game::TeamConfiguration& team,
                           const strategies::TeamContext& context) -> std::unique_ptr<Strategy> {
       const std::size_t index = context.side == side_a ? 0 : 1;
-      if (!is_external_[index]) return runner::make_program_or_registered_team(team, context);
+      if (!is_external_[index]) return game::make_program_or_registered_team(team, context);
       return std::make_unique<ExternalTeam>(externals_[index]);
     };
   }
 
   std::array<bool, 2> is_external_{};
   std::array<External, 2> externals_;
-  PerSide<runner::EventTeam> teams_;
+  PerSide<game::EventTeam> teams_;
   std::vector<std::string> lines_;
   Lines observer_{*this};
-  std::optional<runner::Game> game_;
+  std::optional<game::Game> game_;
   bool is_played_ = false;
 };
 
@@ -348,7 +348,7 @@ void define_game(py::module_& module) {
 }  // namespace autoref::python
 
 PYBIND11_MODULE(_core, module) {
-  module.attr("build") = std::string(autoref::runner::build_id());
+  module.attr("build") = std::string(autoref::io::build_id());
   autoref::python::define_view(module);
   autoref::python::define_game(module);
 }

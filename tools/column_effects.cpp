@@ -18,19 +18,19 @@
 #include <utility>
 #include <vector>
 
-#include "runner/io/csv.hpp"
-#include "runner/io/files.hpp"
-#include "runner/io/words.hpp"
-#include "runner/statistics/holm.hpp"
-#include "runner/statistics/paired_difference.hpp"
-#include "runner/statistics/sample.hpp"
+#include "experiments/statistics/holm.hpp"
+#include "experiments/statistics/paired_difference.hpp"
+#include "experiments/statistics/sample.hpp"
+#include "io/csv.hpp"
+#include "io/files.hpp"
+#include "io/words.hpp"
 
-namespace autoref::runner {
+namespace autoref::tools {
 namespace {
 
 struct Table {
-  Cells head;
-  std::vector<Cells> rows;
+  io::Cells head;
+  std::vector<io::Cells> rows;
 
   std::size_t column(const std::string& name) const {
     const auto at = std::find(head.begin(), head.end(), name);
@@ -41,10 +41,10 @@ struct Table {
 
 // Throws std::invalid_argument if a game does not count.
 Table read_table(const std::string& path) {
-  const std::string text = read_user_file(path);
+  const std::string text = io::read_user_file(path);
   Table table;
-  for (const std::string_view line : complete_lines(text)) {
-    Cells cells = csv_cells(line).value();
+  for (const std::string_view line : io::complete_lines(text)) {
+    io::Cells cells = io::csv_cells(line).value();
     if (table.head.empty()) {
       table.head = std::move(cells);
     } else {
@@ -52,7 +52,7 @@ Table read_table(const std::string& path) {
     }
   }
   const std::size_t status = table.column("status");
-  for (const Cells& row : table.rows)
+  for (const io::Cells& row : table.rows)
     if (row[status] != "ok") throw std::invalid_argument(row[0] + " is not ok");
   return table;
 }
@@ -74,9 +74,9 @@ std::vector<std::size_t> columns_of(const Table& table, std::string sum) {
   return columns;
 }
 
-double sum_in(const Cells& row, const std::vector<std::size_t>& columns) {
+double sum_in(const io::Cells& row, const std::vector<std::size_t>& columns) {
   double sum = 0;
-  for (const std::size_t column : columns) sum += number_in(row[column]).value();
+  for (const std::size_t column : columns) sum += io::number_in(row[column]).value();
   return sum;
 }
 
@@ -84,15 +84,15 @@ double sum_in(const Cells& row, const std::vector<std::size_t>& columns) {
 struct Sums {
   std::map<int, std::vector<double>> by_pair;
 
-  DifferenceByPair means() const {
-    DifferenceByPair means;
-    for (const auto& [pair, sums] : by_pair) means[pair] = mean(sums);
+  experiments::DifferenceByPair means() const {
+    experiments::DifferenceByPair means;
+    for (const auto& [pair, sums] : by_pair) means[pair] = experiments::mean(sums);
     return means;
   }
   double mean_of_all() const {
     std::vector<double> all;
     for (const auto& [pair, sums] : by_pair) all.insert(all.end(), sums.begin(), sums.end());
-    return mean(all);
+    return experiments::mean(all);
   }
 };
 
@@ -103,7 +103,7 @@ struct Line {
   std::string value;
   double before = 0;
   double after = 0;
-  PairedDifference change;
+  experiments::PairedDifference change;
 };
 
 class Comparison {
@@ -120,7 +120,7 @@ class Comparison {
     const std::size_t pair = table_.column("pair");
     std::vector<std::string> combinations, values;
     std::map<std::pair<std::string, std::string>, Sums> cells;
-    for (const Cells& row : table_.rows) {
+    for (const io::Cells& row : table_.rows) {
       const std::string combination = combination_of(row);
       note(combinations, combination);
       note(values, row[factor_]);
@@ -132,7 +132,8 @@ class Comparison {
       for (std::size_t i = 1; i < values.size(); ++i) {
         const Sums& other = cells[{combination, values[i]}];
         lines_.push_back({combination, sum, values[0], values[i], first.mean_of_all(),
-                          other.mean_of_all(), paired_difference(other.means(), first.means())});
+                          other.mean_of_all(),
+                          experiments::paired_difference(other.means(), first.means())});
       }
     }
   }
@@ -163,7 +164,7 @@ class Comparison {
     return *p < 0.001 ? "<0.001" : fmt::format("{:.3f}", *p);
   }
 
-  std::string combination_of(const Cells& row) const {
+  std::string combination_of(const io::Cells& row) const {
     std::string text;
     for (const std::size_t other : others_)
       text += fmt::format("{}{}={}", text.empty() ? "" : ", ", table_.head[other], row[other]);
@@ -174,7 +175,7 @@ class Comparison {
     std::vector<double> p;
     for (const Line& line : lines_)
       if (line.change.p) p.push_back(*line.change.p);
-    const std::vector<double> corrected = holm(p);
+    const std::vector<double> corrected = experiments::holm(p);
     auto next = corrected.begin();
     for (Line& line : lines_)
       if (line.change.p) line.change.p_holm = *next++;
@@ -187,10 +188,10 @@ class Comparison {
 };
 
 }  // namespace
-}  // namespace autoref::runner
+}  // namespace autoref::tools
 
 int main(int count, char** words) {
-  using namespace autoref::runner;
+  using namespace autoref::tools;
   if (count < 4) {
     fmt::print(stderr, "usage: column_effects RESULTS.CSV FACTOR SUM ...\n");
     return 2;

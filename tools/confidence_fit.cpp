@@ -19,13 +19,13 @@
 #include <variant>
 #include <vector>
 
+#include "experiments/kinds/judge/judge_schedule.hpp"
+#include "experiments/kinds/scenario_reader.hpp"
+#include "experiments/schedule/schedule.hpp"
+#include "judge/evaluate_calls.hpp"
 #include "referee/machine/confidence.hpp"
-#include "runner/experiments/kinds/judge/judge_schedule.hpp"
-#include "runner/experiments/kinds/scenario_reader.hpp"
-#include "runner/experiments/schedule.hpp"
-#include "runner/judge/evaluate_calls.hpp"
 
-namespace autoref::runner {
+namespace autoref::tools {
 namespace {
 
 using referee::kConfidenceFeatures;
@@ -60,7 +60,7 @@ Coefficients fitted(const JudgedCalls& calls, const Coefficients& prior, double 
 }
 
 // The features of a game's calls, by the event's name and the time in units of 0.1 ms.
-class CallFeatures final : public Observer {
+class CallFeatures final : public game::Observer {
  public:
   void on_decision(const referee::Decision& decision) override {
     const referee::Finding& finding = decision.finding;
@@ -80,12 +80,13 @@ class CallFeatures final : public Observer {
 
 using CallsByName = std::map<std::string, JudgedCalls>;
 
-void add_game(const GameConfiguration& game, CallsByName& calls) {
+void add_game(const game::GameConfiguration& game, CallsByName& calls) {
   CallFeatures features;
-  const JudgedGame judged = evaluate_calls(game, make_registered_team, &features);
-  for (const ground_truth::Verdict& verdict : judged.evaluation.verdicts) {
-    const bool is_right = verdict.outcome == ground_truth::Outcome::kRight;
-    if (!is_right && verdict.outcome != ground_truth::Outcome::kWrong) continue;
+  const judge::JudgedGame judged =
+      judge::evaluate_calls(game, game::make_registered_team, &features);
+  for (const experiments::CallVerdict& verdict : judged.evaluation.verdicts) {
+    const bool is_right = verdict.outcome == experiments::CallOutcome::kRight;
+    if (!is_right && verdict.outcome != experiments::CallOutcome::kWrong) continue;
     const double called_s = verdict.time_s + (is_right ? verdict.delay_s : 0);
     const Coefficients* found = features.find(verdict.name, called_s);
     if (found != nullptr) calls[verdict.name].push_back({*found, is_right});
@@ -120,20 +121,22 @@ void print_table(const CallsByName& calls, std::string_view seed, int games) {
 }
 
 int main_of(const std::string& file, int games) {
-  JudgeSchedule schedule = read_scenario(file).get<JudgeSchedule>();
-  if (schedule.seeds.size() > 1) keep_seed(schedule, "tuning");
+  experiments::JudgeSchedule schedule =
+      experiments::read_scenario(file).get<experiments::JudgeSchedule>();
+  if (schedule.seeds.size() > 1) experiments::keep_seed(schedule, "tuning");
   if (games > 0) schedule.games_each = games;
   CallsByName calls;
-  const std::vector<ScheduledGame> scheduled = schedule.games();
-  for (const ScheduledGame& game : scheduled) add_game(resolved(game), calls);
+  const std::vector<experiments::ScheduledGame> scheduled = schedule.games();
+  for (const experiments::ScheduledGame& game : scheduled)
+    add_game(experiments::resolved(game), calls);
   print_table(calls, schedule.seeds.front().text, static_cast<int>(scheduled.size()));
   return 0;
 }
 
 }  // namespace
-}  // namespace autoref::runner
+}  // namespace autoref::tools
 
 int main(int argc, char** argv) {
   if (argc < 2) return 2;
-  return autoref::runner::main_of(argv[1], argc > 2 ? std::atoi(argv[2]) : 0);
+  return autoref::tools::main_of(argv[1], argc > 2 ? std::atoi(argv[2]) : 0);
 }

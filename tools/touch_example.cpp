@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
+#include "game/loop/game.hpp"
 #include "referee/touch/hypothesis_tracker.hpp"
 #include "referee/touch/online_touch_detector.hpp"
-#include "runner/game/game.hpp"
 #include "sim/camera_presets.hpp"
 #include "soccer/robot_shape.hpp"
 #include "soccer/trigonometry.hpp"
@@ -31,7 +31,7 @@ bool is_play(CommandKind kind) {
          kind == CommandKind::kDirectFree || kind == CommandKind::kIndirectFree;
 }
 
-class TouchExample final : public runner::Observer {
+class TouchExample final : public game::Observer {
  public:
   TouchExample(const VisionNoise& noise, std::string folder)
       : folder_(std::move(folder)), online_(history_, Field{}, TouchParameters{}, noise) {
@@ -157,13 +157,13 @@ class TouchExample final : public runner::Observer {
 int main(int argc, char** argv) {
   using namespace autoref;
   if (argc != 2) return 2;
-  runner::GameConfiguration game;
+  game::GameConfiguration game;
   game.match.half_s = 75;
   game.seed = 6;
   sim::apply_camera_preset("realistic", game.sim);
   const auto& vision = game.sim.vision;
   referee::TouchExample example({vision.ball_noise_m, vision.robot_noise_m, vision.robot_noise_rad},
                                 argv[1]);
-  runner::play(game, &example);
+  game::play(game, &example);
   return 0;
 }

@@ -4,13 +4,13 @@
 //     tuning_trials [SEEDS]      default: 200
 #include <fmt/format.h>
 
-#include "runner/io/words.hpp"
-#include "runner/statistics/anytime_interval.hpp"
-#include "runner/statistics/mean_interval.hpp"
-#include "runner/statistics/three_way_test.hpp"
-#include "tests/runner/tune/noisy_search.hpp"
+#include "experiments/statistics/anytime_interval.hpp"
+#include "experiments/statistics/mean_interval.hpp"
+#include "experiments/statistics/three_way_test.hpp"
+#include "io/words.hpp"
+#include "tests/experiments/tune/noisy_search.hpp"
 
-namespace autoref::runner {
+namespace autoref::tools {
 namespace {
 
 constexpr int kDefaultSeeds = 200;
@@ -19,19 +19,21 @@ constexpr int kBudgets[] = {500, 1000, 2000, 4000};  // games
 
 struct Kind {
   const char* name;
-  Method method;
+  experiments::Method method;
   int pairs;
   bool against_itself;
 };
 
-constexpr Kind kSearches[] = {{"SPSA against others", Method::kSpsa, 4, false},
-                              {"SPSA against itself", Method::kSpsa, 4, true},
-                              {"CMA-ES against others", Method::kCmaEs, 8, false}};
+constexpr Kind kSearches[] = {{"SPSA against others", experiments::Method::kSpsa, 4, false},
+                              {"SPSA against itself", experiments::Method::kSpsa, 4, true},
+                              {"CMA-ES against others", experiments::Method::kCmaEs, 8, false}};
 
-void print_row(const char* name, const Loss& loss, int dimensions, const Kind& kind, int seeds) {
+void print_row(const char* name, const experiments::Loss& loss, int dimensions, const Kind& kind,
+               int seeds) {
   std::string line = fmt::format("| {} {} | {} |", name, dimensions, kind.name);
   for (const int games : kBudgets) {
-    NoisySearch search{{kind.method}, dimensions, kind.pairs, 0.2, kind.against_itself};
+    experiments::NoisySearch search{
+        {kind.method}, dimensions, kind.pairs, 0.2, kind.against_itself};
     search.search.iterations = games / search.games();
     const double mean = search.search.iterations < 3 ? -1 : search.mean_loss(loss, seeds);
     line += mean < 0 ? " - |" : fmt::format(" {:.2f} |", mean);
@@ -44,14 +46,15 @@ void print_table(int seeds) {
   for (const int games : kBudgets) fmt::print(" {} games |", games);
   fmt::print("\n|---|---|---|---|---|---|\n");
   for (const auto& [name, loss] :
-       {std::pair<const char*, Loss>{"bowl", bowl}, {"valley", valley}}) {
+       {std::pair<const char*, experiments::Loss>{"bowl", experiments::bowl},
+        {"valley", experiments::valley}}) {
     for (const int dimensions : {2, 4, 8}) {
       for (const Kind& kind : kSearches) print_row(name, loss, dimensions, kind, seeds);
     }
   }
 }
 
-constexpr SequentialTest kTest = {.d0 = 0, .d1 = 0.5, .max_pairs = 400};
+constexpr experiments::SequentialTest kTest = {.d0 = 0, .d1 = 0.5, .max_pairs = 400};
 constexpr double kGainNoise = 1.6;  // standard deviation of a pair's gain, in goals
 constexpr int kTestsPerSeed = 25;
 
@@ -64,7 +67,7 @@ struct TestCounts {
   int missed_by_student = 0;  // by mean_interval()
 };
 
-bool misses(const std::optional<Interval>& interval, double gain) {
+bool misses(const std::optional<experiments::Interval>& interval, double gain) {
   return interval && (interval->low > gain || interval->high < gain);
 }
 
@@ -73,16 +76,16 @@ void add_test(double gain, std::uint64_t seed, TestCounts& counts) {
   std::vector<double> pairs;
   pairs.reserve(static_cast<std::size_t>(kTest.max_pairs));
   for (int i = 0; i < kTest.max_pairs; ++i) pairs.push_back(gain + kGainNoise * random.normal());
-  const ThreeWayState state = compared(kTest, pairs);
+  const experiments::ThreeWayState state = experiments::compared(kTest, pairs);
   pairs.resize(static_cast<std::size_t>(state.pairs));
-  const bool is_better = state.verdict == ThreeWayVerdict::kBetter;
-  const bool is_worse = state.verdict == ThreeWayVerdict::kWorse;
+  const bool is_better = state.verdict == experiments::ThreeWayVerdict::kBetter;
+  const bool is_worse = state.verdict == experiments::ThreeWayVerdict::kWorse;
   counts.better += is_better ? 1 : 0;
   counts.worse += is_worse ? 1 : 0;
   counts.not_shown += is_better || is_worse ? 0 : 1;
   counts.pairs += state.pairs;
-  counts.missed += misses(anytime_interval(pairs), gain) ? 1 : 0;
-  counts.missed_by_student += misses(mean_interval(pairs), gain) ? 1 : 0;
+  counts.missed += misses(experiments::anytime_interval(pairs), gain) ? 1 : 0;
+  counts.missed_by_student += misses(experiments::mean_interval(pairs), gain) ? 1 : 0;
 }
 
 void print_tests(int tests) {
@@ -104,11 +107,11 @@ void print_tests(int tests) {
 }
 
 }  // namespace
-}  // namespace autoref::runner
+}  // namespace autoref::tools
 
 int main(int argc, char** argv) {
-  using namespace autoref::runner;
-  const int seeds = argc < 2 ? kDefaultSeeds : whole_number_in(argv[1]).value_or(0);
+  using namespace autoref::tools;
+  const int seeds = argc < 2 ? kDefaultSeeds : autoref::io::whole_number_in(argv[1]).value_or(0);
   if (argc > 2 || seeds < 1 || seeds > kMostSeeds) {
     fmt::print(stderr, "tuning_trials: expected a number of seeds from 1 to {}\n", kMostSeeds);
     return 2;

@@ -10,7 +10,7 @@
 //   neither, and no robot had it         51, 48, 51     51, 48, 49     56, 52, 51
 // So without either evidence, the last touch before the gap says nothing about the one after it.
 // A test compares LastTouch::kept with the truth in games of other teams
-// (tests/runner/judge/last_touch_truth_test.cpp).
+// (tests/judge/last_touch_truth_test.cpp).
 #pragma once
 
 #include <optional>

@@ -123,7 +123,7 @@ def pictures_without_command(root, page):
 
 
 # Folders whose pages are not part of the manual: teams' templates, and what programs write.
-OUTSIDE = re.compile(r"(build|results/runs|runner|tests|scripts|\.[^/]*)/")
+OUTSIDE = re.compile(r"(build|results/runs|game/team_programs|tests|scripts|\.[^/]*)/")
 
 
 def all_pages(root):

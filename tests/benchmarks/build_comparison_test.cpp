@@ -2,13 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include "runner/io/errors.hpp"
-#include "tests/runner/support/temporary_folder.hpp"
+#include "io/errors.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace autoref::benchmarks {
 namespace {
-
-using namespace runner;
 
 constexpr const char* kGame =
     R"({"status": "ok", "sim_s": 1200, "state_hash": "00000000000000ff", "build": "0.1"})";
@@ -31,7 +29,7 @@ std::string failure_of(const std::string& script, double longest_game_s = 600) {
   const std::string program = stand_in(folder, "program", script);
   try {
     compare_builds(program, program, {.rounds = 6}, longest_game_s);
-  } catch (const InputError& error) {
+  } catch (const io::InputError& error) {
     EXPECT_EQ(error.location().file, program);
     return error.what();
   }
@@ -50,7 +48,7 @@ TEST(MeasuredGame, RefusesAnythingElse) {
                            R"({"status": "ok", "sim_s": 0, "state_hash": "00000000000000ff"})",
                            R"({"status": "void", "sim_s": 1, "state_hash": "00000000000000ff"})",
                            R"({"status": "ok", "sim_s": 1, "state_hash": "ff"})"}) {
-    EXPECT_THROW(measured_game("x", text, 1.8), InputError) << text;
+    EXPECT_THROW(measured_game("x", text, 1.8), io::InputError) << text;
   }
 }
 
@@ -70,7 +68,7 @@ TEST(CompareBuilds, NamesTheProgramThatFails) {
   EXPECT_NE(failure_of("exec sleep 1000", 0.5).find("took longer than 0.5 s"), std::string::npos);
   EXPECT_NE(failure_of("exec sleep 1000 >&-", 0.5).find("took longer than 0.5 s"),
             std::string::npos);
-  EXPECT_THROW(compare_builds("/nonexistent/autoref", "x", {}), InputError);
+  EXPECT_THROW(compare_builds("/nonexistent/autoref", "x", {}), io::InputError);
 }
 
 }  // namespace

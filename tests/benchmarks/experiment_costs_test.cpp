@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runner/game/game.hpp"
+#include "game/loop/game.hpp"
 
 namespace autoref::benchmarks {
 namespace {
@@ -49,11 +49,11 @@ TEST(RunCosts, ComeFromTheGamesOfAllWorkers) {
 }
 
 TEST(WorkerMeter, PlaysTheSameGameAsPlay) {
-  runner::GameConfiguration game;
+  game::GameConfiguration game;
   game.match.half_s = 1;
   const WorkerMeter meter;
-  const runner::GameRecord record = meter.play(game, false);
-  EXPECT_EQ(record.state_hash, runner::play(game).state_hash);
+  const game::GameRecord record = meter.play(game, false);
+  EXPECT_EQ(record.state_hash, game::play(game).state_hash);
   EXPECT_EQ(meter.costs().frames, record.frames);
 }
 

@@ -28,11 +28,11 @@ TEST(LivePunctuality, TheRatioIsThatOfTheSharesOfLateFrames) {
 }
 
 TEST(FrameCounter, CountsTheFramesThatAreMissing) {
-  runner::NetworkThread thread;
+  live::NetworkThread thread;
   FrameCounter counter(thread, [](std::string_view bytes) -> std::optional<std::int64_t> {
     return std::stoi(std::string(bytes));
   });
-  runner::DatagramSender sender(runner::kLoopback, {runner::kLoopback, counter.port()});
+  live::DatagramSender sender(live::kLoopback, {live::kLoopback, counter.port()});
   for (const char* number : {"0", "1", "4"}) sender.send(number);
   while (counter.received() < 3) std::this_thread::yield();
   EXPECT_EQ(counter.lost(), 2);

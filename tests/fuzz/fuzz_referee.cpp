@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "runner/io/errors.hpp"
+#include "io/errors.hpp"
 #include "tests/fuzz/file_in_memory.hpp"
-#include "tests/runner/logs/mutated_log.hpp"
-#include "tests/runner/logs/refereed_log.hpp"
+#include "tests/logs/mutated_log.hpp"
+#include "tests/logs/refereed_log.hpp"
 
 using namespace autoref;
 
@@ -17,7 +17,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
                                                std::size_t most, unsigned seed) {
   if (seed % 4 == 0) return LLVMFuzzerMutate(data, size, most);
   try {
-    const std::string bytes = runner::mutated(runner::records_in(as_file(data, size)), seed);
+    const std::string bytes = logs::mutated(logs::records_in(as_file(data, size)), seed);
     const std::size_t count = std::min(bytes.size(), most);
     std::copy_n(bytes.begin(), count, data);
     return count;
@@ -28,12 +28,12 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    const runner::RefereedLog log = runner::refereed(as_file(data, size));
+    const logs::RefereedLog log = logs::refereed(as_file(data, size));
     if (!std::all_of(log.decisions.begin(), log.decisions.end(),
-                     [](const referee::Decision& decision) { return runner::is_finite(decision); }))
+                     [](const referee::Decision& decision) { return logs::is_finite(decision); }))
       std::abort();
-  } catch (const league::LogError&) {    // not a log
-  } catch (const runner::InputError&) {  // cannot be refereed
+  } catch (const league::LogError&) {  // not a log
+  } catch (const io::InputError&) {    // cannot be refereed
   }
   return 0;
 }

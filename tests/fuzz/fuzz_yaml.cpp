@@ -4,21 +4,21 @@
 #include <cstdint>
 #include <string>
 
-#include "runner/experiments/kinds/scenario_reader.hpp"
-#include "runner/io/errors.hpp"
-#include "runner/lab/lab.hpp"
-#include "runner/settings/robot_types.hpp"
-#include "runner/view/recorded_decision.hpp"
+#include "experiments/kinds/scenario_reader.hpp"
+#include "game/lab/lab.hpp"
+#include "game/settings/robot_types.hpp"
+#include "io/errors.hpp"
+#include "view/recorded_decision.hpp"
 
 namespace {
 
-using namespace autoref::runner;
+using namespace autoref;
 
 template <typename Read>
 void expect_nothing_but_a_refusal(const Read& read) {
   try {
     read();
-  } catch (const InputError&) {  // rejected with a message
+  } catch (const io::InputError&) {  // rejected with a message
   }
 }
 
@@ -27,9 +27,10 @@ void expect_nothing_but_a_refusal(const Read& read) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
   const bool is_game = text.find("kind: game") != std::string::npos;
-  if (is_game) expect_nothing_but_a_refusal([&] { read_scenario_text(text, "x.yaml"); });
-  expect_nothing_but_a_refusal([&] { read_robot_type_text(text, "x.yaml"); });
-  expect_nothing_but_a_refusal([&] { read_lab_scene_text(text, "x.yaml"); });
-  expect_nothing_but_a_refusal([&] { decisions_in(text, "x.jsonl"); });
+  if (is_game)
+    expect_nothing_but_a_refusal([&] { experiments::read_scenario_text(text, "x.yaml"); });
+  expect_nothing_but_a_refusal([&] { game::read_robot_type_text(text, "x.yaml"); });
+  expect_nothing_but_a_refusal([&] { game::read_lab_scene_text(text, "x.yaml"); });
+  expect_nothing_but_a_refusal([&] { view::decisions_in(text, "x.jsonl"); });
   return 0;
 }

@@ -9,10 +9,10 @@
 #include "league/messages/league_input.pb.h"
 #include "league/team/team_codec.hpp"
 #include "tests/checkout.hpp"
-#include "tests/runner/support/temporary_folder.hpp"
 #include "tests/stability/promised_names.hpp"
+#include "tests/support/temporary_folder.hpp"
 
-namespace autoref::runner {
+namespace autoref::stability {
 namespace {
 
 // "league LeagueInput.frame = 5 int64"
@@ -85,4 +85,4 @@ Names message_names() {
   return names;
 }
 
-}  // namespace autoref::runner
+}  // namespace autoref::stability

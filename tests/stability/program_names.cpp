@@ -4,21 +4,21 @@
 #include <regex>
 #include <sstream>
 
+#include "game/settings/fields.hpp"
+#include "io/errors.hpp"
+#include "live/live_options.hpp"
 #include "referee/event.hpp"
-#include "runner/io/errors.hpp"
-#include "runner/live/live_options.hpp"
-#include "runner/settings/fields.hpp"
-#include "tests/runner/cli/answer.hpp"
-#include "tests/runner/support/written_names.hpp"
+#include "tests/app/answer.hpp"
 #include "tests/stability/promised_names.hpp"
+#include "tests/support/written_names.hpp"
 
-namespace autoref::runner {
+namespace autoref::stability {
 
 // Of a game in which one robot has settings of its own.
 Names setting_names() {
-  GameSettings game;
+  game::GameSettings game;
   Names names;
-  for (const Setting& setting : settings_with(game, "a.players.3.handicap")) {
+  for (const game::Setting& setting : game::settings_with(game, "a.players.3.handicap")) {
     names.push_back(setting.path);
     for (const std::string& word : setting.words) names.push_back(setting.path + " = " + word);
   }
@@ -48,7 +48,7 @@ Names command_line_names() {
   const std::regex option_name(R"(`(-[a-z-]+)`)");
   Names names;
   std::string verb;
-  std::istringstream page(answer_to({"reference", "verbs"}).out);
+  std::istringstream page(app::answer_to({"reference", "verbs"}).out);
   for (std::string line; std::getline(page, line);) {
     constexpr std::string_view kSection = "## autoref ";
     if (line.starts_with(kSection)) names.push_back(verb = line.substr(kSection.size()));
@@ -61,20 +61,20 @@ Names command_line_names() {
 }
 
 Names exit_code_names() {
-  return {fmt::format("{} done", kDone),
-          fmt::format("{} bad input", kBadInput),
-          fmt::format("{} too many void games", kTooManyVoid),
-          fmt::format("{} a replayed game differs", kDifferent),
-          fmt::format("{} internal error", kInternal),
-          fmt::format("{} input or output failed", kInputOutput),
-          fmt::format("{} interrupted", kInterrupted)};
+  return {fmt::format("{} done", io::kDone),
+          fmt::format("{} bad input", io::kBadInput),
+          fmt::format("{} too many void games", io::kTooManyVoid),
+          fmt::format("{} a replayed game differs", io::kDifferent),
+          fmt::format("{} internal error", io::kInternal),
+          fmt::format("{} input or output failed", io::kInputOutput),
+          fmt::format("{} interrupted", io::kInterrupted)};
 }
 
 Names network_names() {
-  const LivePorts ports;
-  return {fmt::format("vision {}:{}", kVisionGroup, ports.vision),
-          fmt::format("referee {}:{}", kRefereeGroup, ports.referee),
-          fmt::format("tracker {}:{}", kVisionGroup, ports.tracker),
+  const live::LivePorts ports;
+  return {fmt::format("vision {}:{}", live::kVisionGroup, ports.vision),
+          fmt::format("referee {}:{}", live::kRefereeGroup, ports.referee),
+          fmt::format("tracker {}:{}", live::kVisionGroup, ports.tracker),
           fmt::format("control {}", ports.control),
           fmt::format("blue {}", ports.blue),
           fmt::format("yellow {}", ports.yellow),
@@ -83,4 +83,4 @@ Names network_names() {
           fmt::format("grsim status yellow {}", ports.grsim_status_yellow)};
 }
 
-}  // namespace autoref::runner
+}  // namespace autoref::stability

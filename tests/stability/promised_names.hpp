@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace autoref::runner {
+namespace autoref::stability {
 
 using Names = std::vector<std::string>;
 
@@ -25,4 +25,4 @@ Names exit_code_names();     // "2 bad input"
 Names message_names();       // of teams' programs, in each encoding
 Names network_names();       // "vision 224.5.23.2:10006"
 
-}  // namespace autoref::runner
+}  // namespace autoref::stability

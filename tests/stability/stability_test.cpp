@@ -9,14 +9,14 @@
 #include <set>
 #include <sstream>
 
-#include "runner/experiments/kinds/scenario_reader.hpp"
-#include "runner/lab/lab.hpp"
-#include "runner/settings/robot_types.hpp"
+#include "experiments/kinds/scenario_reader.hpp"
+#include "game/lab/lab.hpp"
+#include "game/settings/robot_types.hpp"
 #include "tests/checkout.hpp"
-#include "tests/runner/support/temporary_folder.hpp"
 #include "tests/stability/promised_names.hpp"
+#include "tests/support/temporary_folder.hpp"
 
-namespace autoref::runner {
+namespace autoref::stability {
 namespace {
 
 std::vector<PromisedList> promised_lists() {
@@ -72,15 +72,15 @@ TEST(FilesOf10, AreStillRead) {
     if (!entry.is_regular_file()) continue;
     ++files;
     if (file.stem() == "lab") {
-      EXPECT_NO_THROW(read_lab_scene(file)) << file;
+      EXPECT_NO_THROW(game::read_lab_scene(file)) << file;
     } else if (file.stem() == "robot") {
-      EXPECT_NO_THROW(read_robot_type_text(content_of(file), file)) << file;
+      EXPECT_NO_THROW(game::read_robot_type_text(content_of(file), file)) << file;
     } else {
-      EXPECT_NO_THROW(read_scenario(file)) << file;
+      EXPECT_NO_THROW(experiments::read_scenario(file)) << file;
     }
   }
   EXPECT_EQ(files, 11);
 }
 
 }  // namespace
-}  // namespace autoref::runner
+}  // namespace autoref::stability

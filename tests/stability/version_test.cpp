@@ -4,15 +4,15 @@
 #include <regex>
 #include <string>
 
-#include "runner/io/build_id.hpp"
+#include "io/build_id.hpp"
 #include "tests/checkout.hpp"
-#include "tests/runner/support/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
-namespace autoref::runner {
+namespace autoref::stability {
 namespace {
 
 std::string version() {
-  const std::string build(build_id());
+  const std::string build(io::build_id());
   return build.substr(0, build.find('-'));
 }
 
@@ -38,4 +38,4 @@ TEST(Version, IsCitedWithTheDateOfItsRelease) {
 }
 
 }  // namespace
-}  // namespace autoref::runner
+}  // namespace autoref::stability

@@ -1,5 +1,5 @@
 // The teams in strategies/README.md. readme_test.cpp compares the README's code with the code
-// between the marks here, and tests/runner/game/readme_game_test.cpp plays the teams.
+// between the marks here, and tests/game/loop/readme_game_test.cpp plays the teams.
 #pragma once
 
 #include <memory>

@@ -6,7 +6,7 @@
 // Exit code 1 if a proportion is outside its bounds, 2 for an invalid argument.
 #include <fmt/format.h>
 
-#include "runner/io/words.hpp"
+#include "io/words.hpp"
 #include "tools/coverage/measured.hpp"
 
 namespace autoref::coverage {
@@ -46,7 +46,7 @@ int measure(int trials) {
 
 int main(int argc, char** argv) {
   using namespace autoref::coverage;
-  const auto trials = argc < 2 ? kTrials : autoref::runner::whole_number_in(argv[1]).value_or(0);
+  const auto trials = argc < 2 ? kTrials : autoref::io::whole_number_in(argv[1]).value_or(0);
   if (argc > 2 || trials < kFewestTrials || trials > kMostTrials) {
     fmt::print(stderr, "coverage: expected a number of trials from {} to {}\n", kFewestTrials,
                kMostTrials);

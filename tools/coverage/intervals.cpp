@@ -2,15 +2,15 @@
 
 #include <boost/math/distributions/poisson.hpp>
 
-#include "runner/statistics/mean_interval.hpp"
-#include "runner/statistics/proportion_interval.hpp"
+#include "experiments/statistics/mean_interval.hpp"
+#include "experiments/statistics/proportion_interval.hpp"
 #include "tools/coverage/goals.hpp"
 #include "tools/coverage/measured.hpp"
 
 namespace autoref::coverage {
 namespace {
 
-using runner::Interval;
+using experiments::Interval;
 
 // How many of the intervals contained the true value.
 struct Tally {
@@ -47,16 +47,16 @@ double share_of_a(const Means& means) {
 }
 
 void add(Tallies& tallies, const Means& means, double share, const std::vector<Score>& scores) {
-  tallies.student.add(runner::mean_interval(pair_differences(scores)), means.a - means.b);
+  tallies.student.add(experiments::mean_interval(pair_differences(scores)), means.a - means.b);
   int wins = 0;
   int decided = 0;
   for (const Score& score : scores) {
     wins += score.difference() > 0 ? 1 : 0;
     decided += score.difference() != 0 ? 1 : 0;
   }
-  tallies.wilson.add(runner::wilson_interval(wins, decided), share);
-  tallies.clopper_pearson.add(runner::clopper_pearson_interval(wins, decided), share);
-  tallies.picked.add(runner::proportion_interval(wins, decided), share);
+  tallies.wilson.add(experiments::wilson_interval(wins, decided), share);
+  tallies.clopper_pearson.add(experiments::clopper_pearson_interval(wins, decided), share);
+  tallies.picked.add(experiments::proportion_interval(wins, decided), share);
 }
 
 std::vector<Measured> coverage_at(const Means& means, int games, int trials) {

@@ -5,8 +5,8 @@
 #include <boost/math/distributions/poisson.hpp>
 #include <cmath>
 
-#include "runner/statistics/bradley_terry.hpp"
-#include "runner/statistics/goal_rating.hpp"
+#include "experiments/statistics/bradley_terry.hpp"
+#include "experiments/statistics/goal_rating.hpp"
 #include "tools/coverage/goals.hpp"
 
 namespace autoref::coverage {
@@ -16,7 +16,7 @@ constexpr double kGoalsOfEquals = 2;  // expected goals of each of two equal tea
 constexpr int kMostGoals = 200;
 constexpr double kVeryManyGames = 1e12;
 
-runner::RatedGame rated(const Score& score) {
+experiments::RatedGame rated(const Score& score) {
   const int difference = score.difference();
   return {static_cast<double>(difference), difference > 0 ? 1.0 : difference < 0 ? 0.0 : 0.5};
 }
@@ -37,8 +37,8 @@ double expected_wins(const Means& means) {
   return wins;
 }
 
-std::vector<runner::MatchupTotals> expected_totals(const std::vector<double>& skills) {
-  std::vector<runner::MatchupTotals> totals;
+std::vector<experiments::MatchupTotals> expected_totals(const std::vector<double>& skills) {
+  std::vector<experiments::MatchupTotals> totals;
   for (std::size_t i = 0; i < skills.size(); ++i) {
     for (std::size_t j = i + 1; j < skills.size(); ++j) {
       const Means means = means_of(skills[i], skills[j]);
@@ -66,8 +66,8 @@ League model_league(const std::string& name, const std::vector<double>& strength
     const double chance = 1 / (1 + std::exp(strengths[j] - strengths[i]));
     const double half_a_draw = draws * chance * (1 - chance);
     const double drawn = random.uniform() - (chance - half_a_draw);
-    if (drawn < 0) return runner::RatedGame{1, 1};
-    return drawn < 2 * half_a_draw ? runner::RatedGame{0, 0.5} : runner::RatedGame{-1, 0};
+    if (drawn < 0) return experiments::RatedGame{1, 1};
+    return drawn < 2 * half_a_draw ? experiments::RatedGame{0, 0.5} : experiments::RatedGame{-1, 0};
   };
   return {name, play, {}, strengths};
 }
@@ -76,17 +76,17 @@ League poisson_league(const std::string& name, const std::vector<double>& skills
   const PlayGame play_game = [=](std::size_t i, std::size_t j, RandomStream& random) {
     return rated(play(means_of(skills[i], skills[j]), random));
   };
-  const std::vector<runner::MatchupTotals> totals = expected_totals(skills);
-  return {name, play_game, list_of(runner::goal_rating(skills.size(), totals)),
-          list_of(runner::bradley_terry(skills.size(), totals))};
+  const std::vector<experiments::MatchupTotals> totals = expected_totals(skills);
+  return {name, play_game, list_of(experiments::goal_rating(skills.size(), totals)),
+          list_of(experiments::bradley_terry(skills.size(), totals))};
 }
 
-std::vector<runner::RatedMatchup> play_round_robin(const League& league, int pairs,
-                                                   RandomStream& random) {
-  std::vector<runner::RatedMatchup> matchups;
+std::vector<experiments::RatedMatchup> play_round_robin(const League& league, int pairs,
+                                                        RandomStream& random) {
+  std::vector<experiments::RatedMatchup> matchups;
   for (std::size_t i = 0; i < league.strengths.size(); ++i) {
     for (std::size_t j = i + 1; j < league.strengths.size(); ++j) {
-      runner::RatedMatchup matchup{team_name(i), team_name(j), {}};
+      experiments::RatedMatchup matchup{team_name(i), team_name(j), {}};
       for (int pair = 1; pair <= pairs; ++pair) {
         matchup.pairs[pair] = {league.play(i, j, random), league.play(i, j, random)};
       }

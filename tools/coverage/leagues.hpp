@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "runner/statistics/rated_games.hpp"
+#include "experiments/statistics/rated_games.hpp"
 #include "soccer/random.hpp"
 
 namespace autoref::coverage {
 
 // Plays a game of team i against team j, numbered from 0.
-using PlayGame = std::function<runner::RatedGame(std::size_t, std::size_t, RandomStream&)>;
+using PlayGame = std::function<experiments::RatedGame(std::size_t, std::size_t, RandomStream&)>;
 
 struct League {
   std::string name;
@@ -29,7 +29,7 @@ League model_league(const std::string& name, const std::vector<double>& strength
 League poisson_league(const std::string& name, const std::vector<double>& skills);
 
 // A round robin with `pairs` pairs of legs in each matchup; all legs are independent.
-std::vector<runner::RatedMatchup> play_round_robin(const League& league, int pairs,
-                                                   RandomStream& random);
+std::vector<experiments::RatedMatchup> play_round_robin(const League& league, int pairs,
+                                                        RandomStream& random);
 
 }  // namespace autoref::coverage

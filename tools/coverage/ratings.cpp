@@ -1,4 +1,4 @@
-#include "runner/statistics/ratings.hpp"
+#include "experiments/statistics/ratings.hpp"
 
 #include <fmt/format.h>
 
@@ -12,8 +12,8 @@
 namespace autoref::coverage {
 namespace {
 
-using runner::Rating;
-using RateTeams = std::vector<Rating> (*)(std::vector<runner::RatedMatchup>);
+using experiments::Rating;
+using RateTeams = std::vector<Rating> (*)(std::vector<experiments::RatedMatchup>);
 
 // A bootstrap takes much longer than a profile.
 constexpr int kTrialsPerBootstrap = 5;
@@ -49,7 +49,7 @@ struct Held {
 
 void add(Held& held, const std::vector<Rating>& ratings, const std::vector<double>& truth) {
   for (std::size_t i = 0; i < ratings.size(); ++i) {
-    const std::optional<runner::Interval>& interval = ratings[i].interval;
+    const std::optional<experiments::Interval>& interval = ratings[i].interval;
     held.missing += interval ? 0 : 1;
     if (!interval) continue;
     held.open += std::isinf(interval->low) || std::isinf(interval->high) ? 1 : 0;
@@ -72,20 +72,22 @@ Measured measure(RateTeams rate, const League& league, const std::vector<double>
   RandomStream random(static_cast<std::uint64_t>(pairs));
   Held held{std::vector<int>(truth.size(), 0), 0, 0};
   for (int i = 0; i < trials; ++i) add(held, rate(play_round_robin(league, pairs, random)), truth);
-  const char* what = rate == runner::goal_ratings_of ? "goal rating" : "Bradley-Terry";
+  const char* what = rate == experiments::goal_ratings_of ? "goal rating" : "Bradley-Terry";
   return summary_of(held, fmt::format("{}, {}, pairs {}", what, league.name, pairs), trials,
                     bounds);
 }
 
 Measured measure_strengths(const League& league, int pairs, int trials, const Bounds& bounds = {}) {
-  return measure(runner::bradley_terry_ratings_of, league, league.strengths, pairs, trials, bounds);
+  return measure(experiments::bradley_terry_ratings_of, league, league.strengths, pairs, trials,
+                 bounds);
 }
 
 // With five pairs, percentiles of the bootstrap are too narrow.
 Measured measure_goals(const League& league, int pairs, int trials) {
-  const Bounds bounds{pairs == static_cast<int>(runner::kFewestResampled) ? 0.84 : 0.90, 0.985};
-  return measure(runner::goal_ratings_of, league, league.goals, pairs, trials / kTrialsPerBootstrap,
-                 bounds);
+  const Bounds bounds{pairs == static_cast<int>(experiments::kFewestResampled) ? 0.84 : 0.90,
+                      0.985};
+  return measure(experiments::goal_ratings_of, league, league.goals, pairs,
+                 trials / kTrialsPerBootstrap, bounds);
 }
 
 }  // namespace

@@ -6,16 +6,16 @@
 #include <functional>
 #include <numbers>
 
-#include "runner/statistics/sequential_test.hpp"
+#include "experiments/statistics/sequential_test.hpp"
 #include "tools/coverage/goals.hpp"
 #include "tools/coverage/measured.hpp"
 
 namespace autoref::coverage {
 namespace {
 
-using runner::SequentialState;
-using runner::SequentialTest;
-using runner::Verdict;
+using experiments::SequentialState;
+using experiments::SequentialTest;
+using experiments::Verdict;
 
 constexpr double kLeads[] = {0.05, 0.1, 0.2, 0.5, 1};  // d1, in goals per game; d0 is 0
 constexpr double kSpreads[] = {0.2, 0.5, 1, 2, 4};     // standard deviations of a game's difference
@@ -90,7 +90,7 @@ SequentialState run_until_decided(const SequentialTest& test, const Pairs& next,
   while (state.verdict == Verdict::kGoOn) {  // ends at test.max_pairs
     const std::size_t more = std::max<std::size_t>(differences.size(), test.min_pairs);
     for (std::size_t i = 0; i < more; ++i) differences.push_back(next(random));
-    state = runner::decided_by(test, differences);
+    state = experiments::decided_by(test, differences);
   }
   return state;
 }
@@ -99,7 +99,7 @@ SequentialState run_until_decided(const SequentialTest& test, const Pairs& next,
 // a pair gives.
 double pairs_needed(const Trial& trial) {
   const double lead = trial.test.d1 - trial.test.d0;
-  return 2 * runner::bound_of_d1(trial.test) * trial.sd * trial.sd / 2 / (lead * lead);
+  return 2 * experiments::bound_of_d1(trial.test) * trial.sd * trial.sd / 2 / (lead * lead);
 }
 
 struct Errors {

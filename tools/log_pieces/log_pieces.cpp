@@ -17,17 +17,17 @@
 #include <string>
 #include <vector>
 
+#include "game/loop/game.hpp"
+#include "game/settings/fields.hpp"
+#include "game/settings/resolved.hpp"
 #include "league/game_log.hpp"
-#include "runner/game/game.hpp"
-#include "runner/logs/log_game.hpp"
-#include "runner/logs/log_referee.hpp"
-#include "runner/logs/logged_cameras.hpp"
-#include "runner/settings/fields.hpp"
-#include "runner/settings/resolved.hpp"
+#include "logs/log_game.hpp"
+#include "logs/log_referee.hpp"
+#include "logs/logged_cameras.hpp"
 #include "soccer/random.hpp"
 #include "tools/log_pieces/piece_calls.hpp"
 
-namespace autoref::runner {
+namespace autoref::tools {
 namespace {
 
 constexpr double kShortest_s = 10;
@@ -37,9 +37,9 @@ const std::vector<std::string> kBooks = {"paper", "2014", "2026-b"};
 const std::vector<std::string> kTeams = {"cobalt1", "counter", "possession", "zone", "shadow"};
 
 // Writes a game's log and keeps its calls.
-class Recorder final : public Observer {
+class Recorder final : public game::Observer {
  public:
-  Recorder(const std::string& path, const GameConfiguration& game) : log_(open(path, game)) {}
+  Recorder(const std::string& path, const game::GameConfiguration& game) : log_(open(path, game)) {}
   void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World&) override {
     log_.add(frame, signal);
   }
@@ -53,17 +53,17 @@ class Recorder final : public Observer {
   CallList calls;
 
  private:
-  static league::GameLog open(const std::string& path, const GameConfiguration& game) {
-    return {path, game.field, logged_cameras(game), {}};
+  static league::GameLog open(const std::string& path, const game::GameConfiguration& game) {
+    return {path, game.field, logs::logged_cameras(game), {}};
   }
 
   league::GameLog log_;
 };
 
-GameSettings settings_of(const std::string& book, const std::string& camera, int number) {
-  GameSettings game;
-  choose_rules(book, game);
-  set_by_path(game, "sim.camera", camera);
+game::GameSettings settings_of(const std::string& book, const std::string& camera, int number) {
+  game::GameSettings game;
+  game::choose_rules(book, game);
+  game::set_by_path(game, "sim.camera", camera);
   game.match.half_s = kHalf_s;
   const auto index = static_cast<std::size_t>(number);
   game.a.strategy = kTeams[index % kTeams.size()];
@@ -88,23 +88,23 @@ void cut(const std::string& log, double from_s, double to_s, const std::string& 
 }
 
 CallList judged(const std::string& log, const std::string& book, const std::string& camera) {
-  const RecordedFacts facts = facts_of(log);
-  GameSettings game = logged_game(book, facts, facts.games.front());
-  set_by_path(game, "sim.camera", camera);
+  const logs::RecordedFacts facts = logs::facts_of(log);
+  game::GameSettings game = logs::logged_game(book, facts, facts.games.front());
+  game::set_by_path(game, "sim.camera", camera);
   CallList calls;
-  referee_log(log, facts, {referee_configuration(resolved(game))},
-              [&calls](const referee::Decision& decision) { calls.take(decision); });
+  logs::referee_log(log, facts, {game::referee_configuration(game::resolved(game))},
+                    [&calls](const referee::Decision& decision) { calls.take(decision); });
   return calls;
 }
 
 // Judges a game's log whole and in pieces.
 void judge_game(const std::string& folder, const std::string& book, const std::string& camera,
                 int number, Tally& whole, Tally& pieces) {
-  const GameSettings game = settings_of(book, camera, number);
-  const GameConfiguration configuration = resolved(game);
+  const game::GameSettings game = settings_of(book, camera, number);
+  const game::GameConfiguration configuration = game::resolved(game);
   const std::string log = folder + "/whole.log";
   Recorder recorder(log, configuration);
-  const GameRecord record = play(configuration, &recorder);
+  const game::GameRecord record = game::play(configuration, &recorder);
   recorder.close();
   whole.add(recorder.calls, judged(log, book, camera), {0, record.sim_s, 0});
   RandomStream chance(game.seed);
@@ -173,9 +173,9 @@ int main_of(const std::string& folder, int games) {
 }
 
 }  // namespace
-}  // namespace autoref::runner
+}  // namespace autoref::tools
 
 int main(int argc, char** argv) {
   if (argc < 2) return 2;
-  return autoref::runner::main_of(argv[1], argc > 2 ? std::atoi(argv[2]) : 3);
+  return autoref::tools::main_of(argv[1], argc > 2 ? std::atoi(argv[2]) : 3);
 }

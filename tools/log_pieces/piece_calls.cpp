@@ -8,7 +8,7 @@
 
 #include "sim/camera_presets.hpp"
 
-namespace autoref::runner {
+namespace autoref::tools {
 namespace {
 
 using referee::Event;
@@ -200,4 +200,4 @@ bool Tally::is_good() const {
 
 std::vector<std::string> camera_names() { return sim::camera_preset_names(); }
 
-}  // namespace autoref::runner
+}  // namespace autoref::tools

@@ -8,7 +8,7 @@
 
 #include "referee/decision.hpp"
 
-namespace autoref::runner {
+namespace autoref::tools {
 
 struct PieceCall {
   referee::Event event = referee::Event::kBegin;
@@ -62,4 +62,4 @@ struct Tally {
 
 std::vector<std::string> camera_names();
 
-}  // namespace autoref::runner
+}  // namespace autoref::tools

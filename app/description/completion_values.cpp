@@ -1,0 +1,119 @@
+// Values that completion knows. Declared in completion.hpp.
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+#include "app/description/completion.hpp"
+#include "app/scenario_argument.hpp"
+#include "game/settings/fields.hpp"
+#include "game/team_programs/team_templates.hpp"
+#include "io/installed_files.hpp"
+#include "io/words.hpp"
+#include "sim/camera_presets.hpp"
+#include "soccer/rule_book.hpp"
+#include "strategies/registry.hpp"
+
+namespace autoref::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<Proposal> words_begun(const std::vector<std::string>& words, const std::string& begun) {
+  std::vector<Proposal> proposals;
+  for (const std::string& word : words)
+    if (word.starts_with(begun)) proposals.push_back({word, ""});
+  return proposals;
+}
+
+std::vector<Proposal> teams_begun(const ValuePlace& place) {
+  std::vector<Proposal> proposals;
+  for (const strategies::Entry& team : strategies::all_strategies()) {
+    if (team.name.starts_with(place.begun))
+      proposals.push_back({std::string(team.name), std::string(team.about)});
+  }
+  return proposals;
+}
+
+// Names of files as they are found; if none begins so, names without their folder.
+std::vector<Proposal> scenarios_begun(const ValuePlace& place) {
+  const std::vector<std::string> known =
+      known_scenarios(fs::path(place.begun).parent_path(), io::running_program());
+  std::vector<Proposal> proposals = words_begun(known, place.begun);
+  if (!proposals.empty()) return proposals;
+  std::vector<std::string> shorter;
+  shorter.reserve(known.size());
+  for (const std::string& one : known) shorter.push_back(one.substr(one.find('/') + 1));
+  return words_begun(shorter, place.begun);
+}
+
+// All settings of a game that has the robot of `key`, such as "b.players.3.handicap".
+std::vector<game::Setting> settings_for(game::GameSettings& game, const std::string& key) {
+  try {
+    return game::settings_with(game, key);
+  } catch (const std::invalid_argument&) {
+    return game::settings_of(game);  // its number is not typed yet
+  }
+}
+
+std::vector<Proposal> values_of_key(const std::vector<game::Setting>& settings,
+                                    const std::string& key, const std::string& begun) {
+  try {
+    std::vector<Proposal> proposals = words_begun(game::setting_at(settings, key).words, begun);
+    for (Proposal& one : proposals) one.word.insert(0, key + "=");
+    return proposals;
+  } catch (const std::invalid_argument&) {
+    return {};  // an unknown key has no known values
+  }
+}
+
+// Keys up to their next dot: "match." for "ma", "match.half_s=" for "match.h".
+std::vector<Proposal> keys_begun(const std::vector<game::Setting>& settings,
+                                 const std::string& begun) {
+  std::vector<Proposal> proposals;
+  for (const std::string& path :
+       begun.starts_with("teams.") ? game::full_paths(settings) : game::short_paths(settings)) {
+    if (!path.starts_with(begun)) continue;
+    const std::size_t dot = path.find('.', begun.size());
+    const bool is_whole = dot == std::string::npos;
+    const std::string word = is_whole ? path + "=" : path.substr(0, dot + 1);
+    const auto is_word = [&word](const Proposal& one) { return one.word == word; };
+    if (std::any_of(proposals.begin(), proposals.end(), is_word)) continue;
+    proposals.push_back(
+        {word, is_whole ? std::string(game::setting_at(settings, path).about) : ""});
+  }
+  return proposals;
+}
+
+std::vector<Proposal> assignments_begun(const ValuePlace& place) {
+  game::GameSettings game;
+  const std::size_t equals = place.begun.find('=');
+  const std::string key = place.begun.substr(0, equals);
+  const std::vector<game::Setting> settings = settings_for(game, key);
+  return equals == std::string::npos ? keys_begun(settings, key)
+                                     : values_of_key(settings, key, place.begun.substr(equals + 1));
+}
+
+std::vector<Proposal> games_begun(const ValuePlace& place) {
+  if (place.positionals.empty()) return {};
+  return words_begun(stored_ids(place.positionals.front(), place.begun), place.begun);
+}
+
+}  // namespace
+
+std::vector<Proposal> values_at(const ValuePlace& place) {
+  using Values = std::vector<Proposal> (*)(const ValuePlace&);
+  static const std::map<std::string_view, Values> kKinds = {
+      {"SCENARIO", scenarios_begun},
+      {"KEY=VALUE", assignments_begun},
+      {"GAME_ID", games_begun},
+      {"TEAM", teams_begun},
+      {"BOOK", [](const ValuePlace& at) { return words_begun(rule_book_names(), at.begun); }},
+      {"PRESET",
+       [](const ValuePlace& at) { return words_begun(sim::camera_preset_names(), at.begun); }},
+      {"LANGUAGE",
+       [](const ValuePlace& at) { return words_begun(game::template_languages(), at.begun); }}};
+  const auto found = kKinds.find(place.kind);
+  return found == kKinds.end() ? std::vector<Proposal>() : found->second(place);
+}
+
+}  // namespace autoref::app

@@ -1,0 +1,38 @@
+// The program's verbs and options as data, for its man page and for completion in shells.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+#include <vector>
+
+namespace autoref::app {
+
+struct DescribedOption {
+  std::vector<std::string> names;  // "-o", "--output"; of an argument without dashes, its name only
+  std::string value;               // what follows, such as "FILE"; empty for a flag
+  std::string description;
+  bool is_positional = false;
+  std::vector<std::string> words = {};  // allowed values, if they are listed
+};
+
+// The program itself, one of its verbs, or a verb of a verb (autoref team new).
+struct DescribedVerb {
+  std::string name;
+  std::string description;
+  std::vector<DescribedOption> options;
+  std::string footer;                // examples and notes
+  std::vector<DescribedVerb> verbs;  // in the order of help
+};
+
+// Everything that `autoref --help` and `autoref VERB --help` print.
+DescribedVerb described(const CLI::App& app);
+
+// The man page autoref(1), as roff source. `version` is what --version prints.
+std::string man_page(const DescribedVerb& program, const std::string& version);
+
+// Scripts that complete command lines with what `autoref complete` prints (completion.hpp).
+std::string bash_completion();
+std::string zsh_completion();
+std::string fish_completion();
+
+}  // namespace autoref::app

@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include "app/description/described_verb.hpp"
+
+namespace autoref::app {
+namespace {
+
+// A text that roff shows as it is.
+std::string roff(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    const bool begins_line = escaped.empty() || escaped.back() == '\n';
+    if (begins_line && (c == '.' || c == '\'')) escaped += "\\&";
+    if (c == '\\') {
+      escaped += "\\e";
+    } else if (c == '-') {
+      escaped += "\\-";
+    } else {
+      escaped += c;
+    }
+  }
+  return escaped;
+}
+
+std::string words_of(const DescribedOption& option) {
+  std::string words;
+  for (const std::string& name : option.names)
+    words += (words.empty() ? "\\fB" : ", \\fB") + roff(name) + "\\fR";
+  return option.value.empty() ? words : words + " \\fI" + roff(option.value) + "\\fR";
+}
+
+std::string options_text(const DescribedVerb& verb) {
+  std::string text;
+  for (const DescribedOption& option : verb.options)
+    text += ".TP\n" + words_of(option) + "\n" + roff(option.description) + "\n";
+  return text;
+}
+
+// The lines as they are, indented.
+std::string verbatim(const std::string& lines) {
+  return lines.empty() ? "" : ".PP\n.nf\n" + roff(lines) + "\n.fi\n";
+}
+
+std::string verb_text(const DescribedVerb& verb, const std::string& before) {
+  const std::string name = before + " " + verb.name;
+  std::string text = ".SS \"" + roff(name) + "\"\n" + roff(verb.description) + "\n";
+  text += options_text(verb) + verbatim(verb.footer);
+  for (const DescribedVerb& nested : verb.verbs) text += verb_text(nested, name);
+  return text;
+}
+
+}  // namespace
+
+std::string man_page(const DescribedVerb& program, const std::string& version) {
+  std::string page =
+      fmt::format(".TH AUTOREF 1 \"\" \"{}\" \"User Commands\"\n", roff(version)) +
+      ".SH NAME\nautoref \\- simulate and referee robot soccer games of the Small Size League\n" +
+      ".SH SYNOPSIS\n\\fBautoref\\fR \\fIVERB\\fR [\\fIARGUMENT\\fR ...]\n" + ".SH DESCRIPTION\n" +
+      roff(program.description) + "\n" + ".SH OPTIONS\n" + options_text(program) + ".SH VERBS\n";
+  for (const DescribedVerb& verb : program.verbs) page += verb_text(verb, program.name);
+  return page + ".SH EXAMPLE AND EXIT STATUS\n" + verbatim(program.footer);
+}
+
+}  // namespace autoref::app

@@ -1,0 +1,36 @@
+// The manual's reference pages as Markdown, made from the lists that the program itself uses. The
+// pages under docs/reference/ are printed by `autoref reference`, and a test compares them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/description/described_verb.hpp"
+
+namespace autoref::app {
+
+// Names of the pages: docs/reference/NAME.md.
+std::vector<std::string> reference_page_names();
+
+// The page of that name. `program` is described for the page of verbs. Throws std::invalid_argument
+// for an unknown name.
+std::string reference_page(const std::string& name, const DescribedVerb& program);
+
+// The single pages.
+std::string settings_page();
+std::string verbs_page(const DescribedVerb& program);
+std::string rules_page();
+std::string team_parameters_page();
+std::string scenario_files_page();
+
+// A page's first lines: its title, and which command prints it.
+std::string reference_head(const std::string& title, const std::string& name);
+
+// A table whose first row is the head. Cells are text, except that what is between backticks is
+// left as it is. An empty table if there is only a head.
+std::string reference_table(const std::vector<std::vector<std::string>>& rows);
+
+// `text` as a code span.
+std::string code_span(const std::string& text);
+
+}  // namespace autoref::app

@@ -1,0 +1,96 @@
+// The reference page of rules: which rule books have them in force, thresholds, numbers, sections.
+#include <fmt/format.h>
+
+#include "app/description/reference_pages.hpp"
+#include "soccer/parameters.hpp"
+#include "soccer/rule_book.hpp"
+#include "soccer/rule_table.hpp"
+
+namespace autoref::app {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+std::vector<RuleBook> rule_books() {
+  std::vector<RuleBook> books;
+  for (const std::string& name : rule_book_names()) books.push_back(*find_rule_book(name));
+  return books;
+}
+
+Rows table_with_books(const std::string& first) {
+  Rows rows = {{first}};
+  for (const std::string& name : rule_book_names()) rows.front().push_back(code_span(name));
+  return rows;
+}
+
+std::string in_book(const RuleBook& book, const RuleEntry& entry) {
+  if (!book.has(entry.rule)) return "–";
+  if (entry.threshold == nullptr) return "yes";
+  return fmt::format("{:g} {}", book.*entry.threshold, entry.unit());
+}
+
+std::string books_section() {
+  Rows rows = table_with_books("rule");
+  for (const RuleEntry& entry : rule_table()) {
+    std::vector<std::string> row = {code_span(std::string(entry.name))};
+    for (const RuleBook& book : rule_books()) row.push_back(in_book(book, entry));
+    rows.push_back(std::move(row));
+  }
+  return "## In force\n\nA rule's threshold, or \"yes\" if it has none, where the rule book has it "
+         "in force. `match.switch.NAME: true` or `false` changes that for a game.\n\n" +
+         reference_table(rows);
+}
+
+std::string sections_section() {
+  Rows rows = {{"rule", "meaning", "paper", "Laws of 2014", "rules of 2026"}};
+  for (const RuleEntry& entry : rule_table()) {
+    rows.push_back({code_span(std::string(entry.name)), std::string(entry.about),
+                    std::string(entry.paper), std::string(entry.laws_2014),
+                    std::string(entry.rules_2026)});
+  }
+  return "## Meanings and sections\n\n" + reference_table(rows);
+}
+
+// In each book; yes or no is 1 or 0.
+std::vector<std::string> numbers_called(std::string_view name) {
+  std::vector<std::string> values;
+  for (const RuleBook& book : rule_books()) {
+    RuleBook::visit(book, [&](const auto& number, const Parameter& about) {
+      if (about.name == name) values.push_back(fmt::format("{:g}", static_cast<double>(number)));
+    });
+  }
+  return values;
+}
+
+std::string numbers_section() {
+  Rows rows = table_with_books("number");
+  rows.front().insert(rows.front().end(), {"meaning", "source"});
+  const RuleBook any;
+  RuleBook::visit(any, [&rows](const auto& /*number*/, const Parameter& about) {
+    std::vector<std::string> row = {code_span(std::string(about.name))};
+    for (std::string& value : numbers_called(about.name)) row.push_back(std::move(value));
+    row.emplace_back(about.about);
+    row.emplace_back(about.source);
+    rows.push_back(std::move(row));
+  });
+  return "## Numbers\n\nThe numbers of each rule book, as programs receive them in the message "
+         "START ([team-programs.md](../team-programs.md)), which also has the edition and the "
+         "rules in force; 1 is yes, 0 is no. A source names where "
+         "the first book's number comes from, then what other texts say; \"2016\" is the authors' "
+         "later public referee.\n\n" +
+         reference_table(rows);
+}
+
+}  // namespace
+
+std::string rules_page() {
+  std::string page = reference_head("Rules", "rules") +
+                     "Calls and the league's events are listed in "
+                     "[referee/README.md](../../referee/README.md#events"
+                     "); [rules.md](../rules.md) compares each rule with the league's text.\n\n" +
+                     books_section() + sections_section() + numbers_section();
+  page.pop_back();
+  return page;
+}
+
+}  // namespace autoref::app

@@ -1,0 +1,121 @@
+// The reference page of settings: every key of a game, and what each preset sets.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "app/description/reference_pages.hpp"
+#include "game/settings/fields.hpp"
+
+namespace autoref::app {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+constexpr const char* kIntroduction =
+    "Every key of a game: in a scenario's sections, after `--set`, and as a factor of a sweep. "
+    "`a.` and `b.` stand for `teams.a.` and `teams.b.`: `--set b.robots=5`. Defaults are those of "
+    "the rule book `paper`; `[]` is an empty list of words. [scenarios.md](../scenarios.md) "
+    "explains the sections and the keys of experiments.\n\n";
+
+// Any number stands for all of a team's robots.
+constexpr int kAnyPlayer = 3;
+
+// "teams.a.players.3.type" as it is shown: "teams.a.players.N.type".
+std::string shown_path(std::string path) {
+  const std::string numbered = fmt::format(".players.{}", kAnyPlayer);
+  const std::size_t found = path.find(numbered);
+  return found == std::string::npos ? path : path.replace(found, numbered.size(), ".players.N");
+}
+
+std::string shown_default(const game::Setting& setting) {
+  const std::string value = game::value_of(setting);
+  return value.empty() || value == "\"\"" || value == "''" ? "" : code_span(value);
+}
+
+std::vector<std::string> row_of(const game::Setting& setting) {
+  const std::string path = shown_path(setting.path);
+  const std::size_t dot = path.rfind('.');
+  return {code_span(dot == std::string::npos ? path : path.substr(dot + 1)), shown_default(setting),
+          game::expected_of(setting), std::string(setting.about)};
+}
+
+// Branches in the order of the settings, each with its rows.
+std::vector<std::pair<std::string, Rows>> branches_of(const std::vector<game::Setting>& settings) {
+  std::vector<std::pair<std::string, Rows>> branches;
+  for (const game::Setting& setting : settings) {
+    if (setting.path.starts_with("teams.b.")) continue;  // as team a's
+    const std::string path = shown_path(setting.path);
+    const std::string branch(path.find('.') == std::string::npos ? "" : game::branch_of(path));
+    auto found = std::find_if(branches.begin(), branches.end(),
+                              [&](const auto& known) { return known.first == branch; });
+    if (found == branches.end()) {
+      branches.push_back({branch, {{"key", "default", "value", "meaning"}}});
+      found = std::prev(branches.end());
+    }
+    found->second.push_back(row_of(setting));
+  }
+  return branches;
+}
+
+std::string heading_of(const std::string& branch) {
+  if (branch.empty()) return "Top level";
+  if (branch == "teams.a") return "`teams.a`, `teams.b`";
+  return code_span(branch);
+}
+
+// The values of all settings once the preset at `path` is `word`, in the order of settings_of().
+std::vector<std::string> values_with(const std::string& path, const std::string& word) {
+  game::GameSettings game;
+  game::set_by_path(game, path, word);
+  std::vector<std::string> values;
+  for (const game::Setting& setting : game::settings_of(game))
+    values.push_back(game::value_of(setting));
+  return values;
+}
+
+bool is_shown_for_presets(const game::Setting& setting) {
+  return !game::is_preset(setting) && !setting.path.starts_with("teams.b.") &&
+         !setting.path.starts_with("match.switch.");
+}
+
+// A row for each key whose value depends on the preset, a column for each of its words.
+std::string preset_section(const std::string& path) {
+  game::GameSettings game;
+  const std::vector<game::Setting> settings = game::settings_of(game);
+  const std::vector<std::string> words = game::find_setting(settings, path)->words;
+  Rows rows = {{"key"}};
+  std::vector<std::vector<std::string>> values;
+  for (const std::string& word : words) {
+    rows.front().push_back(code_span(word));
+    values.push_back(values_with(path, word));
+  }
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    if (!is_shown_for_presets(settings[i])) continue;
+    std::vector<std::string> row = {code_span(game::short_path(settings[i].path))};
+    for (const auto& of_word : values) row.push_back(of_word[i]);
+    const bool differs = std::any_of(row.begin() + 1, row.end(),
+                                     [&row](const std::string& cell) { return cell != row[1]; });
+    if (differs) rows.push_back(std::move(row));
+  }
+  return fmt::format("## What `{}` sets\n\n", path) + reference_table(rows);
+}
+
+}  // namespace
+
+std::string settings_page() {
+  game::GameSettings game;
+  game::player_of(game.a.players, std::to_string(kAnyPlayer));
+  std::string page = reference_head("Settings", "settings") + kIntroduction;
+  for (const auto& [branch, rows] : branches_of(game::settings_of(game))) {
+    page += fmt::format("## {}\n\n", heading_of(branch)) + reference_table(rows);
+  }
+  page += "Rules that a rule book has in force are on the page [Rules](rules.md).\n\n";
+  for (const char* preset :
+       {"match.rules", "sim.camera", "sim.ball.preset", "sim.kicker.preset", "sim.dribbler.preset"})
+    page += preset_section(preset);
+  page.pop_back();
+  return page;
+}
+
+}  // namespace autoref::app

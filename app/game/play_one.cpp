@@ -1,0 +1,224 @@
+#include "app/game/play_one.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <csignal>
+#include <optional>
+#include <utility>
+
+#include "app/game/page_recorder.hpp"
+#include "app/game/shown_game.hpp"
+#include "app/game/speed.hpp"
+#include "app/line_output.hpp"
+#include "app/output_file.hpp"
+#include "experiments/results/game_report.hpp"
+#include "game/loop/event_log.hpp"
+#include "game/loop/game_event.hpp"
+#include "game/team_programs/program_games.hpp"
+#include "io/build_id.hpp"
+#include "io/errors.hpp"
+#include "io/table.hpp"
+#include "io/terminal.hpp"
+#include "league/game_log.hpp"
+#include "live/frame_pacer.hpp"
+#include "logs/logged_cameras.hpp"
+
+namespace autoref::app {
+namespace {
+
+// The output files of a game. They appear when the game is over.
+struct GameFiles {
+  explicit GameFiles(const GameOutput& output)
+      : events("--events", output.events), game_events("--game-events", output.game_events) {
+    open_output(view, "--view", output.view);
+  }
+
+  LineOutput events;
+  LineOutput game_events;
+  std::optional<io::PendingFile> view;
+};
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void end_soon(int signal) {
+  interrupted = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+// Ends the game at its next frame once the user has pressed Ctrl-C.
+class Watch final : public game::Observer {
+ public:
+  Watch(GameFiles& files, const PerSide<game::EventTeam>& teams, league::GameLog* log)
+      : files_(&files), teams_(teams), log_(log) {
+    note_interrupts();
+  }
+  void on_other_detections(const OtherDetections& others) override {
+    if (log_ != nullptr) log_->note(others);
+  }
+  void on_frame(const Frame& frame, const RefereeSignal& signal,
+                const sim::World& /*world*/) override {
+    if (log_ != nullptr) log_->add(frame, signal);
+    check_interrupt();
+  }
+  void on_decision(const referee::Decision& decision) override {
+    if (files_->events.is_open()) files_->events.add(game::decision_json(decision, teams_));
+    if (files_->game_events.is_open()) add_game_event(decision);
+    if (log_ != nullptr) log_decision(decision);
+  }
+
+ private:
+  void add_game_event(const referee::Decision& decision) {
+    const std::optional<GameEvent> event = game::game_event_of(decision);
+    if (event) files_->game_events.add(game::game_event_json(*event));
+  }
+
+  void log_decision(const referee::Decision& decision) {
+    if (decision.command) log_->note(*decision.command);
+    if (std::optional<GameEvent> event = game::game_event_of(decision))
+      log_->note(*std::move(event));
+  }
+
+  GameFiles* files_;
+  PerSide<game::EventTeam> teams_;
+  league::GameLog* log_;  // null unless a log is written
+};
+
+void check_files(const GameOutput& output, const std::vector<std::string>& inputs) {
+  check_outputs({{"--events", output.events},
+                 {"--game-events", output.game_events},
+                 {"--log", output.log},
+                 {"--view", output.view},
+                 {"--record", output.record}},
+                inputs);
+}
+
+league::LoggedTeam logged_team_on(const game::GameConfiguration& game, Side side) {
+  return {game::shown_names(game)[side]};
+}
+
+void open_log(std::optional<league::GameLog>& log, const game::GameConfiguration& game,
+              const std::string& path) {
+  if (path.empty()) return;
+  log.emplace(path, game.field, logs::logged_cameras(game),
+              PerSide<league::LoggedTeam>{
+                  {logged_team_on(game, Side::kWest), logged_team_on(game, Side::kEast)}});
+}
+
+game::GamePrograms programs_of(const game::GameConfiguration& game, const GameOutput& output,
+                               const RecordedCommands& commands, const GamePlayer& player) {
+  if (!game::has_programs(game) && !output.record.empty())
+    throw io::InputError(
+        {"--record"}, "",
+        "neither team is a program or on the network, so there is nothing to record");
+  if (!commands.file.empty())
+    return game::GamePrograms::recorded(game, commands.file, commands.kind);
+  game::ProgramFiles files;
+  files.commands = output.record;
+  files.commands_kind = io::FileKind::kFileOrPipe;
+  files.show_stderr = true;
+  return game::GamePrograms::live(game, files, player.make_network_team);
+}
+
+// Frames per second of the clock; nullopt: as many as possible.
+std::optional<double> pace_of(const game::GameConfiguration& game, const GameOutput& output) {
+  const bool is_paced = !output.speed.empty() || !output.web.address.empty();
+  if (!is_paced || output.speed == "max") return std::nullopt;
+  return game.sim.frame_rate_hz * speed_factor_in(output.speed.empty() ? "1" : output.speed, "max");
+}
+
+game::GameRecord played(const game::GameConfiguration& configuration,
+                        const game::Observers& observers, game::GamePrograms& programs,
+                        std::optional<double> frames_per_s) {
+  game::Game game(programs.configured(configuration), observers, programs.maker());
+  live::SteadyFrameClock clock;
+  std::optional<live::FramePacer> pacer;
+  if (frames_per_s) pacer.emplace(clock, *frames_per_s);
+  do {
+    if (pacer) pacer->wait();
+    programs.before_step(game);
+  } while (game.step());
+  return game.record();
+}
+
+}  // namespace
+
+// A signal handler may do very little, so it only sets a flag, which is read here. The exception
+// unwinds the stack, which removes pending files.
+void note_interrupts() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, end_soon);
+}
+
+void check_interrupt() {
+  if (interrupted != 0) throw io::Interrupted();
+}
+
+void add_output_options(CLI::App& verb, GameOutput& output) {
+  verb.add_option("--events", output.events,
+                  "Write the referee's decisions to FILE, one JSON object per line.")
+      ->type_name("FILE");
+  verb.add_option("--game-events", output.game_events,
+                  "Write the referee's decisions to FILE as the league's game events, one JSON "
+                  "object per line.")
+      ->type_name("FILE");
+  verb.add_option("--log", output.log,
+                  "Write the game to FILE as an SSL log; compressed if FILE ends in .gz.")
+      ->type_name("FILE");
+  verb.add_option("--view", output.view, "Write the game to FILE as an HTML page.")
+      ->type_name("FILE");
+  verb.add_option("--record", output.record,
+                  "Write the commands of teams that are programs or on the network to FILE, for "
+                  "play --commands.")
+      ->type_name("FILE");
+  add_web_flags(verb, output.web,
+                "Show the game in browsers, at this address of this computer, such as "
+                "127.0.0.1:8090; without address, for browsers on this computer only.");
+  verb.add_flag("--json", output.json, "Print one JSON object.");
+}
+
+void add_speed_option(CLI::App& verb, GameOutput& output) {
+  verb.add_option("--speed", output.speed,
+                  "Speed relative to real time; max: as fast as possible. By default 1 with --web, "
+                  "otherwise max.")
+      ->type_name("FACTOR|max");
+}
+
+game::GameRecord play_one(const game::GameConfiguration& game, const GameOutput& output,
+                          const std::vector<std::string>& inputs, const RecordedCommands& commands,
+                          const GamePlayer& player) {
+  check_files(output, inputs);
+  GameFiles files(output);
+  std::optional<league::GameLog> log;
+  open_log(log, game, output.log);
+  PageRecorder page;
+  const std::optional<double> frames_per_s = pace_of(game, output);
+  Watch watch(files, game::event_teams_of(game), log ? &*log : nullptr);
+  ShownGame shown(game, output.web);
+  game::Observers observers(shown.observer());
+  if (files.view) observers.add(&page);
+  observers.add(&watch);
+  const auto start = std::chrono::steady_clock::now();
+  game::GamePrograms programs = programs_of(game, output, commands, player);
+  game::GameRecord record = player.play ? player.play(observers, programs)
+                                        : played(game, observers, programs, frames_per_s);
+  if (!programs.finish(record)) {
+    throw io::InputError(
+        {commands.file.string()}, "",
+        "its commands lead to another final state: they are from another game, other "
+        "settings or another build");
+  }
+  const double wall_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  shown.end();
+  if (log) log->close();
+  files.events.commit();
+  files.game_events.commit();
+  if (files.view) files.view->commit(page.page(game, record));
+  const experiments::GameReport report{game, record, wall_s, io::build_id()};
+  fmt::print("{}\n", output.json
+                         ? experiments::json_of(report)
+                         : io::wrapped(experiments::text_of(report), io::text_width(stdout)));
+  return record;
+}
+
+}  // namespace autoref::app

@@ -1,0 +1,65 @@
+// A single game and its outputs, for `play` and `replay`.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/web_flags.hpp"
+#include "game/loop/game.hpp"
+#include "game/team_programs/program_games.hpp"
+
+namespace autoref::app {
+
+// Outputs of a game, as chosen by flags.
+struct GameOutput {
+  std::string events;       // output file for the referee's decisions; empty: none
+  std::string game_events;  // output file for them as game events; empty: none
+  std::string log;  // output file for vision and referee packets (league/game_log.hpp); empty: none
+  std::string view;    // output file for the page that shows the game (view/page.hpp); empty: none
+  std::string record;  // output file for the commands of teams that are programs; empty: none
+  WebFlags web;        // where to show the game on the network
+  std::string speed;  // of a game that is played here: a factor or "max"; empty: real time if shown
+  bool json = false;
+};
+
+// How to play a game, if not by play() (game.hpp).
+struct GamePlayer {
+  game::TeamMaker make_network_team;
+  std::function<game::GameRecord(const game::Observers& observers, game::GamePrograms& programs)>
+      play;
+};
+
+// Recorded commands to play instead of the programs. An empty path: the programs play.
+struct RecordedCommands {
+  std::filesystem::path file = {};
+  io::FileKind kind = io::FileKind::kFileOrPipe;
+};
+
+// From now on, Ctrl-C is noted; a second one ends the program at once, since the game may hang.
+void note_interrupts();
+
+// Throws Interrupted if the user has pressed Ctrl-C since note_interrupts(), which play_one()
+// calls.
+void check_interrupt();
+
+// Adds the flags of GameOutput except --speed.
+void add_output_options(CLI::App& verb, GameOutput& output);
+
+// Adds --speed.
+void add_speed_option(CLI::App& verb, GameOutput& output);
+
+// Plays the game, prints its report, and writes its decisions, its log and its page as requested.
+// After Ctrl-C it throws Interrupted and writes neither decisions nor page; the log then contains
+// the game so far. `inputs` are the files the game was read from, which must not be overwritten.
+// Throws InputError before the game if an output is one of `inputs` or the same file as another
+// output.
+//
+// Throws InputError if `commands` belong to another game.
+game::GameRecord play_one(const game::GameConfiguration& game, const GameOutput& output,
+                          const std::vector<std::string>& inputs,
+                          const RecordedCommands& commands = {}, const GamePlayer& player = {});
+
+}  // namespace autoref::app

@@ -1,0 +1,48 @@
+#include "app/game/shown_game.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <thread>
+
+#include "app/game/page_recorder.hpp"
+#include "io/build_id.hpp"
+#include "io/errors.hpp"
+#include "soccer/published.hpp"
+
+namespace autoref::app {
+namespace {
+
+constexpr std::chrono::seconds kFarewell{1};
+
+}  // namespace
+
+std::vector<view::PageFact> facts_of(const game::GameConfiguration& game) {
+  return {{"rules", game.match.rules.name},
+          {"seed", std::to_string(game.seed)},
+          {"build", std::string(io::build_id())}};
+}
+
+void WebObserver::on_frame(const Frame& frame, const RefereeSignal& signal,
+                           const sim::World& /*world*/) {
+  view_->add(published(frame, signal.blue_on_positive_half), published(signal));
+}
+
+void WebObserver::on_decision(const referee::Decision& decision) { view_->add(recorded(decision)); }
+
+ShownGame::ShownGame(const game::GameConfiguration& game, const WebFlags& web) {
+  if (web.address.empty()) return;
+  const view::GameRecording nothing_yet;
+  view_.emplace(web_options_of(web), view::PageContent{nothing_yet, game.field,
+                                                       game::shown_names(game), facts_of(game)});
+  web_.emplace(*view_);
+  io::write_message(stderr, fmt::format("watch at {}\n", view_->url()));
+}
+
+void ShownGame::end() {
+  if (!view_) return;
+  view_->end();
+  std::this_thread::sleep_for(kFarewell);
+}
+
+}  // namespace autoref::app

@@ -1,0 +1,164 @@
+#include "app/mistyped.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <vector>
+
+#include "io/words.hpp"
+
+namespace autoref::app {
+namespace {
+
+// Strips dashes and value: "seed" for "--seed=7". Empty if the word is not an option.
+std::string option_name(const std::string& word) {
+  const std::size_t begin = word.find_first_not_of('-');
+  if (begin == 0 || begin == std::string::npos) return {};
+  return word.substr(begin, word.find('=') - begin);
+}
+
+std::vector<std::string> long_options(const CLI::App& verb) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : verb.get_options()) {
+    names.insert(names.end(), option->get_lnames().begin(), option->get_lnames().end());
+  }
+  return names;
+}
+
+// "; did you mean '--seed'?", or empty if none of the verb's options is close.
+std::string option_suggestion(const CLI::App& verb, const std::string& word) {
+  const std::string name = option_name(word);
+  if (name.size() < 2) return {};
+  std::vector<std::string> meant = io::suggested_words(name, long_options(verb));
+  for (std::string& option : meant) option.insert(0, "--");
+  return io::suggestion_text(meant);
+}
+
+std::string quoted(const std::vector<std::string>& words) {
+  return fmt::format("'{}'", fmt::join(words, "', '"));
+}
+
+// Replaces CLI11's own message, which lists the unexpected words in reverse order.
+std::string extras_message(const CLI::App& verb, const std::vector<std::string>& extras) {
+  const std::string& first = extras.front();
+  if (!option_name(first).empty()) {
+    return fmt::format("unknown option '{}'{}", first.substr(0, first.find('=')),
+                       option_suggestion(verb, first));
+  }
+  std::string message =
+      fmt::format("unexpected argument{} {}", extras.size() > 1 ? "s" : "", quoted(extras));
+  for (const std::string& extra : extras) message += option_suggestion(verb, extra);
+  return message;
+}
+
+// The punctuation that separates `message` from the next clause.
+std::string_view end_of(std::string_view message) { return message.ends_with('?') ? "" : ";"; }
+
+std::vector<const CLI::App*> nested_verbs(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+std::vector<std::string> names_of_verbs(const std::vector<const CLI::App*>& verbs) {
+  std::vector<std::string> names;
+  names.reserve(verbs.size());
+  for (const CLI::App* verb : verbs) names.push_back(verb->get_name());
+  return names;
+}
+
+// "team new"; empty for the program.
+std::string words_to(const CLI::App& verb) {
+  const CLI::App* parent = verb.get_parent();
+  if (parent == nullptr) return {};
+  const std::string before = words_to(*parent);
+  return before.empty() ? verb.get_name() : before + " " + verb.get_name();
+}
+
+// The verb that an error is about: the first one on the line with unexpected words, otherwise the
+// last one. CLI11 reports unexpected words before a verb as extras of the program itself.
+const CLI::App& blamed_verb(const CLI::App& app) {
+  const CLI::App* verb = &app;
+  while (verb->remaining().empty() && !verb->get_subcommands().empty())
+    verb = verb->get_subcommands().front();
+  return *verb;
+}
+
+// CLI11 begins with the name that an argument without dashes has in help, such as "BOOK: ".
+std::string without_argument_name(const CLI::App& verb, const std::string& message) {
+  for (const CLI::Option* option : verb.get_options()) {
+    const std::string front = option->get_name(true) + ": ";
+    if (option->get_positional() && message.starts_with(front)) return message.substr(front.size());
+  }
+  return message;
+}
+
+// Replaces CLI11's message if something is missing; empty if nothing is.
+std::string missing_message(const CLI::App& verb, const CLI::ParseError& error) {
+  if (error.get_name() != "RequiredError") return {};
+  const std::vector<std::string> verbs = names_of_verbs(nested_verbs(verb));
+  if (!verbs.empty()) return "expected one of its verbs: " + io::listed(verbs);
+  for (const CLI::Option* option : verb.get_options()) {
+    if (error.what() != option->get_name() + " is required" || !option->get_positional()) continue;
+    std::string about = option->get_description();
+    if (about.ends_with('.')) about.pop_back();
+    return fmt::format("an argument is missing: {} ({})", option->get_name(), about);
+  }
+  return {};
+}
+
+// Replaces CLI11's message about a value that is not a number, "Could not convert: --from = x".
+std::string unreadable_message(const CLI::ParseError& error) {
+  constexpr std::string_view kFront = "Could not convert: ";
+  const std::string message = error.what();
+  const std::size_t equals = message.find(" = ");
+  if (!message.starts_with(kFront) || equals == std::string::npos) return {};
+  return fmt::format("{}: expected a number, found '{}'",
+                     message.substr(kFront.size(), equals - kFront.size()),
+                     message.substr(equals + 3));
+}
+
+std::string message_about(const CLI::App& verb, const CLI::ParseError& error) {
+  const std::vector<std::string> extras = verb.remaining();
+  if (!extras.empty()) return extras_message(verb, extras);
+  for (const std::string& message : {missing_message(verb, error), unreadable_message(error)})
+    if (!message.empty()) return message;
+  return without_argument_name(verb, error.what());
+}
+
+}  // namespace
+
+bool is_verb(const CLI::App& app, const std::string& word) {
+  return !app.get_subcommands([&word](const CLI::App* verb) { return verb->check_name(word); })
+              .empty();
+}
+
+std::string unknown_verb_message(const CLI::App& app, const std::string& word) {
+  const std::string before = words_to(app);
+  const std::vector<std::string> known = names_of_verbs(nested_verbs(app));
+  if (known.empty()) {
+    return fmt::format(
+        "'{0}' has no verbs of its own, such as '{1}'; `autoref help {0}` explains it", before,
+        word);
+  }
+  const std::string nearest = io::suggestion(word, known);
+  const std::string end = nearest.empty() ? ";" : nearest;
+  if (!before.empty()) {
+    return fmt::format("'{0}' has no verb '{1}'{2} `autoref help {0}` lists them", before, word,
+                       end);
+  }
+  return fmt::format("unknown verb '{}'{} `autoref help` lists them", word, end);
+}
+
+std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App& verb = blamed_verb(app);
+  const std::vector<std::string> extras = verb.remaining();
+  const bool is_word = !extras.empty() && option_name(extras.front()).empty();
+  if (&verb != &app && is_word && !nested_verbs(verb).empty())
+    return unknown_verb_message(verb, extras.front());
+  const std::string message = message_about(verb, error);
+  if (&verb == &app)
+    return fmt::format("{}{} `autoref help` lists the verbs", message, end_of(message));
+  return fmt::format("{0}: {1}{2} `autoref help {0}` lists its options", words_to(verb), message,
+                     end_of(message));
+}
+
+}  // namespace autoref::app

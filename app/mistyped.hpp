@@ -1,0 +1,20 @@
+// Error messages for command lines that cannot be parsed.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+
+namespace autoref::app {
+
+// Returns whether the program, or a verb with verbs of its own, has a verb of this name.
+bool is_verb(const CLI::App& app, const std::string& word);
+
+// "unknown verb 'plya'; did you mean 'play'? `autoref help` lists them". `app` may be a verb, with
+// or without verbs of its own.
+std::string unknown_verb_message(const CLI::App& app, const std::string& word);
+
+// Explains an error thrown by parse(): the verb, such as "team new", what is wrong with its
+// arguments (in the order given), and the most likely intended option or word.
+std::string message_of(const CLI::App& app, const CLI::ParseError& error);
+
+}  // namespace autoref::app

@@ -1,0 +1,76 @@
+#include "app/output_file.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "io/errors.hpp"
+#include "io/same_file.hpp"
+
+namespace autoref::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const std::string& flag, const std::string& message) {
+  throw io::InputError({flag}, "", message);
+}
+
+bool is_device(const std::string& path) {
+  std::error_code none;
+  return fs::is_character_file(path, none);
+}
+
+// Whether writing `output` would overwrite `other`. Output goes to a temporary ".part" file first,
+// so that name must be free, too.
+bool meets(const std::string& output, const std::string& other) {
+  return io::is_same_file(output, other) || io::is_same_file(output + ".part", other);
+}
+
+void spare_inputs(const NamedFile& output, const std::vector<std::string>& inputs) {
+  for (const std::string& input : inputs) {
+    if (input.empty() || !meets(output.path, input)) continue;
+    refuse(output.flag, fmt::format("this would overwrite {}", input));
+  }
+}
+
+void spare_standard_streams(const NamedFile& output) {
+  for (const auto& [descriptor, name] :
+       {std::pair{STDOUT_FILENO, "output"}, {STDERR_FILENO, "error"}}) {
+    if (!io::is_open_as(output.path, descriptor)) continue;
+    refuse(output.flag, fmt::format("standard {} also goes to {}; use a separate file for each",
+                                    name, output.path));
+  }
+}
+
+}  // namespace
+
+void check_outputs(const std::vector<NamedFile>& outputs, const std::vector<std::string>& inputs) {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const NamedFile& output = outputs[i];
+    if (output.path.empty() || is_device(output.path)) continue;
+    spare_inputs(output, inputs);
+    spare_standard_streams(output);
+    for (std::size_t before = 0; before < i; ++before) {
+      const NamedFile& other = outputs[before];
+      if (other.path.empty()) continue;
+      if (!meets(output.path, other.path) && !meets(other.path, output.path)) continue;
+      refuse(fmt::format("{} and {}", other.flag, output.flag),
+             fmt::format("both would write {}; use a separate file for each", output.path));
+    }
+  }
+}
+
+std::optional<io::PendingFile>& open_output(std::optional<io::PendingFile>& file, const char* flag,
+                                            const std::string& path) {
+  if (path.empty()) return file;
+  try {
+    return file.emplace(path, io::FileKind::kFileOrPipe), file;
+  } catch (const io::InputOutputError& error) {
+    throw io::InputError({flag}, "", error.what());
+  }
+}
+
+}  // namespace autoref::app

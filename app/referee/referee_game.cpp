@@ -1,0 +1,75 @@
+#include "app/referee/referee_game.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "game/settings/fields.hpp"
+#include "io/errors.hpp"
+#include "logs/guessed_rules.hpp"
+#include "logs/log_game.hpp"
+
+namespace autoref::app {
+namespace {
+
+bool assigns(const game::Assignments& assignments, const std::string& path) {
+  return std::any_of(assignments.begin(), assignments.end(),
+                     [&path](const game::Assignment& assignment) {
+                       return game::full_path(assignment.path) == path;
+                     });
+}
+
+}  // namespace
+
+void refuse_book_among(const game::Assignments& assignments) {
+  for (const game::Assignment& assignment : assignments) {
+    if (game::full_path(assignment.path) == "match.rules")
+      throw io::InputError({assignment.flag}, "", "use --rules to choose the rule book");
+  }
+}
+
+std::string book_of(const RefereeArguments& arguments, const logs::RecordedFacts& facts,
+                    const std::string& source) {
+  if (!arguments.rules.empty()) return arguments.rules;
+  const logs::GuessedRules guessed = logs::guessed_rules(facts.log);
+  io::write_message(
+      stderr, fmt::format("autoref: {}: {}: using the rules {} (change with --rules)\n", source,
+                          guessed.reason, guessed.book));
+  return guessed.book;
+}
+
+game::GameSettings game_of(const RefereeArguments& arguments, const std::string& book,
+                           const game::Assignments& assignments, const logs::RecordedFacts& facts,
+                           const logs::RecordedGame& recorded, const std::string& source) {
+  game::GameSettings game;
+  game::blame("--rules", [&] { game = logs::logged_game(book, facts, recorded); });
+  const auto set = [&](const std::string& flag, const std::string& path, const std::string& value) {
+    if (!value.empty()) game::blame(flag, [&] { game::set_by_path(game, path, value); });
+  };
+  set("--camera", "sim.camera", arguments.camera);
+  set("--control", "match.control", arguments.control);
+  set("--first-kickoff", "match.first_kickoff", arguments.first_kickoff);
+  for (const game::Assignment& assignment : assignments) game::assign(assignment, game);
+  try {
+    logs::check_judged(game);
+  } catch (const std::invalid_argument& error) {
+    throw io::InputError(
+        {source}, "",
+        fmt::format("this game cannot be refereed: {}; use --set to change it", error.what()));
+  }
+  return game;
+}
+
+void say_gaps(const RefereeArguments& arguments, const game::Assignments& assignments,
+              const logs::RecordedFacts& facts, const game::GameSettings& game,
+              const std::string& source) {
+  const auto is_set = [&](const std::string& path) {
+    if (path == "match.first_kickoff" && !arguments.first_kickoff.empty()) return true;
+    if (path == "match.control" && !arguments.control.empty()) return true;
+    return assigns(assignments, path);
+  };
+  for (const std::string& gap : logs::gaps_of(facts, game, is_set))
+    io::write_message(stderr, fmt::format("autoref: {}: {}\n", source, gap));
+}
+
+}  // namespace autoref::app

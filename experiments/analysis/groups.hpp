@@ -1,0 +1,95 @@
+// Scores of an experiment's games, grouped by a sweep's values or by matchup.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/analysis/interval_columns.hpp"
+#include "experiments/analysis/result_shares.hpp"
+#include "experiments/results/game_row.hpp"
+#include "experiments/statistics/interval.hpp"
+#include "experiments/statistics/paired_difference.hpp"
+#include "experiments/statistics/rated_games.hpp"
+#include "io/csv.hpp"
+#include "io/json.hpp"
+#include "io/table.hpp"
+#include "io/table_columns.hpp"
+
+namespace autoref::experiments {
+
+// Games with the same values. Void games count only in `void_games`.
+struct Group {
+  std::vector<std::string> values;
+  std::vector<double> goals_a;  // per game
+  std::vector<double> goals_b;
+  std::vector<double> differences;  // a minus b
+  // By pair number: mean over the two legs. Pairs with a void leg are left out.
+  DifferenceByPair pair_differences;
+  std::map<int, std::vector<RatedGame>> games_by_pair;  // by pair number, without void games
+  int void_games = 0;
+  // By lead_of_a() (scores.hpp).
+  int wins_a = 0;
+  int draws = 0;
+  int wins_b = 0;
+
+  int games() const { return static_cast<int>(differences.size()); }  // without void games
+  int pairs() const { return static_cast<int>(pair_differences.size()); }
+  ResultCounts results() const { return {wins_a, draws, wins_b}; }
+};
+
+// Groups the rows by `values_of(row)`. Returns one group per entry of `values`, in that order.
+std::vector<Group> grouped(const std::vector<std::vector<std::string>>& values,
+                           const std::function<std::vector<std::string>(const GameRow&)>& values_of,
+                           const RowsById& rows);
+
+// The mean; nullopt of an empty sample.
+std::optional<double> mean_of(const std::vector<double>& sample);
+
+// The differences in the order of the pair numbers.
+std::vector<double> values_of(const DifferenceByPair& differences);
+
+// A group's columns in summary.csv after its values: games, means and standard deviations (over
+// games), and the 95 % interval of the mean difference (over pairs). Missing values are empty
+// cells.
+io::TableColumns<Group> summary_columns();
+
+// Columns for the results: team a's wins, draws and losses, and their fractions of all games
+// (result_shares.hpp).
+io::TableColumns<Group> result_columns();
+
+// [{"values": ["1.0"], "games": 24, "void_games": 0, "mean_a": 4.54, "mean_b": 3.33,
+//   "mean_diff": 1.21, "wins_a": 14, "draws": 2, "wins_b": 8}, ...], with columns of summary.csv;
+// without games, means are null.
+io::Json json_of(const std::vector<Group>& groups);
+
+// A group's columns in text tables: games, goals, mean difference with its interval, void games.
+io::TableColumns<Group> text_columns();
+inline constexpr const char* kGamesHead = "games";
+inline constexpr const char* kGoalsAHead = "goals a";
+inline constexpr const char* kGoalsBHead = "goals b";
+inline constexpr const char* kDifferenceHead = "a minus b [95 %]";
+inline constexpr const char* kVoidHead = "void";
+
+// The table without its column of void games if no game is void. Throws std::logic_error if it does
+// not have that column.
+io::TextTable without_void_games(io::TextTable table);
+
+// "+0.50 [-0.10, +1.10]": the mean over games, followed by its 95 % interval over pairs if known.
+std::string difference_text(const std::vector<double>& differences,
+                            const std::vector<double>& pair_differences);
+
+// The mean with its interval, "+0.50 [-0.10, +1.10]"; if the interval has only one end,
+// "+0.50 [at least -0.10]" or "+0.50 [at most +1.10]"; without an interval, "+0.50 (too few
+// games)".
+std::string mean_text(double mean, const std::optional<Interval>& interval);
+
+// "0.032", or "<0.001".
+std::string p_text(double p);
+
+// A p value as a CSV cell, with six significant digits; empty if nullopt.
+std::string p_cell(std::optional<double> p);
+
+}  // namespace autoref::experiments

@@ -1,0 +1,48 @@
+// A sweep's results for each of its values.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/analysis/groups.hpp"
+#include "experiments/schedule/factor.hpp"
+#include "experiments/statistics/interval.hpp"
+#include "io/table.hpp"
+
+namespace autoref::experiments {
+
+// One group per combination of the factors' values, in the sweep's order.
+std::vector<Group> grouped(const std::vector<Factor>& factors, const RowsById& rows);
+
+struct Slope {
+  double mean = 0;
+  std::optional<Interval> interval;  // nullopt for a single pair
+};
+
+// How much the score difference changes per unit of the factor's value. Pairs with the same number
+// have the same seeds at every value, so their games are not independent. Each pair number
+// therefore gives one slope, by least squares over the values; these slopes are an independent
+// sample, and their mean and its Student's t confidence interval are returned. Pair numbers with a
+// void or missing leg at any value are left out. Returns nullopt unless the sweep has exactly one
+// factor, with at least two values, and all values are numbers.
+std::optional<Slope> slope_over_factor(const std::vector<Factor>& factors,
+                                       const std::vector<Group>& groups);
+
+// summary.csv: one row per combination with summary_columns(), then the difference of "a minus b"
+// from the first combination over the pair numbers that both have: mean, interval, p value, p value
+// with Holm's correction over all rows, and effect size (statistics/paired_difference.hpp); finally
+// the numbers and fractions of games won, drawn and lost.
+std::string summary_csv(const std::vector<Factor>& factors, const std::vector<Group>& groups);
+
+// The text table, starting with its header, and the line about the slope_over_factor(), empty if
+// it is unknown.
+std::vector<io::Cells> summary_rows(const std::vector<Factor>& factors,
+                                    const std::vector<Group>& groups);
+std::string slope_text(const std::vector<Factor>& factors, const std::optional<Slope>& slope);
+
+// Both as lines of text.
+io::TextBlocks summary_table(const std::vector<Factor>& factors, const std::vector<Group>& groups,
+                             const std::optional<Slope>& slope);
+
+}  // namespace autoref::experiments

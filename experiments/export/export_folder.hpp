@@ -1,0 +1,30 @@
+// A results folder as a SQLite database, for analyses in SQL, Python or R.
+//
+// Tables, with columns as in docs/schemas.md: `games` has a row per game, `settings` a row per
+// setting, `events` a row per decision of the referee.
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "experiments/run/result_folder.hpp"
+
+namespace autoref::experiments {
+
+struct ExportOptions {
+  bool has_events = true;         // without, no game is played
+  int workers = 1;                // number of games played in parallel
+  std::FILE* progress = nullptr;  // where progress lines go; nowhere if null
+};
+
+// The columns of the tables that are the same for every folder.
+std::vector<std::string> settings_columns();
+std::vector<std::string> events_columns();
+
+// The database file. Since results folders do not keep decisions, each game that did not end void
+// is played again to get its events. Throws InputError if a game does not end as its row says,
+// which happens if another build played it, and Interrupted after Ctrl-C.
+std::string exported(const ResultFolder& folder, const ExportOptions& options);
+
+}  // namespace autoref::experiments

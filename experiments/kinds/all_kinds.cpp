@@ -1,0 +1,43 @@
+#include "experiments/kinds/all_kinds.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "experiments/kinds/gauntlet/gauntlet.hpp"
+#include "experiments/kinds/judge/judge_schedule.hpp"
+#include "experiments/kinds/knockout/knockout.hpp"
+#include "experiments/kinds/roundrobin/roundrobin.hpp"
+#include "experiments/kinds/situations/situations.hpp"
+#include "experiments/kinds/sprt/sprt_match.hpp"
+#include "experiments/kinds/sweep/sweep.hpp"
+#include "experiments/kinds/swiss/swiss.hpp"
+#include "experiments/kinds/tune/tuning.hpp"
+
+namespace autoref::experiments {
+
+std::span<const Kind* const> kinds_of_experiments() {
+  static constexpr auto kAll = std::to_array<const Kind*>(
+      {&Sweep::kKind, &RoundRobin::kKind, &Gauntlet::kKind, &SprtMatch::kKind, &Swiss::kKind,
+       &Knockout::kKind, &Situations::kKind, &Tuning::kKind, &JudgeSchedule::kKind});
+  return kAll;
+}
+
+const Kind* find_kind(std::string_view name) {
+  const auto all = kinds_of_experiments();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [name](const Kind* kind) { return kind->name == name; });
+  return found == all.end() ? nullptr : *found;
+}
+
+std::string kinds_played_by(const std::vector<std::string>& verbs) {
+  std::string text;
+  std::string last;
+  for (const Kind* kind : kinds_of_experiments()) {
+    if (std::find(verbs.begin(), verbs.end(), kind->verb) == verbs.end()) continue;
+    if (!last.empty()) text += (text.empty() ? "" : ", ") + last;
+    last = kind->name;
+  }
+  return text.empty() ? last : text + " or " + last;
+}
+
+}  // namespace autoref::experiments

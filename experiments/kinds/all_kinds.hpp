@@ -1,0 +1,22 @@
+// All kinds of experiments.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/kinds/experiment.hpp"
+
+namespace autoref::experiments {
+
+// In the order of help and reference pages.
+std::span<const Kind* const> kinds_of_experiments();
+
+// Null if none has this name.
+const Kind* find_kind(std::string_view name);
+
+// The names of the kinds that these verbs play: "sweep, roundrobin or tune".
+std::string kinds_played_by(const std::vector<std::string>& verbs);
+
+}  // namespace autoref::experiments

@@ -1,0 +1,131 @@
+// What a kind of experiment is. Each kind is one folder beside this file: a struct with what the
+// user sets, derived from ExperimentOf, and a line in all_kinds.cpp. Reading and writing its files,
+// --set, --pairs and --seed, resuming, shards, verification, reports and the reference page follow
+// from what the struct answers here.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/kinds/keys.hpp"
+#include "experiments/kinds/results.hpp"
+#include "experiments/results/game_row.hpp"
+#include "experiments/results/row_format.hpp"
+#include "experiments/schedule/factor.hpp"
+#include "experiments/schedule/schedule.hpp"
+
+namespace autoref::experiments {
+
+class Experiment;
+
+struct Kind {
+  std::string_view name;                            // in `kind:`
+  std::string_view about;                           // one sentence
+  std::unique_ptr<Experiment> (*make)() = nullptr;  // with its defaults
+  std::string_view verb = "run";                    // the verb of `autoref` that plays it
+};
+
+// The games an experiment needs, given its rows so far.
+struct Schedule {
+  std::vector<ScheduledGame> games;  // in playing order
+  // Number of games needed. If less than games.size(), only the first ones count; if more, some
+  // future games are not known yet.
+  std::size_t needed = 0;
+};
+
+class Experiment {
+ public:
+  virtual ~Experiment() = default;
+
+  virtual const Kind& kind() const = 0;
+  // An independent experiment with the same settings.
+  virtual std::unique_ptr<Experiment> copy() const = 0;
+
+  // The keys of its scenario file, in the order of effective.yaml; always the same ones. They refer
+  // to this object, and must not outlive it.
+  virtual std::vector<Key> keys() = 0;
+  // The settings of its base that vary between its games.
+  virtual std::vector<Factor> varied_settings() const { return {}; }
+
+  // The games known in advance, in playing order. Throws std::invalid_argument if the settings
+  // contradict each other; if that is a SettingError, it names one of them.
+  virtual std::vector<ScheduledGame> games() const = 0;
+  // How the games actually played may differ from games(), for messages; empty if they cannot
+  // differ.
+  virtual std::string caveat() const { return {}; }
+  // All games of games() under the ids that `autoref check` uses: games whose ids differ only in
+  // pair and leg are expected to take equally long.
+  virtual std::vector<ScheduledGame> rehearsed(std::vector<ScheduledGame> all) const { return all; }
+  // Whether schedule() depends on the rows. If it does not, all of games() are needed.
+  virtual bool follows_its_rows() const { return false; }
+  // The games known after `rows`, which are those of the games played so far. Depends on nothing
+  // but rows of its own games; a game that further rows make unnecessary stays in. Throws like
+  // games().
+  virtual Schedule schedule(const RowsById& rows) const;
+  // Whether these rows make all remaining games unnecessary. Throws like games().
+  virtual bool is_decided(const RowsById& rows) const;
+  // The games of a round, if all games are played in equally large rounds that depend on all rows
+  // of earlier ones. Then a shard that has to wait for others says so and ends with exit code 75
+  // (it waits in `autoref tune`), and `autoref submit` makes one task of the experiment unless it
+  // is given a number. Throws like games().
+  virtual std::optional<std::size_t> games_of_a_round() const { return std::nullopt; }
+  // Why it has no number of pairs, if none of its keys is one.
+  virtual std::string why_no_pairs() const { return {}; }
+
+  virtual RowKind row_kind() const { return RowKind::kPlayed; }
+  // Names of the row columns with a game's values (ScheduledGame::values).
+  virtual std::vector<std::string> value_columns() const { return {}; }
+
+  // Computes the results from the rows that are needed; while the experiment runs, rows are
+  // missing. Throws std::logic_error for judged games, whose calls are summed up elsewhere.
+  virtual ExperimentResults results(const RowsById& rows) const = 0;
+};
+
+template <typename Its>
+class ExperimentOf : public Experiment {
+ public:
+  const Kind& kind() const override { return Its::kKind; }
+  std::unique_ptr<Experiment> copy() const override {
+    return std::make_unique<Its>(static_cast<const Its&>(*this));
+  }
+  static std::unique_ptr<Experiment> make() { return std::make_unique<Its>(); }
+};
+
+// Reads the scenario file and applies the command line's settings. Throws InputError, and then
+// leaves the experiment partly read.
+void read_keys(TopReader& top, Experiment& experiment);
+
+// The rows of needed games, which the results are computed from.
+RowsById needed_rows(const Schedule& schedule, RowsById rows);
+
+// The format of the experiment's rows.
+RowFormat row_format(const Experiment& experiment);
+
+// The settings in which two experiments of one kind differ: "match.half_s is 60.0 here and 600.0
+// there; ...". Empty if no setting differs or if the kinds differ. Ignores factor values and teams
+// that occur in only one of the experiments, since they belong to different games.
+std::string changes_between(const Experiment& here, const Experiment& there);
+
+// The number of pairs of legs per combination or matchup, or the maximum of an SPRT match; nullopt
+// if the kind has none.
+std::optional<int> pairs_of(const Experiment& experiment);
+
+// The experiment's master seed; nullopt if it has several with names.
+std::optional<std::uint64_t> master_seed_of(const Experiment& experiment);
+
+// The seed or seeds as text, for reports; empty if no key is a seed.
+std::string seed_text(const Experiment& experiment);
+
+// Throws std::invalid_argument if the experiment cannot have this many pairs, and leaves it as it
+// was.
+void set_pairs(Experiment& experiment, int pairs);
+
+// Replaces all named seeds, too.
+void set_master_seed(Experiment& experiment, std::uint64_t seed);
+
+}  // namespace autoref::experiments

@@ -1,0 +1,67 @@
+#include "experiments/kinds/gauntlet/gauntlet.hpp"
+
+#include "experiments/kinds/group_results.hpp"
+#include "experiments/reading/top_reader.hpp"
+#include "experiments/schedule/matchup_schedule.hpp"
+#include "experiments/schedule/playing_order.hpp"
+
+namespace autoref::experiments {
+namespace {
+
+constexpr const char* kChallengers = "challengers";
+
+Key challengers_key(Gauntlet& gauntlet) {
+  Key key = teams_key(kChallengers, "who is tested", gauntlet.challengers, gauntlet.base, {1});
+  key.read = [&gauntlet, read_teams = key.read](TopReader& top) {
+    read_teams(top);
+    for (const auto& [name, team] : gauntlet.challengers) {
+      if (!gauntlet.teams.contains(name)) continue;
+      const std::string path = std::string(kChallengers) + "." + name;
+      top.file().refuse(top.locations()[path], path,
+                        "a team of the field already has this name; rename one of them");
+    }
+  };
+  return key;
+}
+
+// The challengers and the field combined.
+NamedTeams everyone_in(const Gauntlet& gauntlet) {
+  NamedTeams everyone = gauntlet;
+  everyone.teams.insert(gauntlet.challengers.begin(), gauntlet.challengers.end());
+  return everyone;
+}
+
+}  // namespace
+
+constinit const Kind Gauntlet::kKind = {
+    "gauntlet", "Each challenger against each team of a fixed field.", make};
+
+std::vector<Matchup> matchups_of(const Gauntlet& gauntlet) {
+  std::vector<Matchup> matchups;
+  for (const auto& [challenger, its] : gauntlet.challengers) {
+    for (const auto& [team, settings] : gauntlet.teams) matchups.push_back({challenger, team});
+  }
+  return matchups;
+}
+
+std::vector<Key> Gauntlet::keys() {
+  return {base_key(*this), teams_key(*this, "the field", {1}), challengers_key(*this),
+          pairs_key(pairs, "pairs of legs per matchup"), seed_key(seed)};
+}
+
+std::vector<ScheduledGame> Gauntlet::games() const {
+  refuse_too_many(2.0 * pairs * static_cast<double>(teams.size()) *
+                  static_cast<double>(challengers.size()));
+  check(base, teams);
+  check(base, challengers, kChallengers);
+  return games_of(everyone_in(*this), matchups_of(*this),
+                  combinations_order({challengers.size(), teams.size()}), pairs);
+}
+
+ExperimentResults Gauntlet::results(const RowsById& rows) const {
+  std::vector<Group> groups = grouped(matchups_of(*this), rows);
+  std::vector<Standing> standings = standings_of_challengers(groups);
+  return tournament_results(std::move(groups), std::move(standings), "challenger");
+}
+
+}  // namespace autoref::experiments

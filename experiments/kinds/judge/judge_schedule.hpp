@@ -1,0 +1,81 @@
+// The games played to evaluate the referee.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "experiments/kinds/experiment.hpp"
+#include "experiments/schedule/shared_settings.hpp"
+
+namespace autoref::experiments {
+
+// A master seed, and what its games are for.
+struct NamedSeed {
+  std::string name;        // "tuning" or "test"; empty if the file has a single seed
+  std::string text = "1";  // as written in the file: "2016", or digits of a commit: "1c9f03ae"
+  std::uint64_t value = 1;
+  bool operator==(const NamedSeed&) const = default;
+};
+
+struct JudgeSchedule : ExperimentOf<JudgeSchedule> {
+  static const Kind kKind;
+
+  // Settings of all games, except that rule books set the field, and cameras set radio and latency.
+  game::GameSettings base;
+  std::vector<std::string> rules = {"paper"};
+  std::vector<std::string> cameras;
+  // Strategies whose pairs are dealt evenly over the games (dealt_matchups.hpp). If there are none,
+  // the games cycle through `matchups`, strategies of teams a and b; if there are none either, the
+  // base's teams play.
+  std::vector<std::string> teams;
+  std::vector<std::array<std::string, 2>> matchups;
+  int games_each = 2;  // per seed, rule book and camera, 1 to 9999
+  // Never empty. All games are played with every seed.
+  std::vector<NamedSeed> seeds = std::vector<NamedSeed>(1);
+
+  std::vector<Key> keys() override;
+  // The rule books and the cameras.
+  std::vector<Factor> varied_settings() const override;
+  // The games returned by games_of().
+  std::vector<ScheduledGame> games() const override;
+  std::string why_no_pairs() const override { return "it has a number of games"; }
+  RowKind row_kind() const override { return RowKind::kJudged; }
+  std::vector<std::string> value_columns() const override { return {"seeds", "rules", "camera"}; }
+  // Throws std::logic_error: the calls of judged games are summed up in judge.
+  ExperimentResults results(const RowsById& rows) const override;
+};
+
+// The settings that vary between its games.
+inline constexpr const char* kRulesPath = "match.rules";
+inline constexpr const char* kCameraPath = "sim.camera";
+
+struct JudgeGame {
+  std::string id;  // for display: "test 2014 realistic basic~basic 3"; without a name of the seed,
+                   // "2014 realistic basic~basic 3"
+  std::string seeds;  // name of its master seed
+  std::string rules;
+  std::string camera;
+  SharedSettings settings;
+  std::string game_id = {};  // id of its row: "test+2014+realistic+basic~basic-p0002-1"
+  int pair = 1;
+  int leg = 1;
+};
+
+// "a~b", as written in scenario files.
+std::string name_of(const std::array<std::string, 2>& matchup);
+
+// "tuning 2016, test 1c9f03ae (480183214)": the numbers of seeds that are written as words.
+std::string text_of(const std::vector<NamedSeed>& seeds);
+
+// Keeps only the games of the seed with this name. Throws std::invalid_argument, naming the known
+// ones, if there is none.
+void keep_seed(JudgeSchedule& schedule, const std::string& name);
+
+// Returns every game number with every seed, under every rule book and camera. A game number has
+// the same teams and the same seed under all rule books and cameras. The teams change ends between
+// odd and even games. Throws std::invalid_argument if values contradict each other.
+std::vector<JudgeGame> games_of(const JudgeSchedule& schedule);
+
+}  // namespace autoref::experiments

@@ -1,0 +1,40 @@
+// The bracket of a knockout: its ties, their teams and who advances.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/kinds/knockout/knockout.hpp"
+
+namespace autoref::experiments {
+
+enum class DecidedBy { kNothing, kGoals, kExtraTime, kShootout, kForfeit, kSeed };
+
+// "goals", "extra time", "shoot-out", "forfeit", "better seed"; "" if undecided.
+std::string name_of(DecidedBy decided_by);
+
+struct Tie {
+  int number = 1;                     // counted from 1 over all rounds
+  std::string name;                   // "quarter-final 2", "final", "third place"
+  std::optional<BracketPlace> place;  // nullopt for third place
+  // Team a is the better seed. Nullopt until the preceding ties are decided.
+  std::optional<std::string> a;
+  std::optional<std::string> b;
+  std::vector<std::string> games;  // ids of the games played so far, in order
+  int void_games = 0;
+  DecidedBy decided_by = DecidedBy::kNothing;
+  bool a_won = false;
+
+  bool is_known() const { return a.has_value() && b.has_value(); }
+  bool is_decided() const { return decided_by != DecidedBy::kNothing; }
+};
+
+// Returns the ties round by round; the final comes last, followed only by the tie for third place.
+// Standard seeding: the best seed meets the worst in the first round, and if the better seed wins
+// every tie, the two best meet in the final. If the number of teams is not a power of two, the best
+// seeds get a bye in the first round. `decide` is called for each tie with two known teams.
+std::vector<Tie> bracket_of(const Knockout& knockout, const std::function<void(Tie&)>& decide);
+
+}  // namespace autoref::experiments

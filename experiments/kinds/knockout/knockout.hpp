@@ -1,0 +1,36 @@
+// Knockouts: the winner of a tie advances, the loser is eliminated.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiments/kinds/experiment.hpp"
+#include "experiments/schedule/named_teams.hpp"
+
+namespace autoref::experiments {
+
+// A tie is one game under the base's rules. It is replayed if it is void or drawn, which is rare
+// with `match.knockout`. If it is still undecided after kMostAttempts games, the better seed
+// advances.
+struct Knockout : NamedTeams, ExperimentOf<Knockout> {  // 2 to 64 teams
+  static const Kind kKind;
+
+  std::vector<std::string> order;  // all teams, the best seed first
+  bool third_place = false;        // whether the losers of the semi-finals play for third place
+
+  std::vector<Key> keys() override;
+  // The games played if the better seed wins every tie in its first game, without replays.
+  std::vector<ScheduledGame> games() const override;
+  std::string caveat() const override;
+  bool follows_its_rows() const override { return true; }
+  // Each tie without known teams counts as one needed game, so the experiment cannot be complete
+  // before the bracket is.
+  Schedule schedule(const RowsById& rows) const override;
+  std::string why_no_pairs() const override;
+  ExperimentResults results(const RowsById& rows) const override;
+};
+
+inline constexpr std::size_t kMostInKnockout = 64;
+inline constexpr int kMostAttempts = 6;  // games of one tie, including five replays
+
+}  // namespace autoref::experiments

@@ -1,0 +1,83 @@
+// What an experiment's rows say, in the forms that all kinds share.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/analysis/effects.hpp"
+#include "experiments/analysis/groups.hpp"
+#include "experiments/analysis/standings.hpp"
+#include "experiments/analysis/summary.hpp"
+#include "io/json.hpp"
+#include "io/processes/standings_table.hpp"
+#include "io/table.hpp"
+
+namespace autoref::experiments {
+
+// Where a tie stands in a bracket. The winners of ties 2p and 2p + 1 of a round meet in tie p of
+// the next one.
+struct BracketPlace {
+  std::size_t ties_in_round = 1;  // including byes: 1 for the final, 2 for the semi-finals, ...
+  std::size_t position = 0;       // in its round, counted from 0
+  bool operator==(const BracketPlace&) const = default;
+};
+
+// "final", "semi-finals", "quarter-finals", "round of 16", ...
+std::string name_of_round(std::size_t ties_in_round);
+
+// One team of a tie, as a bracket shows it.
+struct TieTeam {
+  std::string name;       // or where it will come from: "winner of quarter-final 2"
+  bool is_known = false;  // whether the name is a team's
+  std::string goals;      // "1", "1 (4)" with a shoot-out; empty before the first game
+  bool has_won = false;
+};
+
+struct TieResult {
+  std::string name;  // of the tie
+  std::optional<BracketPlace> place;
+  std::array<TieTeam, 2> teams;
+  std::string decision;   // "extra time", "goals in game 3"; empty before the first game
+  bool is_usual = false;  // decided by goals in its first game
+};
+
+// The values that a search gave a parameter.
+struct SearchedParameter {
+  std::string name;
+  double from = 0;  // its range
+  double to = 1;
+  double start = 0;
+  std::vector<double> values;  // after each iteration: where the search was,
+  std::vector<double> best;    // and the best value as known then
+};
+
+struct SearchPath {
+  int iterations = 0;  // planned
+  std::vector<SearchedParameter> parameters;
+};
+
+// A file that a complete experiment writes in addition to results.csv.
+struct ResultFile {
+  std::string name;   // such as "summary.csv"
+  std::string about;  // description of its rows
+  std::string content;
+};
+
+struct ExperimentResults {
+  std::vector<Group> groups;             // per value or per matchup; empty if there are none
+  bool are_compared_with_first = false;  // whether the table compares the groups with the first
+  std::optional<Slope> slope;            // of the difference over the value of a single factor
+  std::vector<Effect> effects;           // of several factors; empty otherwise
+  std::vector<Standing> standings;  // of teams or challengers, best team first; empty otherwise
+  std::vector<TieResult> ties;      // of a bracket, round by round; empty otherwise
+  std::optional<SearchPath> search;
+  std::vector<ResultFile> files;
+  io::TextBlocks table;                  // for the terminal and the report
+  std::vector<io::ProgressTable> shown;  // the same for the terminal while the experiment runs
+  std::shared_ptr<const io::Json> json;  // the same as a JSON object
+};
+
+}  // namespace autoref::experiments

@@ -1,0 +1,24 @@
+// Round robins: every team plays every other team.
+#pragma once
+
+#include <vector>
+
+#include "experiments/kinds/experiment.hpp"
+#include "experiments/schedule/named_teams.hpp"
+
+namespace autoref::experiments {
+
+struct RoundRobin : NamedTeams, ExperimentOf<RoundRobin> {
+  static const Kind kKind;
+
+  int pairs = 1;  // pairs of legs per matchup, 1 to 9999
+
+  std::vector<Key> keys() override;
+  std::vector<ScheduledGame> games() const override;
+  ExperimentResults results(const RowsById& rows) const override;
+};
+
+// Every pairing of two different teams once, ordered by name (compared as bytes).
+std::vector<Matchup> matchups_of(const RoundRobin& robin);
+
+}  // namespace autoref::experiments

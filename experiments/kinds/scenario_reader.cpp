@@ -1,0 +1,94 @@
+#include "experiments/kinds/scenario_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "experiments/kinds/all_kinds.hpp"
+#include "experiments/reading/base_reader.hpp"
+#include "experiments/reading/top_reader.hpp"
+#include "game/settings/settings_reader.hpp"
+#include "game/settings/yaml.hpp"
+#include "io/errors.hpp"
+#include "io/files.hpp"
+#include "io/words.hpp"
+
+namespace autoref::experiments {
+namespace {
+
+// Reads one document, top level first.
+class ScenarioReader {
+ public:
+  ScenarioReader(const game::YamlFile& file, const game::Assignments& assignments)
+      : top_(file, assignments) {}
+
+  Scenario read() {
+    read_schema();
+    const game::YamlEntry& kind_entry = top_.required("kind");
+    refuse_other_files(kind_entry);
+    std::vector<std::string> known = {std::string(kGameKind)};
+    for (const Kind* kind : kinds_of_experiments()) known.emplace_back(kind->name);
+    const std::string name = top_.word(kind_entry, "kind", known);
+    Scenario scenario;
+    if (const game::YamlEntry* about = top_.find("about")) {
+      scenario.about = top_.file().scalar(*about, "about", "a sentence", false);
+    }
+    const Kind* const kind = find_kind(name);
+    if (kind == nullptr) {
+      scenario.content = read_game();
+    } else {
+      std::unique_ptr<Experiment> experiment = kind->make();
+      read_keys(top_, *experiment);
+      scenario.content = std::move(experiment);
+    }
+    return scenario;
+  }
+
+ private:
+  void refuse_other_files(const game::YamlEntry& kind) const {
+    const std::string text = kind.value.IsScalar() ? kind.value.Scalar() : "";
+    if (text == "lab") {
+      top_.file().refuse(game::value_location(kind), "kind",
+                         "this is a scene; play it with: autoref lab FILE");
+    }
+    if (text == "robot") {
+      top_.file().refuse(game::value_location(kind), "kind",
+                         "this is a robot type; name it in a scenario as a team's type");
+    }
+  }
+
+  void read_schema() const {
+    const game::YamlEntry& schema = top_.required("schema");
+    const std::string expected = "1, the only schema so far";
+    const std::string text = top_.file().scalar(schema, "schema", expected, true);
+    if (io::whole_number_in(text) == 1) return;
+    top_.file().refuse(game::value_location(schema), "schema",
+                       fmt::format("expected {}, found '{}'", expected, text));
+  }
+
+  game::GameSettings read_game() {
+    game::GameSettings game;
+    game::SettingsReader settings(top_.file(), game, top_.locations());
+    top_.allow(settings.names());
+    read_settings(top_.entries(), settings);
+    top_.check([&game] { game::check_game(game); });
+    top_.assign_all(game);
+    return game;
+  }
+
+  TopReader top_;
+};
+
+}  // namespace
+
+Scenario read_scenario_text(const std::string& text, const std::string& file_name,
+                            const game::Assignments& assignments) {
+  const game::YamlFile file(text, file_name);
+  return ScenarioReader(file, assignments).read();
+}
+
+Scenario read_scenario(const std::filesystem::path& file, const game::Assignments& assignments) {
+  return read_scenario_text(io::read_user_file(file), file.string(), assignments);
+}
+
+}  // namespace autoref::experiments

@@ -1,0 +1,35 @@
+// Numbers drawn from a distribution.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "game/settings/fields.hpp"
+#include "soccer/random.hpp"
+
+namespace autoref::experiments {
+
+struct Distribution {
+  enum class Kind : std::uint8_t { kFixed, kUniform, kNormal };
+
+  constexpr Distribution(double value = 0) : first(value) {}  // implicit: a fixed number
+  static Distribution uniform(double low, double high) { return {Kind::kUniform, low, high}; }
+  static Distribution normal(double mean, double sd) { return {Kind::kNormal, mean, sd}; }
+  bool operator==(const Distribution&) const = default;
+
+  Kind kind = Kind::kFixed;
+  double first = 0;   // the number, the lower end, or the mean
+  double second = 0;  // the upper end, or the standard deviation
+
+ private:
+  constexpr Distribution(Kind of, double one, double other) : kind(of), first(one), second(other) {}
+};
+
+// As scenario files write it: "1.5", "[1.0, 2.0]" or "{ mean: 1.5, sd: 0.2 }".
+std::string text_of(const Distribution& distribution);
+
+// Draws a number. A normal distribution is cut off three standard deviations from its mean and at
+// the ends of `range`, which must contain the mean.
+double drawn(const Distribution& distribution, const Range& range, RandomStream& random);
+
+}  // namespace autoref::experiments

@@ -1,0 +1,51 @@
+// Situations: short scenes that compare attacking teams against defending ones.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "experiments/kinds/experiment.hpp"
+#include "experiments/kinds/situations/situation.hpp"
+#include "experiments/schedule/named_teams.hpp"
+
+namespace autoref::experiments {
+
+// Every attacking team, as team a, plays every situation against every defending team. A name may
+// be in both lists.
+struct Situations : ExperimentOf<Situations> {
+  static const Kind kKind;
+
+  game::GameSettings base;  // its teams, seed, a_plays and first_kickoff are ignored
+  Teams attackers;
+  Teams defenders;
+  std::map<std::string, SituationSetup> situations;
+  int pairs = 1;           // scenes drawn of each situation, 1 to 9999; each is played in two legs
+  std::uint64_t seed = 1;  // master seed
+
+  std::vector<Key> keys() override;
+  // The games in playing order: each scene with all situations and teams before the next one, its
+  // two legs adjacent. In the second leg, the same start state is turned to the other side. A game
+  // depends only on its situation, teams, pair and leg; all teams get the same start states and
+  // seeds. Ids look like "corner+cobalt~possession-p0007-2". Throws std::invalid_argument, too, if
+  // a state cannot be drawn.
+  std::vector<ScheduledGame> games() const override;
+  RowKind row_kind() const override { return RowKind::kScene; }
+  std::vector<std::string> value_columns() const override { return {"situation"}; }
+  ExperimentResults results(const RowsById& rows) const override;
+};
+
+// A situation and the teams that play it: the values of a group of scenes.
+struct SituationMatchup {
+  std::string situation;
+  std::string attackers;
+  std::string defenders;
+  auto operator<=>(const SituationMatchup&) const =
+      default;  // NOLINT(modernize-use-nullptr): no pointer
+};
+
+// In the order of the names.
+std::vector<SituationMatchup> matchups_of(const Situations& situations);
+
+}  // namespace autoref::experiments

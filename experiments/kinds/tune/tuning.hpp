@@ -1,0 +1,89 @@
+// Tuning: a team's parameters are improved by playing.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/kinds/experiment.hpp"
+#include "experiments/schedule/named_teams.hpp"
+#include "experiments/statistics/sequential_test.hpp"
+#include "experiments/tune/optimiser.hpp"
+#include "game/settings/game_settings.hpp"
+
+namespace autoref::experiments {
+
+// A parameter of the team, and where its best value is looked for. All numbers are in its own unit.
+struct TunedParameter {
+  std::string name;  // as in `params:`
+  double from = 0;
+  double to = 1;
+  double start = 0;
+  double step = 0.2;   // how far from the current value its effect is looked for at first
+  bool whole = false;  // only whole numbers are played
+  bool operator==(const TunedParameter&) const = default;
+};
+
+inline constexpr const char* kSpsaName = "spsa";
+inline constexpr const char* kCmaEsName = "cma-es";
+
+// The key of the test of the result.
+inline constexpr const char* kTestKey = "test";
+
+struct Tuning : ExperimentOf<Tuning> {
+  static const Kind kKind;
+
+  game::GameSettings base;  // its teams, seed, a_plays and first_kickoff are ignored
+  game::TeamSettings team;  // with its other parameters
+  std::vector<TunedParameter> parameters;
+  Teams opponents;                        // empty: candidates play each other
+  std::map<std::string, double> weights;  // of the opponents; 1 if not given
+  std::string method = kSpsaName;
+  int iterations = 100;
+  int pairs = 4;      // pairs of legs per candidate, opponent and iteration
+  double gain = 0.3;  // of SPSA
+  SequentialTest test = {.d0 = 0, .d1 = 0.5, .max_pairs = 400};  // of the result against the start
+  std::uint64_t seed = 1;                                        // master seed
+
+  bool is_against_itself() const { return opponents.empty(); }
+  double weight_of(const std::string& opponent) const;
+
+  std::vector<Key> keys() override;
+  // The games if all games were drawn: their number, but not their parameters.
+  std::vector<ScheduledGame> games() const override;
+  std::string caveat() const override;
+  // All iterations as one matchup: "search-plus~zone-p0001-1" for "k0007-plus~zone-p0001-1".
+  std::vector<ScheduledGame> rehearsed(std::vector<ScheduledGame> all) const override;
+  bool follows_its_rows() const override { return true; }
+  // The games of iterations that are not known yet count as needed.
+  Schedule schedule(const RowsById& rows) const override;
+  bool is_decided(const RowsById& rows) const override;
+  std::optional<std::size_t> games_of_a_round() const override;
+  std::vector<std::string> value_columns() const override;
+  ExperimentResults results(const RowsById& rows) const override;
+};
+
+using ParamValues = std::vector<double>;  // of the tuned parameters, in their order
+
+// The search, with the tuning's parameters as axes.
+std::unique_ptr<Optimiser> optimiser_of(const Tuning& tuning);
+
+// The values that are played at a point: whole numbers where required, otherwise five significant
+// digits of the range, so that they can be read, and do not depend on the last bit of a result.
+ParamValues values_at(const Tuning& tuning, const Point& point);
+
+ParamValues start_values(const Tuning& tuning);
+
+// The tuned team with these values.
+game::TeamSettings team_with(const Tuning& tuning, const ParamValues& values);
+
+// The values as in a scenario: "0.53412", whole numbers as "4.0".
+std::vector<std::string> spelt(const ParamValues& values);
+
+// Throws SettingError if the settings contradict each other.
+void check(const Tuning& tuning);
+
+}  // namespace autoref::experiments

@@ -1,0 +1,55 @@
+// State of a tuning, computed from its rows by repeating the search.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "experiments/kinds/tune/tuning_schedule.hpp"
+#include "experiments/results/game_row.hpp"
+#include "experiments/statistics/interval.hpp"
+#include "experiments/statistics/three_way_test.hpp"
+
+namespace autoref::experiments {
+
+struct TuningIteration {
+  int number = 1;
+  Point centre;                       // of the search, before the iteration
+  std::vector<Candidate> candidates;  // and their scores in goals per game; against itself, only
+  std::vector<Score> scores;          // differences between scores matter
+  double reach = 0;                   // of the candidates, in steps
+  ParamValues after;                  // values at the centre after the iteration,
+  ParamValues best;                   // and the best ones as known then
+};
+
+// The sequential test of the result against the start.
+struct TuningTest {
+  ThreeWayState state;               // kUndecided after max_pairs
+  int last_pair = 0;                 // number of the last pair considered
+  int void_pairs = 0;                // up to last_pair, left out because a game is void
+  std::optional<double> gain;        // mean of the pairs that decided, in goals per game
+  std::optional<Interval> interval;  // anytime_interval()
+  bool is_decided = false;
+};
+
+struct TuningState {
+  std::vector<TuningIteration> path;       // all iterations whose games have been played
+  std::optional<TuningIteration> current;  // the one that is being played; nullopt after the last
+  ParamValues best;                        // as known so far
+  TuningTest test;
+
+  bool is_tuned() const { return !current; }
+};
+
+// Considers iterations in order until one lacks a row, so the state depends neither on the number
+// of workers nor on the order of the rows. A game whose worker was killed counts as missing, since
+// it will be replayed; other void games are left out of the scores with their pair.
+TuningState state_of(const Tuning& tuning, const RowsById& rows);
+
+// state_of(), but only whether the test is decided. Fast while the search still plays.
+bool is_test_decided(const Tuning& tuning, const RowsById& rows);
+
+// The games known so far: those of all iterations in the state, and after the last one those of the
+// test.
+std::vector<ScheduledGame> known_games(const Tuning& tuning, const TuningState& state);
+
+}  // namespace autoref::experiments

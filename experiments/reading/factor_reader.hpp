@@ -1,0 +1,47 @@
+// Reads factors and lists of values.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/schedule/factor.hpp"
+#include "game/settings/game_settings.hpp"
+#include "game/settings/settings_reader.hpp"
+#include "game/settings/yaml.hpp"
+
+namespace autoref::experiments {
+
+// Whether the schedule sets this value for each game. Neither base nor factors may set such a
+// value.
+bool is_decided_by_schedule(std::string_view path);
+[[noreturn]] void refuse_decided(const game::YamlFile& file, const game::YamlLocation& location,
+                                 std::string_view path);
+
+class FactorReader {
+ public:
+  // Both must outlive the reader. Records the factors' locations in `locations`.
+  FactorReader(const game::YamlFile& file, game::SettingLocations& locations)
+      : file_(file), locations_(locations) {}
+
+  // Adds the robot types that the factors name to `base`. Throws InputError.
+  std::vector<Factor> read(const game::YamlEntry& factors, game::GameSettings& base);
+
+  // Reads a list of distinct values of the setting at `path`. Adds the robot types named by these
+  // values to `base`. Throws InputError.
+  std::vector<game::SettingValue> values(const game::YamlEntry& list, const std::string& path,
+                                         game::GameSettings& base) const;
+
+ private:
+  Factor read_factor(const game::YamlEntry& entry, game::GameSettings& base);
+  game::SettingValue read_value(const game::YamlLocation& location, const std::string& path,
+                                const std::string& text, game::GameSettings& base) const;
+  // Refuses two keys that set the same number, since the later one would silently win.
+  void refuse_overlap(const game::YamlEntry& entry, const std::vector<Factor>& factors,
+                      const game::GameSettings& base) const;
+
+  const game::YamlFile& file_;
+  game::SettingLocations& locations_;
+};
+
+}  // namespace autoref::experiments

@@ -1,0 +1,76 @@
+#include "experiments/reading/named_teams_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "game/settings/fields.hpp"
+#include "io/errors.hpp"
+
+namespace autoref::experiments {
+namespace {
+
+std::string team_count_text(const TeamCount& count) {
+  if (count.least == 1) return "at least one team";
+  if (count.most == SIZE_MAX) return fmt::format("at least {} teams", count.least);
+  if (count.least == count.most) return fmt::format("{} teams", count.least);
+  return fmt::format("{} to {} teams", count.least, count.most);
+}
+
+}  // namespace
+
+void NamedTeamsReader::read(const game::YamlEntry& entry, Teams& teams, game::GameSettings& base,
+                            TeamCount count) const {
+  for (const game::YamlEntry& team : file_.entries(entry, entry.key, {})) {
+    read_team(team, entry.key, teams, base);
+  }
+  refuse_other_teams(entry.key, teams);
+  if (count.least <= teams.size() && teams.size() <= count.most) return;
+  file_.refuse(entry.location, entry.key,
+               fmt::format("expected {}, such as zone: {{ strategy: basic }}, found {}",
+                           team_count_text(count), teams.size()));
+}
+
+void NamedTeamsReader::read_team(const game::YamlEntry& entry, const std::string& branch,
+                                 Teams& teams, game::GameSettings& base) const {
+  try {
+    check_team_name(entry.key);
+  } catch (const std::invalid_argument& error) {
+    file_.refuse(entry.location, branch, error.what());
+  }
+  // The base's rules determine the default number of robots.
+  game::TeamSettings& team = teams[entry.key] = base.a;
+  const std::string path = fmt::format("{}.{}", branch, entry.key);
+  locations_[path] = entry.location;
+  const auto list = [&team, &base, prefix = path + "."] {
+    return game::settings_of(team, base.types, prefix);
+  };
+  game::SettingsReader(file_, list, base, locations_).read(entry, path);
+  assign(path, team, base);
+}
+
+void NamedTeamsReader::assign(const std::string& path, game::TeamSettings& team,
+                              game::GameSettings& base) const {
+  for (const game::Assignment& assignment : assignments_) {
+    const std::string its_path = game::full_path(assignment.path);
+    if (!its_path.starts_with(path + ".")) continue;
+    game::blame(assignment.flag, [&] {
+      game::set_by_path({base, team, path + "."}, its_path, assignment.value);
+    });
+  }
+}
+
+void NamedTeamsReader::refuse_other_teams(const std::string& branch, const Teams& teams) const {
+  std::vector<std::string> known;
+  for (const auto& [name, team] : teams) known.push_back(fmt::format("{}.{}", branch, name));
+  for (const game::Assignment& assignment : assignments_) {
+    const std::string full = game::full_path(assignment.path);
+    if (!full.starts_with(branch + ".")) continue;
+    const std::string path = full.substr(0, full.find('.', branch.size() + 1));
+    if (std::find(known.begin(), known.end(), path) != known.end()) continue;
+    throw io::InputError({assignment.flag}, "", game::unknown_key_message(path, known));
+  }
+}
+
+}  // namespace autoref::experiments

@@ -1,0 +1,39 @@
+// Reads named teams, for the readers of experiments.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "experiments/schedule/named_teams.hpp"
+#include "game/settings/assignments.hpp"
+#include "game/settings/settings_reader.hpp"
+#include "game/settings/yaml.hpp"
+
+namespace autoref::experiments {
+
+class NamedTeamsReader {
+ public:
+  // All must outlive the reader. Records the locations of the teams' settings in `locations`.
+  // Assignments to teams.NAME. override the file.
+  NamedTeamsReader(const game::YamlFile& file, game::SettingLocations& locations,
+                   const game::Assignments& assignments)
+      : file_(file), locations_(locations), assignments_(assignments) {}
+
+  // Adds the entry's teams to `teams`, and the robot types that these teams use to `base`, which
+  // must already have been read. Throws InputError, also if the number of teams is outside `count`.
+  void read(const game::YamlEntry& entry, Teams& teams, game::GameSettings& base,
+            TeamCount count) const;
+
+ private:
+  void read_team(const game::YamlEntry& entry, const std::string& branch, Teams& teams,
+                 game::GameSettings& base) const;
+
+  void assign(const std::string& path, game::TeamSettings& team, game::GameSettings& base) const;
+  void refuse_other_teams(const std::string& branch, const Teams& teams) const;
+
+  const game::YamlFile& file_;
+  game::SettingLocations& locations_;
+  const game::Assignments& assignments_;
+};
+
+}  // namespace autoref::experiments

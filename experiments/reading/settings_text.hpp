@@ -1,0 +1,25 @@
+// Writes settings as YAML, for effective.yaml.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/schedule/factor.hpp"
+#include "experiments/schedule/named_teams.hpp"
+#include "game/settings/fields.hpp"
+
+namespace autoref::experiments {
+
+// The settings with a comment each, nested, below `depth` other keys.
+std::string text_of(const std::vector<game::Setting>& settings, int depth = 0);
+
+// `base:` without what the schedule decides, what the values of factors set, and the settings
+// whose paths start with `elsewhere`, if it is given.
+std::string base_text(const game::GameSettings& base, std::string_view elsewhere,
+                      const SetByValues& set_by_values);
+
+// The teams below `branch`.
+std::string teams_text(const Teams& teams, std::string_view branch, const game::RobotTypes& types);
+
+}  // namespace autoref::experiments

@@ -1,0 +1,79 @@
+// Reads the top-level keys that several kinds of scenario share.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/reading/base_reader.hpp"
+#include "experiments/schedule/schedule.hpp"
+#include "game/settings/assignments.hpp"
+#include "game/settings/settings_reader.hpp"
+#include "game/settings/yaml.hpp"
+
+namespace autoref::experiments {
+
+// All reading functions throw InputError.
+class TopReader {
+ public:
+  // Both must outlive the reader.
+  TopReader(const game::YamlFile& file, const game::Assignments& assignments)
+      : file_(file), assignments_(assignments), top_(file.top()) {}
+
+  const game::YamlFile& file() const { return file_; }
+  const std::vector<game::YamlEntry>& entries() const { return top_; }
+  // Locations of settings in the file, which check() reports.
+  game::SettingLocations& locations() { return locations_; }
+
+  const game::YamlEntry* find(std::string_view key) const { return game::find_entry(top_, key); }
+  const game::YamlEntry& required(std::string_view key) const {
+    return game::required_entry(file_, top_, key);
+  }
+
+  // Refuses all keys except these and those common to all scenarios. Settings of the command line
+  // below one of the `branches` are left to the key of that name.
+  void allow(const std::vector<std::string>& keys, std::vector<std::string> branches = {});
+
+  std::string word(const game::YamlEntry& entry, std::string_view key,
+                   const std::vector<std::string>& known) const;
+  // Reads a required whole number and records its location.
+  int whole_number(std::string_view key, int low, int high);
+  int pairs() { return whole_number("pairs", 1, kMostPairs); }
+  std::uint64_t seed() const;
+
+  // Reads `base`, the settings shared by all games, if present. `elsewhere` is a branch of settings
+  // that does not belong there.
+  void read_base(game::GameSettings& game, const Elsewhere& elsewhere = {});
+
+  // The command line's settings, which override the file.
+  const game::Assignments& assignments() const { return assignments_; }
+
+  // Applies the command line's settings to `game`, except those in the branches `elsewhere`.
+  void assign_all(game::GameSettings& game, const std::vector<std::string>& elsewhere = {}) const;
+
+  // Refuses a command-line setting of `path`, a short path that the file varies.
+  void refuse_assignment(const std::string& path) const;
+
+  // Refuses command-line settings that would have no effect: those below `branch` if it ends with a
+  // dot, otherwise that of exactly this path.
+  void refuse_assignments(const std::string& branch, const std::string& message) const;
+
+  // Calls `work`. Turns a SettingError into an InputError with the setting's location in the file.
+  void check(const std::function<void()>& work) const;
+
+ private:
+  template <typename Number>
+  Number number(const game::YamlEntry& entry, std::string_view key, const std::string& expected,
+                std::optional<Number> (*parse)(std::string_view), Number low, Number high) const;
+
+  const game::YamlFile& file_;
+  const game::Assignments& assignments_;
+  const std::vector<game::YamlEntry> top_;
+  std::vector<std::string> branches_;
+  game::SettingLocations locations_;
+};
+
+}  // namespace autoref::experiments

@@ -1,0 +1,75 @@
+// The content of a report, independent of Markdown and HTML; renderers decide on the appearance.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "experiments/kinds/results.hpp"
+
+namespace autoref::experiments {
+
+struct Heading {
+  std::string text;
+};
+
+struct Paragraph {
+  std::string text;
+};
+
+struct List {
+  std::vector<std::string> items;
+};
+
+// The first row is the head; all rows have the same length. The first `names` columns are words and
+// left-aligned, the others numbers.
+struct Table {
+  std::vector<std::vector<std::string>> rows;
+  std::size_t names = 1;
+};
+
+// Preformatted lines, such as commands and tables of the terminal.
+struct Verbatim {
+  std::string text;
+};
+
+// A file next to the report: a link in Markdown; only its name in HTML, since that file may be sent
+// alone.
+struct Link {
+  std::string file;
+  std::string text;
+};
+
+// A drawn plot: FOLDER/NAME.svg with its .gp and .csv.
+struct Figure {
+  std::string folder;
+  std::string name;
+  std::string caption;
+  std::string svg;  // SVG source
+};
+
+// A bracket with the results so far, as a drawing in HTML and a table in Markdown. At least one tie
+// has a place.
+struct CupBracket {
+  std::vector<TieResult> ties;
+};
+
+using Block = std::variant<Heading, Paragraph, List, Table, Verbatim, Link, Figure, CupBracket>;
+
+struct Document {
+  std::string title;
+  std::vector<Block> blocks;
+};
+
+// Texts may contain any characters: they are shown literally and never interpreted as markup. Line
+// breaks become spaces, except in Verbatim.
+std::string markdown_of(const Document& document);
+
+// A self-contained page: it needs no other file and no network, and names neighbouring files
+// without linking to them.
+std::string html_of(const Document& document);
+
+// The same blocks as part of another page, which has its own style and page_bracket_style().
+std::string html_fragment(const std::vector<Block>& blocks);
+
+}  // namespace autoref::experiments

@@ -1,0 +1,107 @@
+#include "experiments/report/folder_report.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "experiments/report/build_reports.hpp"
+#include "experiments/report/sections.hpp"
+#include "io/checksum.hpp"
+#include "io/files.hpp"
+#include "io/words.hpp"
+
+namespace autoref::experiments {
+namespace {
+
+namespace fs = std::filesystem;
+
+FolderReport write_one(ResultFolder folder, const fs::path& into, LostGames lost) {
+  if (lost == LostGames::kKeep && !folder.lost.empty()) {
+    ExperimentResults results = folder.scenario.experiment().results(folder.completed_games.done);
+    return {std::move(folder), into, std::move(results), std::nullopt};
+  }
+  io::create_folder(into);
+  ExperimentResults results =
+      write_results(into, folder.scenario, folder.format, folder.completed_games.done);
+  const WrittenReport report = write_report(folder, results, into);
+  return {std::move(folder), into, std::move(results), report};
+}
+
+// The value in a two-cell row of report.md; empty if there is no such row.
+std::string cell_in(const std::string& markdown, std::string_view name) {
+  const std::string begin = fmt::format("\n| {} | ", name);
+  const std::size_t at = markdown.find(begin);
+  if (at == std::string::npos) return {};
+  const std::size_t value = at + begin.size();
+  return markdown.substr(value, markdown.find(" |\n", value) - value);
+}
+
+// The state recorded in a report.
+struct ReportState {
+  fs::path into;
+  std::string build;
+  std::string games;     // "12 of 24"
+  std::string checksum;  // of its rows
+};
+
+// Reads the state of one build's report; an overview of several builds does not count.
+std::optional<ReportState> report_in(const fs::path& into, const std::string& build) {
+  const std::string text = io::read_file(into / kMarkdownReport).value_or("");
+  ReportState state{into, cell_in(text, kBuildRow), cell_in(text, kGamesRow),
+                    cell_in(text, kChecksumRow)};
+  return !state.games.empty() && state.build == build ? std::optional(state) : std::nullopt;
+}
+
+std::optional<ReportState> state_of_report(const ResultFolder& folder) {
+  if (auto state = report_in(folder.path, folder.build)) return state;
+  return folder.build.empty() ? std::nullopt
+                              : report_in(build_folder(folder.path, folder.build), folder.build);
+}
+
+bool is_stale(const ReportState& state, const ResultFolder& folder) {
+  if (state.games != games_text(folder)) return true;
+  // The number of games alone does not change when games are replaced by others.
+  return state.checksum != rows_checksum(folder);
+}
+
+}  // namespace
+
+std::vector<FolderReport> write_folder_reports(const fs::path& path, const std::string& build,
+                                               LostGames lost) {
+  std::vector<FolderReport> reports;
+  const std::set<std::string> builds = builds_in(path);
+  if (!build.empty() || builds.size() <= 1) {
+    reports.push_back(write_one(open_results(path, build), path, lost));
+    return reports;
+  }
+  std::vector<BuildReport> overview;
+  for (const std::string& each : builds) {
+    reports.push_back(write_one(open_results(path, each), build_folder(path, each), lost));
+    overview.push_back({reports.back().folder, io::text_of(reports.back().results.table)});
+  }
+  write_overview(path, overview);
+  return reports;
+}
+
+std::string report_shortfall(const ResultFolder& folder) {
+  const std::optional<ReportState> state = state_of_report(folder);
+  if (!state || !is_stale(*state, folder)) return {};
+  const auto done = static_cast<int>(folder.completed_games.done.size());
+  const int lacks =
+      done - io::whole_number_in(state->games.substr(0, state->games.find(' '))).value_or(0);
+  return fmt::format("{} {}; update it with: autoref report {}",
+                     (state->into / kHtmlReport).string(),
+                     lacks > 0 ? fmt::format("lacks {} of the {} games", lacks, done)
+                               : std::string("covers other games than the folder now contains"),
+                     folder.path.string());
+}
+
+fs::path refresh_report(const ResultFolder& folder) {
+  const std::optional<ReportState> state = state_of_report(folder);
+  if (!state || !is_stale(*state, folder)) return {};
+  const std::vector<FolderReport> reports =
+      write_folder_reports(folder.path, state->into == folder.path ? folder.build : "");
+  return reports.front().report ? state->into / kHtmlReport : fs::path();
+}
+
+}  // namespace autoref::experiments

@@ -1,0 +1,42 @@
+// Reports of a results folder (one per build if there are several), and whether existing reports
+// are up to date.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/report/report.hpp"
+#include "experiments/run/result_folder.hpp"
+
+namespace autoref::experiments {
+
+// The report of one build.
+struct FolderReport {
+  ResultFolder folder;
+  std::filesystem::path into;  // the results folder, or a subfolder
+  ExperimentResults results;
+  std::optional<WrittenReport> report;  // nullopt if nothing was written
+};
+
+// Whether results.csv may be replaced by one that lacks games whose rows are lost.
+enum class LostGames : std::uint8_t { kKeep, kDrop };
+
+// Writes the report of `build`. If `build` is empty: the report of the only build, or one for each
+// of several builds in its own subfolder, with an overview. With kKeep, writes nothing for a build
+// if games of results.csv have no rows any more (ResultFolder::lost).
+std::vector<FolderReport> write_folder_reports(const std::filesystem::path& path,
+                                               const std::string& build,
+                                               LostGames lost = LostGames::kKeep);
+
+// "report.html lacks 3 of the 12 games; update it with: autoref report DIR". Empty if this build
+// has no report, or one that covers the rows that count.
+std::string report_shortfall(const ResultFolder& folder);
+
+// Rewrites an existing report that is out of date according to report_shortfall(). Returns its
+// path, or an empty path if there was nothing to do.
+std::filesystem::path refresh_report(const ResultFolder& folder);
+
+}  // namespace autoref::experiments

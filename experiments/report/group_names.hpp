@@ -1,0 +1,37 @@
+// Names for an experiment's groups in a report.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/analysis/groups.hpp"
+#include "experiments/kinds/scenario.hpp"
+
+namespace autoref::experiments {
+
+// Heads of the columns with the groups' values: a sweep's paths, or "a" and "b" for two teams.
+std::vector<std::string> value_heads(const Scenario& scenario, const std::vector<Group>& groups);
+
+// Axis label for what distinguishes the groups: "b.handicap", "a.robots, b.robots", "matchup".
+std::string axis_name(const Scenario& scenario);
+
+// A name for each group: "0.75" for a single factor, "5, 6" for several, "bold : zone" for a
+// matchup.
+std::vector<std::string> names_of(const Scenario& scenario, const std::vector<Group>& groups);
+
+// A single factor with numeric values.
+struct NumericFactor {
+  std::string path;
+  std::vector<double> values;  // of each group
+
+  // The first value is the baseline and goes to the left, even if it is the largest.
+  bool is_falling() const { return values.front() > values.back(); }
+};
+
+// Returns nullopt if there is not exactly one factor, if it has fewer than two values, or if one is
+// not a number.
+std::optional<NumericFactor> numeric_factor(const Scenario& scenario,
+                                            const std::vector<Group>& groups);
+
+}  // namespace autoref::experiments

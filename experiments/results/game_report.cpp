@@ -1,0 +1,141 @@
+#include "experiments/results/game_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "experiments/results/end_text.hpp"
+#include "experiments/results/game_row.hpp"
+#include "io/checksum.hpp"
+#include "io/json.hpp"
+#include "soccer/colour.hpp"
+
+namespace autoref::experiments {
+namespace {
+
+double x_real_time(const GameReport& report) {
+  return report.wall_s > 0 ? report.record.sim_s / report.wall_s : 0;
+}
+
+io::Json calls_json(const game::GameRecord& record) {
+  io::Json calls;
+  for (const referee::EventEntry& entry : referee::event_table()) {
+    if (is_call(entry.event)) calls[entry.name] = record.count(entry.event);
+  }
+  return calls;
+}
+
+// "24 throw in, 3 goal": events that occurred, with spaces instead of underscores.
+std::string calls_text(const game::GameRecord& record) {
+  std::string text;
+  for (const referee::EventEntry& entry : referee::event_table()) {
+    const int count = record.count(entry.event);
+    if (!is_call(entry.event) || count == 0) continue;
+    std::string name(entry.name);
+    std::replace(name.begin(), name.end(), '_', ' ');
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name);
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::string halves_text(const game::GameRecord& record) {
+  std::string text;
+  for (const std::array<int, 2>& goals : record.goals_by_half) {
+    text += fmt::format("{}{}:{}", text.empty() ? "" : ", ", goals[0], goals[1]);
+  }
+  return text;
+}
+
+std::string line_of(std::string_view what, const std::string& a, const std::string& b) {
+  return fmt::format("\n{:16}{:>7}{:>7}", what, a, b);
+}
+
+// One line per count, one column per team.
+std::string counts_text(const game::GameRecord& record) {
+  const auto& [a, b] = record.counts;
+  const auto count = [&a = a, &b = b](std::string_view what, int game::PlayCounts::*member) {
+    return line_of(what, std::to_string(a.*member), std::to_string(b.*member));
+  };
+  const auto share = [&](const game::PlayCounts& team) {
+    const double in_play_s = std::max(record.ball_in_play_s, 1e-9);
+    return fmt::format("{:.0f} %", 100 * team.possession_s / in_play_s);
+  };
+  return line_of("", "a", "b") + count("shots", &game::PlayCounts::shots) +
+         count("  on goal", &game::PlayCounts::shots_on_goal) +
+         count("passes tried", &game::PlayCounts::passes_tried) +
+         count("  completed", &game::PlayCounts::passes_completed) +
+         line_of("possession", share(a), share(b)) + count("fouls", &game::PlayCounts::fouls) +
+         count("duels won", &game::PlayCounts::duels_won);
+}
+
+io::Json team_json(const game::GameConfiguration& game, Side side) {
+  return {{"name", game::shown_names(game)[side]},
+          {"strategy", game::name_of(game::team_on(game, side))},
+          {"colour", colour_of(side)},
+          {"side", name_of(side)}};
+}
+
+io::Json teams_json(const game::GameConfiguration& game) {
+  const Side a = game.match.a_plays;
+  return {{"a", team_json(game, a)}, {"b", team_json(game, opponent_of(a))}};
+}
+
+// A team's count; seconds are rounded to milliseconds.
+io::Json count_json(const game::PlayCounts& team, const game::CountField& field) {
+  return field.count != nullptr ? io::Json(team.*field.count)
+                                : io::Json(io::rounded(team.*field.seconds, 3));
+}
+
+void add_counts(io::Json& json, const game::GameRecord& record, const game::CountField& field) {
+  json[fmt::format("{}_a", field.name)] = count_json(record.counts[0], field);
+  json[fmt::format("{}_b", field.name)] = count_json(record.counts[1], field);
+}
+
+}  // namespace
+
+std::string json_of(const GameReport& report) {
+  const game::GameRecord& record = report.record;
+  io::Json json = {
+      {"goals_a", record.goals_a},
+      {"goals_b", record.goals_b},
+      {"goals_by_half", record.goals_by_half},
+      {"end_reason", name_of(record.end_reason)},
+      {"shootout", record.shootout ? io::Json(*record.shootout) : io::Json()},
+      {"status", name_of(record.status)},
+      {"void_reason", record.void_reason.empty() ? io::Json() : io::Json(record.void_reason)},
+      {"rules", report.configuration.match.rules.name},
+      {"seed", report.configuration.seed},
+      {"teams", teams_json(report.configuration)},
+      {"calls", calls_json(record)}};
+  for (const game::CountField& field : game::count_fields()) add_counts(json, record, field);
+  json.update({{"ball_in_play_s", record.ball_in_play_s},
+               {"sim_s", record.sim_s},
+               {"wall_s", report.wall_s},
+               {"x_real_time", x_real_time(report)},
+               {"state_hash", io::hash_text(record.state_hash)},
+               {"build", report.build}});
+  return io::json_text(json);
+}
+
+std::string text_of(const GameReport& report) {
+  const game::GameConfiguration& game = report.configuration;
+  const game::GameRecord& record = report.record;
+  const Side a = game.match.a_plays;
+  std::string text =
+      fmt::format("a ({}, {})  {} : {}  b ({}, {})", game::name_of(game.a), name_of(a),
+                  record.goals_a, record.goals_b, game::name_of(game.b), name_of(opponent_of(a)));
+  if (!record.goals_by_half.empty()) text += fmt::format("   halves {}", halves_text(record));
+  if (record.shootout) {
+    text += fmt::format("   shoot-out {}:{}", (*record.shootout)[0], (*record.shootout)[1]);
+  }
+  text += fmt::format("\nended: {}", end_text(game, record));
+  text += fmt::format("\ncalls: {}", calls_text(record));
+  text += counts_text(record);
+  text += fmt::format("\n{:.0f} s played, ball in play {:.0f} s; took {:.2f} s, {:.0f} x real time",
+                      record.sim_s, record.ball_in_play_s, report.wall_s, x_real_time(report));
+  return text +
+         fmt::format("\nstate {}   build {}", io::hash_text(record.state_hash), report.build);
+}
+
+}  // namespace autoref::experiments

@@ -1,0 +1,61 @@
+// One game of an experiment: what was played, how it ended, and on which machine.
+//
+// Rows are passed around as structs. Their only text form is a line of a shard (row_format.hpp).
+// The worker that played a game makes that line, and the main process appends it as it is.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/results/call_evaluation.hpp"
+#include "experiments/schedule/schedule.hpp"
+#include "game/loop/game.hpp"
+
+namespace autoref::experiments {
+
+// Where and how the game was played. May differ from run to run.
+struct Circumstances {
+  std::string build;
+  std::string host;
+  std::string cpu;
+  double wall_s = 0;
+  int attempt = 1;
+  std::string shard = "0/1";
+};
+
+struct GameRow {
+  std::string game_id;  // "b.handicap=0.8-p0007-2"
+  int pair = 1;         // counted from 1
+  int leg = 1;
+  std::vector<std::string> values;  // of the factors, as spelt() writes them
+  std::string team_a;
+  std::string team_b;
+  Side side_a = Side::kWest;  // where team a played the first half
+  std::uint64_t seed = 0;
+
+  // A record read from a file contains only what the columns store: events that are calls, the
+  // first half's goals, and times rounded to milliseconds; for a judged game, only the status, the
+  // reason, the transitions and the hash.
+  game::GameRecord record;
+  CallEvaluation evaluation;  // of a judged game
+
+  std::uint64_t config_hash = 0;
+  Circumstances circumstances;
+};
+
+using RowsById = std::map<std::string, GameRow>;
+
+// As in files: games may have several rows, which keep their order. A row moves to RowsById with
+// its node, without another allocation.
+using RowsInFiles = std::multimap<std::string, GameRow>;
+
+// The row of a scheduled game that has not been played.
+GameRow row_of(const ScheduledGame& game);
+
+// The record of a game that could not be completed.
+game::GameRecord void_record(const std::string& reason);
+
+}  // namespace autoref::experiments

@@ -1,0 +1,159 @@
+#include "experiments/run/result_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "experiments/kinds/scenario_reader.hpp"
+#include "experiments/results/scores.hpp"
+#include "experiments/results/shard.hpp"
+#include "experiments/run/missing_results.hpp"
+#include "io/csv.hpp"
+#include "io/errors.hpp"
+#include "io/files.hpp"
+
+namespace autoref::experiments {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::set<std::string> builds_of(const StoredRows& stored) {
+  std::set<std::string> builds;
+  for (const auto& [id, row] : stored.rows) builds.insert(row.circumstances.build);
+  return builds;
+}
+
+// Returns `wanted`, or the folder's only build if `wanted` is empty.
+std::string chosen_build(const StoredRows& stored, const std::string& wanted,
+                         const fs::path& folder) {
+  const std::set<std::string> builds = builds_of(stored);
+  if (wanted.empty() && builds.size() <= 1) return builds.empty() ? "" : *builds.begin();
+  if (builds.contains(wanted)) return wanted;
+  throw io::InputError(
+      {folder.string()}, "",
+      fmt::format("{}holds games of builds {}; choose one with --build",
+                  wanted.empty() ? "" : fmt::format("has no games of {}: ", wanted),
+                  fmt::join(builds, ", ")));
+}
+
+// Ids of the games in results.csv that have no row.
+std::vector<std::string> lost_games(const fs::path& folder, const StoredRows& stored) {
+  std::vector<std::string> lost;
+  if (builds_of(stored).size() > 1) return lost;  // the build of results.csv is unknown
+  bool is_header = true;
+  io::LinesAsWritten lines([&](std::string_view line) {
+    if (std::exchange(is_header, false)) return;
+    std::string id = io::first_cell(line);
+    if (!id.empty() && !stored.rows.contains(id)) lost.push_back(std::move(id));
+  });
+  io::read_pieces(folder / kResultsFile, [&lines](std::string_view piece) { lines.add(piece); });
+  return lost;
+}
+
+}  // namespace
+
+Scenario scenario_in(const fs::path& folder) {
+  const fs::path file = folder / kEffectiveFile;
+  const std::optional<std::string> text = io::read_file(file);
+  if (!text || !fs::is_directory(folder / kGamesFolder)) {
+    throw io::InputError({folder.string()}, "", missing_results_text(folder));
+  }
+  Scenario scenario = read_scenario_text(*text, file.string());
+  if (!scenario.is_game()) return scenario;
+  throw io::InputError({file.string()}, "kind",
+                       fmt::format("this is of kind {}, not an experiment", kind_of(scenario)));
+}
+
+int ResultFolder::killed_games() const {
+  return static_cast<int>(std::count_if(completed_games.done.begin(), completed_games.done.end(),
+                                        [](const auto& entry) { return is_killed(entry.second); }));
+}
+
+int ResultFolder::void_games() const {
+  return static_cast<int>(
+      std::count_if(completed_games.done.begin(), completed_games.done.end(),
+                    [](const auto& entry) { return is_void(entry.second.record); }));
+}
+
+std::set<std::string> ResultFolder::faults() const {
+  constexpr std::size_t kNamed = 3;
+  std::set<std::string> faults;
+  std::vector<std::string> unexplained = lost;
+  for (const DamagedRow& row : damaged) {
+    faults.insert(
+        fmt::format("{}: the row of {} is damaged and does not count", row.at, row.game_id));
+    std::erase(unexplained, row.game_id);
+  }
+  if (unexplained.empty()) return faults;
+  const std::size_t count = unexplained.size();
+  if (count > kNamed) {
+    unexplained.resize(kNamed);
+    unexplained.push_back(fmt::format("and {} more", count - kNamed));
+  }
+  faults.insert(fmt::format("in {}, but without a row in {}/: {}", kResultsFile, kGamesFolder,
+                            fmt::join(unexplained, ", ")));
+  return faults;
+}
+
+std::set<std::string> builds_in(const fs::path& path) {
+  return builds_of(read_rows(path / kGamesFolder, row_format(scenario_in(path).experiment())));
+}
+
+ResultFolder open_results(const fs::path& path, const std::string& build) {
+  const Scenario scenario = scenario_in(path);
+  const RowFormat format = row_format(scenario.experiment());
+  StoredRows stored = read_rows(path / kGamesFolder, format);
+  const std::string its_build = chosen_build(stored, build, path);
+  std::vector<std::string> lost = lost_games(path, stored);
+  RowInventory row_inventory =
+      take_row_inventory(scenario, std::move(stored.rows), format, its_build, true, path, {});
+  RowsById& done = row_inventory.completed_games.done;
+  const std::size_t played = done.size();
+  done = needed_rows(row_inventory.schedule, std::move(done));
+  const auto beyond = static_cast<int>(played - done.size());
+  ResultFolder folder{path,
+                      scenario,
+                      format,
+                      std::move(row_inventory.schedule.games),
+                      row_inventory.schedule.needed,
+                      its_build,
+                      std::move(row_inventory.completed_games),
+                      beyond,
+                      stored.damaged,
+                      std::move(lost),
+                      {}};
+  if (folder.is_complete()) folder.damaged.clear();
+  for (const auto& [id, row] : folder.completed_games.done)
+    ++folder.by_shard[row.circumstances.shard];
+  return folder;
+}
+
+std::vector<std::string> files_of_results(const fs::path& path) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (const fs::path& folder : {path, path / kGamesFolder}) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+      const fs::path name = entry.path().filename();
+      if (name == kEffectiveFile || name.extension() == ".csv")
+        files.push_back(entry.path().string());
+    }
+  }
+  return files;
+}
+
+std::string results_csv(const RowFormat& format, const RowsById& rows) {
+  std::string csv = io::csv_line(format.reproducible_names()) + "\n";
+  for (const auto& [id, row] : rows) csv += io::csv_line(format.reproducible(row)) + "\n";
+  return csv;
+}
+
+ExperimentResults write_results(const fs::path& folder, const Scenario& scenario,
+                                const RowFormat& format, const RowsById& rows) {
+  ExperimentResults results = scenario.experiment().results(rows);
+  io::replace_file(folder / kResultsFile, results_csv(format, rows));
+  for (const ResultFile& file : results.files) io::replace_file(folder / file.name, file.content);
+  return results;
+}
+
+}  // namespace autoref::experiments

@@ -1,0 +1,63 @@
+// A results folder, as filled by `autoref run` and `autoref judge`: the scheduled games and those
+// played so far.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "experiments/kinds/scenario.hpp"
+#include "experiments/results/row_format.hpp"
+#include "experiments/run/completed_games.hpp"
+#include "experiments/schedule/schedule.hpp"
+
+namespace autoref::experiments {
+
+struct ResultFolder {
+  std::filesystem::path path;
+  Scenario scenario;  // from effective.yaml
+  RowFormat format;
+  std::vector<ScheduledGame> games;  // as in Schedule
+  std::size_t needed = 0;            // as in Schedule
+  std::string build;                 // only its rows count
+  CompletedGames completed_games;    // `done` has only rows that count
+  int beyond = 0;                    // number of rows of games that turned out not to be needed
+  std::vector<DamagedRow> damaged;   // do not count; empty if every game has a row
+  std::vector<std::string>
+      lost;  // ids of the games in results.csv without a row; none if there are several builds
+  std::map<std::string, int> by_shard;  // games played by each shard, such as "0/1"
+
+  int void_games() const;
+  int killed_games() const;  // void games that the next run replays
+  // What is wrong with the stored rows, one line for each fault; empty if nothing is.
+  std::set<std::string> faults() const;
+  bool is_complete() const { return completed_games.done.size() == needed; }
+};
+
+// The scenario that the folder's rows belong to. Throws InputError if the folder is not a results
+// folder.
+Scenario scenario_in(const std::filesystem::path& folder);
+
+// The builds that have rows in a folder. Throws InputError if it is not a results folder.
+std::set<std::string> builds_in(const std::filesystem::path& path);
+
+// Reads a folder, even while a run is writing to it. Only rows of `build` count; if `build` is
+// empty, the folder must have rows of one build only. Throws InputError if it has rows of several
+// builds, or if it is not a results folder; also throws like sort_rows().
+ResultFolder open_results(const std::filesystem::path& path, const std::string& build = {});
+
+// The existing files of a results folder: effective.yaml, its rows and its results.
+std::vector<std::string> files_of_results(const std::filesystem::path& path);
+
+// results.csv: the rows that count, sorted by game id, without columns that may differ from run to
+// run.
+std::string results_csv(const RowFormat& format, const RowsById& rows);
+
+// Writes results.csv and the files of Experiment::results(). The same rows give the same files,
+// byte for byte.
+ExperimentResults write_results(const std::filesystem::path& folder, const Scenario& scenario,
+                                const RowFormat& format, const RowsById& rows);
+
+}  // namespace autoref::experiments

@@ -1,0 +1,68 @@
+// Experiments: all games of a sweep, a round robin, an SPRT match and so on, played in worker
+// processes and stored in a folder.
+//
+// The folder's primary data are games/*.csv, one row per game. Once all games are there, the
+// results are derived from them: results.csv (sorted by game id, without columns that may differ
+// from run to run), summary.csv (per value, matchup or tie) and standings.csv (per team). Games of
+// an SPRT match after the deciding pair remain in games/*.csv only. effective.yaml is the scenario
+// with every setting spelt out.
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/kinds/scenario.hpp"
+#include "experiments/results/shard.hpp"
+#include "experiments/run/outcomes.hpp"
+#include "game/loop/game.hpp"
+#include "io/processes/progress.hpp"
+
+namespace autoref::experiments {
+
+struct ExperimentOptions {
+  std::filesystem::path folder;
+  std::string build;  // this program's; rows of other builds do not count
+  int workers = 1;
+  ShardIndex shard;                // only this shard's games are played
+  bool allow_mixed_build = false;  // accept rows of other builds without counting them
+  std::function<game::GameRecord(const game::GameConfiguration&)> play;  // called in workers
+  std::optional<Outcomes> outcomes = {};  // replaces `play`; then no results are written
+  std::FILE* progress = nullptr;          // no progress output if null
+  io::ProgressStyle style = io::ProgressStyle::kAuto;  // of the progress output
+  io::Progress::Publish publish = {};                  // gets the progress
+  // Gets the results so far whenever they are computed for display.
+  std::function<void(const ExperimentResults& results)> show = {};
+  std::function<void(const ScheduledGame& game)> starting = {};  // called before each game
+  std::function<void(const GameRow& row)> ended = {};  // called once the game's row is on the disk
+  double longest_game_s = 600;                         // wall-clock limit; longer games are void
+  int attempts = 3;       // a game is void if its worker dies this often
+  double patience_s = 2;  // how long to wait while another run locks the shard
+  // How long to wait for rows of other shards that the next games depend on, since the last such
+  // row.
+  double wait_s = 0;
+};
+
+struct ExperimentReport {
+  bool is_complete = false;     // all games have been played, including those of other shards
+  bool is_interrupted = false;  // by the user, before this shard's last game
+  bool is_waiting = false;      // the next games depend on games that other shards must play first
+  int games = 0;                // number of games needed, as currently known
+  int done = 0;                 // by this run and earlier ones
+  int played = 0;               // by this run
+  int void_games = 0;
+  int killed_games = 0;        // void games that the next run replays
+  int unrepeatable_games = 0;  // their programs did not repeat their commands
+  ExperimentResults results;   // if complete
+};
+
+// Plays the games that have no row yet (with the same id, configuration and build), and those that
+// are void because their workers were killed. Throws InputError if the folder's rows do not belong
+// to this scenario, its seed or this build, InputOutputError if the folder cannot be written, and
+// std::logic_error if two rows of the same game and build differ in a reproducible column.
+ExperimentReport run_experiment(const Scenario& scenario, const ExperimentOptions& options);
+
+}  // namespace autoref::experiments

@@ -1,0 +1,40 @@
+// Batch scripts for Slurm, the cluster workload manager: a job array with one task per shard of an
+// experiment, and the job that merges their rows.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace autoref::experiments {
+
+struct SlurmArray {
+  // Absolute paths on a file system shared by all nodes of the cluster.
+  std::filesystem::path program;       // autoref
+  std::filesystem::path file;          // the experiment
+  std::filesystem::path folder;        // of the results
+  std::vector<std::string> overrides;  // additional options of autoref run, such as "--seed=7"
+  std::string verb = "run";            // or "tune"
+  bool waits =
+      false;  // tasks depend on each other's games; one that waited in vain requeues itself
+  int tasks = 8;
+  int workers = 1;                   // processors per task
+  std::string time;                  // HH:MM:SS per task; if empty, the partition's limit
+  std::string partition;             // if empty, the cluster's default
+  std::vector<std::string> options;  // additional sbatch options, such as "--account=vision"
+};
+
+// Subfolder of the results folder for the scripts' output. Slurm does not create it.
+inline constexpr const char* kSlurmLogs = "slurm";
+
+// The job array's script. A task that is killed, pre-empted or about to reach its time limit
+// resumes where it stopped: its process is restarted or the task is requeued.
+std::string array_script(const SlurmArray& array);
+
+// The script of the job that writes the results from all rows present.
+std::string merge_script(const SlurmArray& array);
+
+// Quotes text as a single word for the shell and for #SBATCH lines.
+std::string shell_word(const std::string& text);
+
+}  // namespace autoref::experiments

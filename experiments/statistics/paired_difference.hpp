@@ -1,0 +1,40 @@
+// Differences between an experiment's values and its baseline. Pairs with the same number use the
+// same seeds for every value, so values are compared pair by pair.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "experiments/statistics/interval.hpp"
+
+namespace autoref::experiments {
+
+// Mean goal difference over the two legs of each pair, by pair number.
+using DifferenceByPair = std::map<int, double>;
+
+// A value's pair differences minus the baseline's, over the pair numbers that both have.
+struct PairedDifference {
+  std::size_t pairs = 0;
+  std::optional<double> mean;        // nullopt without pairs
+  std::optional<Interval> interval;  // Student's t interval of the mean; nullopt for one pair
+  // Two-sided p value of the paired t test of "no difference"; nullopt for a single pair, or if all
+  // pairs have the same difference. `p_holm` is its Holm correction over all values with a p.
+  std::optional<double> p;
+  std::optional<double> p_holm;
+  // Cohen's d_z: the mean divided by the standard deviation of these differences (not of the
+  // scores; Lakens, Front. Psychol. 4:863, 2013). nullopt if `p` is.
+  std::optional<double> effect_size;
+};
+
+// Compares a value with the baseline. Does not set p_holm.
+PairedDifference paired_difference(const DifferenceByPair& value, const DifferenceByPair& baseline);
+
+// Compares each value with the first one, the baseline, which has no entry: entry i belongs to
+// value i + 1. Sets p_holm.
+std::vector<PairedDifference> differences_from_baseline(std::span<const DifferenceByPair> values);
+
+}  // namespace autoref::experiments

@@ -1,0 +1,69 @@
+// The likelihood of the Bradley-Terry model with Firth's penalty.
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "experiments/statistics/rated_games.hpp"
+
+namespace autoref::experiments {
+
+// The penalised likelihood at one point.
+struct LikelihoodPoint {
+  Eigen::VectorXd strengths;
+  // Logarithm of the penalised likelihood. If it is not finite, this is -infinity, and the
+  // derivatives are not computed.
+  double value = 0;
+  Eigen::VectorXd score;                  // its derivatives
+  Eigen::LLT<Eigen::MatrixXd> curvature;  // approximates its negated second derivatives
+  double win_variance = 0;                // sum of n p (1 - p): variance of the wins without draws
+};
+
+// Shortens a step so that it changes no strength by more than 2. Longer steps may end where all
+// results are certain, where rounding errors determine the next step.
+Eigen::VectorXd shortened_step(const Eigen::VectorXd& step);
+
+// In the Bradley-Terry model (Rank analysis of incomplete block designs, Biometrika 39, 1952), team
+// a beats b with probability p = 1 / (1 + exp(strength of b - strength of a)). A draw counts as
+// half a win for each team. The likelihood L of the games is multiplied by the root of the
+// determinant of Fisher's information I (Firth, Bias reduction of maximum likelihood estimates,
+// Biometrika 80, 1993; the same as Jeffreys' prior):
+//
+//     log L* = log L + 1/2 log det I,    I = sum of n p (1 - p) x x' over the matchups
+//
+// with n games in a matchup, and x = 1 for team a, -1 for b. The determinant is that on the space
+// of strengths that sum to zero in each group of teams linked by games. L* has a finite maximum
+// although L has none if, say, a team won all its games.
+class PenalisedLikelihood {
+ public:
+  // `totals` contains each matchup once. Matchups without games have no effect.
+  PenalisedLikelihood(std::size_t teams, std::span<const MatchupTotals> totals);
+
+  // The number of each team's group; see linked_groups().
+  const std::vector<std::size_t>& groups() const { return groups_; }
+
+  // All matchups with games.
+  const std::vector<MatchupTotals>& matchups() const { return matchups_; }
+
+  // Moves a team against the mean of its group: 1 for the team minus the mean of this over the
+  // group.
+  Eigen::VectorXd direction_of(std::size_t team) const;
+
+  // The likelihood for `strengths` that sum to zero in each group.
+  LikelihoodPoint at(const Eigen::VectorXd& strengths) const;
+
+  // The point where it is largest. Newton's method, started at equal teams; steps are shortened and
+  // halved until the likelihood does not fall. Stops when a step changes no strength by 1e-10,
+  // after at most 200 steps. The second derivatives take the leverages as constant.
+  LikelihoodPoint maximum() const;
+
+ private:
+  std::vector<MatchupTotals> matchups_;
+  std::vector<std::size_t> groups_;
+  Eigen::MatrixXd group_means_;
+};
+
+}  // namespace autoref::experiments

@@ -1,0 +1,29 @@
+// Vision latency of the teams.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace autoref::game {
+
+// Delays values by a fixed number of frames.
+template <typename Value>
+class DelayLine {
+ public:
+  explicit DelayLine(int frames) : values_(static_cast<std::size_t>(frames) + 1) {}
+
+  void push(const Value& value) {
+    values_[taken_ % values_.size()] = value;
+    ++taken_;
+  }
+  // The value delayed by `frames` frames; the first value until enough have been pushed.
+  const Value& oldest() const {
+    return taken_ < values_.size() ? values_.front() : values_[taken_ % values_.size()];
+  }
+
+ private:
+  std::vector<Value> values_;
+  std::size_t taken_ = 0;
+};
+
+}  // namespace autoref::game

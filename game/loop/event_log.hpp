@@ -1,0 +1,68 @@
+// The fields of the referee's decisions, and the event log of a game: one JSON object per line.
+#pragma once
+
+#include <span>
+#include <string>
+#include <utility>
+
+#include "game/loop/game.hpp"
+#include "io/json.hpp"
+
+namespace autoref::game {
+
+// The team that wears a colour: its letter ("a" or "b") and name; empty if unknown.
+struct EventTeam {
+  std::string letter;
+  std::string name;
+};
+
+// The teams of a game, with the names returned by shown_names() (configuration.hpp).
+PerSide<EventTeam> event_teams_of(const GameConfiguration& game);
+
+// Types of columns in a database.
+namespace column_type {
+inline constexpr const char* kInteger = "INTEGER";
+inline constexpr const char* kReal = "REAL";
+inline constexpr const char* kText = "TEXT";
+}  // namespace column_type
+
+// A field of a decision, in event logs and in databases. Sides are identified by their colours,
+// "yellow" and "blue", as in the commands. Positions are published ones (soccer/published.hpp).
+struct DecisionField {
+  const char* path;  // in a line of the event log (RFC 6901)
+  const char* type;  // of its column in a database
+  // Null if unknown or inapplicable; discarded if the whole object that contains it is null.
+  io::Json (*value)(const referee::Decision& decision, const PerSide<EventTeam>& teams);
+  const char* column = nullptr;  // its name, unless it follows from the path; empty without one
+
+  bool has_column() const { return column == nullptr || *column != 0; }
+};
+
+// All fields, in the order of a line's keys and of a database's columns. What event logs and
+// databases contain follows from this list; pages choose from it (view/recorded_decision.hpp).
+std::span<const DecisionField> decision_fields();
+
+// The name of the field's column: by default its path, with underscores. Empty without a column.
+std::string column_of(const DecisionField& field);
+
+// A line of the event log as an object. All lines have the same keys.
+io::Json decision_object(const referee::Decision& decision, const PerSide<EventTeam>& teams = {});
+
+// The line as text, without the newline.
+std::string decision_json(const referee::Decision& decision, const PerSide<EventTeam>& teams = {});
+
+// Collects the lines of a game.
+class EventLog final : public Observer {
+ public:
+  explicit EventLog(PerSide<EventTeam> teams = {}) : teams_(std::move(teams)) {}
+  void on_decision(const referee::Decision& decision) override {
+    text_ += decision_json(decision, teams_) + "\n";
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  PerSide<EventTeam> teams_;
+  std::string text_;
+};
+
+}  // namespace autoref::game

@@ -1,0 +1,62 @@
+// The record of a game: its result, how it ended and what happened in it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "game/loop/scene.hpp"
+#include "game/play_counts/play_counts.hpp"
+#include "referee/decision.hpp"
+#include "soccer/named.hpp"
+
+namespace autoref::game {
+
+enum class EndReason : std::uint8_t { kTime, kGoals, kShootout, kForfeitA, kForfeitB, kVoid };
+
+constexpr auto names_of(EndReason /*any*/) {
+  return std::to_array<Named<EndReason>>({{EndReason::kTime, "time"},
+                                          {EndReason::kGoals, "goals"},
+                                          {EndReason::kShootout, "shootout"},
+                                          {EndReason::kForfeitA, "forfeit_a"},
+                                          {EndReason::kForfeitB, "forfeit_b"},
+                                          {EndReason::kVoid, "void"}});
+}
+
+enum class Status : std::uint8_t { kOk, kForfeit, kVoid };
+
+constexpr auto names_of(Status /*any*/) {
+  return std::to_array<Named<Status>>(
+      {{Status::kOk, "ok"}, {Status::kForfeit, "forfeit"}, {Status::kVoid, "void"}});
+}
+
+using autoref::name_of;
+
+struct GameRecord {
+  int goals_a = 0;
+  int goals_b = 0;
+  std::vector<std::array<int, 2>> goals_by_half;  // [a, b] of each half
+  std::optional<std::array<int, 2>> shootout;     // [a, b] goals; nullopt without a shoot-out
+  EndReason end_reason = EndReason::kTime;
+  Status status = Status::kOk;
+  std::string void_reason;                         // empty unless void or forfeited
+  std::array<int, referee::kEventCount> events{};  // how often each event occurred
+  int count(referee::Event event) const { return events[static_cast<std::size_t>(event)]; }
+  // Labels of the transitions taken, without duplicates. The texts live as long as the program.
+  std::vector<std::string_view> transitions;
+  std::array<PlayCounts, 2> counts{};  // [a, b]
+  std::optional<SceneRecord> scene;    // of a scene
+  double ball_in_play_s = 0;
+  double sim_s = 0;
+  std::int64_t frames = 0;
+  std::uint64_t state_hash = 0;  // hash of every frame's state and every decision
+  // Whether the game's programs sent the same commands when they were started again; true without
+  // programs, nullopt if that was not tried.
+  std::optional<bool> is_repeatable = true;
+  int attempts = 1;  // how often its programs were started, since they were killed from outside
+};
+
+}  // namespace autoref::game

@@ -1,0 +1,66 @@
+// Who watches a game's loop.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+#include "referee/decision.hpp"
+#include "sim/world.hpp"
+#include "soccer/frame.hpp"
+#include "soccer/referee_signal.hpp"
+#include "soccer/robot_command.hpp"
+#include "soccer/team_requests.hpp"
+
+namespace autoref::game {
+
+// The phases of a frame, in order. kReferee includes the tracker; kRecord also occurs after
+// kReferee.
+enum class Phase : std::uint8_t { kCamera, kReferee, kTeamWest, kTeamEast, kPhysics, kRecord };
+inline constexpr int kPhaseCount = 6;
+
+// All functions are called by Game::step(), in the order of events in a frame.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  // A phase of the frame has ended.
+  virtual void on_phase(Phase /*ended*/) {}
+  // The teams' requests to the referee. Once per frame, before the referee.
+  virtual void on_requests(const PerSide<TeamRequests>& /*requests*/) {}
+  // What vision reports in addition to a frame, just before that frame; only if it is not empty.
+  virtual void on_other_detections(const OtherDetections& /*others*/) {}
+  // Once per frame, after the referee and before the teams.
+  virtual void on_frame(const Frame& /*frame*/, const RefereeSignal& /*signal*/,
+                        const sim::World& /*world*/) {}
+  // Once per frame, just before the world moves: the commands that reach the robots, and where the
+  // ball is placed by hand, if it is.
+  virtual void on_commands(const PerSide<TeamCommands>& /*commands*/,
+                           const std::optional<Placement>& /*placement*/,
+                           const sim::World& /*world*/) {}
+  virtual void on_decision(const referee::Decision& /*decision*/) {}
+};
+
+// The observers of one game, in the order in which they are called. They must outlive the game.
+class Observers {
+ public:
+  Observers() = default;
+  // Implicit, so that a caller with one observer can pass its address; null means none.
+  Observers(Observer* one) { add(one); }  // NOLINT(google-explicit-constructor)
+
+  void add(Observer* one) {
+    if (one != nullptr) list_.push_back(one);
+  }
+
+  // Calls this callback of every observer.
+  template <typename... Parameters>
+  void call(void (Observer::*callback)(Parameters...),
+            const std::type_identity_t<Parameters>&... arguments) const {
+    for (Observer* one : list_) (one->*callback)(arguments...);
+  }
+
+ private:
+  std::vector<Observer*> list_;
+};
+
+}  // namespace autoref::game

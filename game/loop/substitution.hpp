@@ -1,0 +1,50 @@
+// Takes robots off the field and puts them back according to the number the referee allows.
+#pragma once
+
+#include <bitset>
+
+#include "sim/world.hpp"
+#include "soccer/field.hpp"
+#include "soccer/referee_signal.hpp"
+#include "soccer/side.hpp"
+#include "soccer/team_requests.hpp"
+
+namespace autoref::game {
+
+class SubstitutionController {
+ public:
+  // `robots` is the size of each side's team.
+  SubstitutionController(const Field& field, const PerSide<int>& robots)
+      : field_(field), robots_(robots) {}
+
+  // A robot that is kept off does not return until it may.
+  void keep_off(RobotId robot, bool is_kept_off) {
+    kept_off_[robot.side].set(static_cast<std::size_t>(robot.number), is_kept_off);
+  }
+
+  // Call once per frame, before the world advances. While play is stopped, a side with too many
+  // robots loses one per frame, starting 1 s after the allowance fell: the robot that the team
+  // names, otherwise the one with the highest number other than the keeper. If a side has too few,
+  // its missing robot with the lowest number that is not kept off returns at once.
+  void act(const RefereeSignal& signal, const PerSide<TeamRequests>& requests, double time_s,
+           sim::World& world);
+
+ private:
+  void note_allowance(Side side, int allowed, double time_s);
+  void call_back(Side side, const RefereeSignal& signal, sim::World& world) const;
+
+  Field field_;
+  PerSide<int> robots_;
+  PerSide<std::bitset<kMaxRobots>> kept_off_;
+  PerSide<int> allowed_{{kMaxRobots, kMaxRobots}};
+  PerSide<double> fell_s_{};  // when the allowance last fell
+};
+
+// Returns a free position in the run-off for a returning robot of `side`: in its own half, as near
+// as possible to the halfway line, trying the touch line to the right of its goalkeeper first. At
+// that position, the robot's hull is more than 500 mm from the ball and from the ball placement
+// target. Returns nullopt if every position is taken.
+std::optional<Vec2> return_position(const Field& field, Side side, const RefereeSignal& signal,
+                                    const sim::World& world);
+
+}  // namespace autoref::game

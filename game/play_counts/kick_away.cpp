@@ -1,0 +1,88 @@
+#include "game/play_counts/kick_away.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "game/play_counts/ball_trajectory.hpp"
+#include "game/play_counts/play_counts.hpp"
+#include "soccer/robot_shape.hpp"
+
+namespace autoref::game {
+namespace {
+
+// The robot's velocity; zero if it has just been removed.
+Vec2 velocity_mps(RobotId id, const sim::WorldState& now) {
+  for (const sim::RobotState& robot : now.robots[id.side]) {
+    if (robot.number == id.number) return robot.velocity_mps;
+  }
+  return {0, 0};
+}
+
+void assess_shot(const BallTrajectory& trajectory, const Field& field, KickAway& kick) {
+  const double forward = -goal_sign(kick.robot.side);
+  const double ahead_m = forward * kick.from_m.x();
+  if (ahead_m < (kClearanceShare - 0.5) * field.length_m) return;
+  const double advance = forward * trajectory.direction().x();
+  if (advance <= 0 || ahead_m >= field.half_length_m()) return;
+  // Length of the straight path up to the goal line.
+  const double to_line_m = (field.half_length_m() - ahead_m) / advance;
+  if (to_line_m > trajectory.reach_m() || trajectory.speed_mps(to_line_m) < kArrival_mps) return;
+  const double off_middle_m = std::abs(trajectory.point_m(to_line_m).y());
+  kick.is_at_goal = off_middle_m <= field.half_goal_m() + kShotMiss_m;
+  kick.is_between_posts =
+      off_middle_m < field.half_goal_m() &&
+      trajectory.height_m(to_line_m) + kBallRadius_m < field.goal_opening_height_m;
+}
+
+// The distance that can be travelled along a path before the coordinate leaves +-limit_m;
+// `direction` is the path direction's component along that coordinate.
+double inside_m(double from_m, double direction, double limit_m) {
+  if (direction == 0) return std::numeric_limits<double>::infinity();
+  return std::max(0.0, (std::copysign(limit_m, direction) - from_m) / direction);
+}
+
+// The path's length until the ball stops or leaves the field.
+double length_on_field_m(const BallTrajectory& trajectory, const Field& field) {
+  return std::min(
+      {trajectory.reach_m(),
+       inside_m(trajectory.from_m().x(), trajectory.direction().x(), field.half_length_m()),
+       inside_m(trajectory.from_m().y(), trajectory.direction().y(), field.half_width_m())});
+}
+
+bool may_meet(const Vec2& mate_m, const BallTrajectory& trajectory, double length_m) {
+  const double first_m = std::max(kShortestPass_m, trajectory.flight_m());
+  if (first_m > length_m) return false;
+  // Projects the team-mate onto the path. It counts as able to receive the ball if, at a limited
+  // speed, it can reach the nearest point of the path before the ball does.
+  const double along_m = (mate_m - trajectory.from_m()).dot(trajectory.direction());
+  if (along_m < kShortestPass_m) return false;
+  const double meets_m = std::clamp(along_m, first_m, length_m);
+  if (trajectory.speed_mps(meets_m) < kArrival_mps) return false;
+  const double allowed_m =
+      std::clamp(kMate_mps * trajectory.time_s(meets_m), kPassMiss_m, kFarthestMate_m);
+  return (mate_m - trajectory.point_m(meets_m)).norm() <= allowed_m;
+}
+
+bool is_for_mate(const BallTrajectory& trajectory, const Field& field, RobotId kicker,
+                 const sim::WorldState& now) {
+  const double length_m = length_on_field_m(trajectory, field);
+  const auto& mates = now.robots[kicker.side];
+  return std::any_of(mates.begin(), mates.end(), [&](const sim::RobotState& mate) {
+    return mate.number != kicker.number && may_meet(mate.position_m, trajectory, length_m);
+  });
+}
+
+}  // namespace
+
+std::optional<KickAway> kick_away(const sim::Touch& kick, const sim::WorldState& now,
+                                  const Field& field, const sim::BallParameters& ball) {
+  if ((kick.ball_mps - velocity_mps(kick.robot, now)).norm() < kAway_mps) return std::nullopt;
+  const BallTrajectory trajectory(kick.ball_m, kick.ball_mps, kick.vertical_mps, ball);
+  KickAway away{kick.robot, kick.frame, kick.ball_m};
+  assess_shot(trajectory, field, away);
+  away.is_for_mate = is_for_mate(trajectory, field, kick.robot, now);
+  return away;
+}
+
+}  // namespace autoref::game

@@ -1,0 +1,98 @@
+// A team's statistics in a game, as known from football: shots, passes, possession and so on.
+//
+// They come from ground truth and the referee's signals and cannot see intentions. Play lasts from
+// a restart's signal until the referee ends it, so the restart's kick counts. Shoot-outs do not
+// count.
+//
+// A kick counts only if the ball leaves the robot at kAway_mps or more and then travels at least
+// kAway_m. It is classified once, when another robot touches the ball, a goal is given or play
+// stops. If the kicker touches the ball first (later than kSameKick_s), it has only pushed the ball
+// ahead, and the kick does not count. Kicks by both teams in the same sub-step do not count either.
+// A kick's path is the straight line along which the ball would roll or fly if nobody touched it
+// (ball_trajectory.hpp).
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "soccer/units.hpp"
+
+namespace autoref::game {
+
+// Relative to the robot. A slower ball is only nudged ahead.
+inline constexpr double kAway_mps = 1.0_mps;
+// If another robot touches the ball earlier, the ball was kicked against it, in a duel.
+inline constexpr double kAway_m = 200_mm;
+// A kicker needs 100 ms before its next kick; until then the hull may still touch the departing
+// ball.
+inline constexpr double kSameKick_s = 100_ms;
+
+// How far a shot may miss a post: more than the kicker's noise (1.5 degrees from 6 m: 160 mm).
+inline constexpr double kShotMiss_m = 250_mm;
+// Minimum speed on arrival of a shot or pass. A slower ball was pushed ahead and is a loose ball.
+inline constexpr double kArrival_mps = 1.0_mps;
+// A kick at the goal from a team's own third of the field is a clearance.
+inline constexpr double kClearanceShare = 1.0 / 3.0;
+
+// Nearer team-mates do not count: they are beside the kicker, so every kick's path starts near
+// them.
+inline constexpr double kShortestPass_m = 500_mm;
+// How far a pass may miss a team-mate's current position. The team-mate can easily move that far.
+inline constexpr double kPassMiss_m = 500_mm;
+// The team-mate can move farther if the ball takes longer. This is the mean speed over the first
+// 0.67 s when accelerating from rest at 3 m/s^2.
+inline constexpr double kMate_mps = 1.0_mps;
+// Upper limit of that distance: given enough time, any robot can reach any ball.
+inline constexpr double kFarthestMate_m = 1.0_m;
+
+// Distance from a hull to the ball's surface: slightly more than the ball's diameter, so nothing
+// else fits in between.
+inline constexpr double kDuel_m = 50_mm;
+inline constexpr double kDuelBegins_s = 100_ms;  // how long both sides must be that close
+// Distance from the ball to the loser's full disc: more than a robot's width (0.18 m).
+inline constexpr double kDuelOver_m = 300_mm;
+inline constexpr double kLongestDuel_s = 3.0_s;  // longer duels are drawn
+
+struct PlayCounts {
+  // Kicks taken outside the team's own third of the field, with a path that crosses the opponents'
+  // goal line at kArrival_mps or faster and at most kShotMiss_m outside the posts, at any height.
+  // Excludes passes (see passes_tried) that a team-mate touches next. Every other goal from the
+  // team's own touch also counts as a shot.
+  int shots = 0;
+  // Shots that became goals, and shots that were saved or blocked: their path led between the posts
+  // and under the bar, and an opponent touched the ball next.
+  int shots_on_goal = 0;
+  // Kicks, other than shots, that a team-mate can reach: at the point of the path nearest to it (at
+  // least kShortestPass_m from the kick and not in a chip's first flight), the ball is at least as
+  // fast as kArrival_mps, and the team-mate is at most kPassMiss_m away, or as far as it can move
+  // at kMate_mps until the ball arrives, up to kFarthestMate_m. The path ends where the ball stops
+  // or leaves the field.
+  int passes_tried = 0;
+  // Passes that a team-mate touches next, without an opponent in the same sub-step.
+  int passes_completed = 0;
+  // Time that the ball is in play (GameRecord::ball_in_play_s) from this team's touch until the
+  // other team's next one. If both touch it in the same sub-step, possession does not change.
+  double possession_s = 0;
+  // Fouls called against the team's robots, during play or while it is stopped. If both teams are
+  // at fault, each gets one. Excludes balls that leave the field, aimless kicks, disallowed goals,
+  // restarts not taken and failed penalties.
+  int fouls = 0;
+  // A duel begins when robots of both teams have been within kDuel_m of the ball for kDuelBegins_s.
+  // A team wins it by touching the ball, or by its kick in progress, once all opponents are farther
+  // from it than kDuelOver_m. Nobody wins if play stops first or after kLongestDuel_s.
+  int duels_won = 0;
+  bool operator==(const PlayCounts&) const = default;
+};
+
+// A count's name, such as "shots", and its member; the other member pointer is null.
+struct CountField {
+  std::string_view name;
+  int PlayCounts::*count = nullptr;
+  double PlayCounts::*seconds = nullptr;
+};
+
+// Every member of PlayCounts, in the order used in rows and JSON.
+std::span<const CountField> count_fields();
+
+}  // namespace autoref::game

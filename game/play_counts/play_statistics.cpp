@@ -1,0 +1,138 @@
+#include "game/play_counts/play_statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace autoref::game {
+
+struct PlayStatistics::TouchGroup {
+  std::span<const sim::Touch> touches;
+
+  // The earliest group of simultaneous touches.
+  static TouchGroup first_of(std::span<const sim::Touch> touches) {
+    const auto end = std::find_if(touches.begin(), touches.end(), [&](const sim::Touch& touch) {
+      return touch.substep != touches[0].substep || touch.is_kick != touches[0].is_kick;
+    });
+    return {touches.first(static_cast<std::size_t>(end - touches.begin()))};
+  }
+  bool has(Side side) const {
+    return std::any_of(touches.begin(), touches.end(),
+                       [=](const sim::Touch& touch) { return touch.robot.side == side; });
+  }
+  bool has_only(RobotId robot) const {
+    return std::all_of(touches.begin(), touches.end(),
+                       [=](const sim::Touch& touch) { return touch.robot == robot; });
+  }
+  // Returns nullopt if both sides touch simultaneously.
+  std::optional<Side> side() const {
+    const Side side = touches[0].robot.side;
+    return has(opponent_of(side)) ? std::nullopt : std::optional(side);
+  }
+};
+
+PlayStatistics::PlayStatistics(const Field& field, const sim::BallParameters& ball,
+                               double frame_rate_hz)
+    : field_(field),
+      ball_(ball),
+      frame_rate_hz_(frame_rate_hz),
+      same_kick_frames_(std::lround(kSameKick_s * frame_rate_hz)),
+      duels_(frame_rate_hz) {}
+
+// Handle touches first: they happened since the previous frame, while play was in its previous
+// state.
+void PlayStatistics::update(const FrameSummary& summary) {
+  if (is_on_) touch(summary);
+  for (const referee::Decision& decision : summary.decisions) note(decision);
+  if (is_on_ && !summary.is_play_on) end_play();
+  is_on_ = summary.is_play_on;
+  if (summary.is_ball_in_play && last_touch_) ++possession_frames_[*last_touch_];
+}
+
+PerSide<PlayCounts> PlayStatistics::counts() const {
+  PerSide<PlayCounts> counts = counts_;
+  for (const Side side : kSides) {
+    counts[side].possession_s = static_cast<double>(possession_frames_[side]) / frame_rate_hz_;
+  }
+  return counts;
+}
+
+void PlayStatistics::touch(const FrameSummary& summary) {
+  PerSide<bool> touched;
+  for (std::span<const sim::Touch> rest = summary.touches; !rest.empty();) {
+    const TouchGroup group = TouchGroup::first_of(rest);
+    touch(group, summary.now);
+    for (const Side side : kSides) touched[side] = touched[side] || group.has(side);
+    rest = rest.subspan(group.touches.size());
+  }
+  const std::optional<Side> kicked = kick_ ? std::optional(kick_->robot.side) : std::nullopt;
+  if (const auto winner = duels_.update(summary.now, touched, kicked)) {
+    ++counts_[*winner].duels_won;
+  }
+}
+
+void PlayStatistics::touch(const TouchGroup& group, const sim::WorldState& now) {
+  meet(group);
+  const std::optional<Side> side = group.side();
+  if (!side) return;
+  last_touch_ = side;
+  const sim::Touch& first = group.touches[0];
+  if (first.is_kick) kick_ = kick_away(first, now, field_, ball_);
+}
+
+// Handles a touch while a kick is in progress, by the kicker or by other robots.
+void PlayStatistics::meet(const TouchGroup& group) {
+  if (!kick_) return;
+  const sim::Touch& first = group.touches[0];
+  const bool is_kickers_own = group.has_only(kick_->robot);
+  if (is_kickers_own && !first.is_kick && first.frame - kick_->frame <= same_kick_frames_) return;
+  const bool is_away = (first.ball_m - kick_->from_m).norm() >= kAway_m;
+  if (is_kickers_own || !is_away) {
+    kick_.reset();
+  } else {
+    settle(group.has(opponent_of(kick_->robot.side)) ? Next::kOpponent : Next::kMate);
+  }
+}
+
+void PlayStatistics::settle(Next next) {
+  if (!kick_) return;
+  const KickAway kick = *kick_;
+  kick_.reset();
+  PlayCounts& team = counts_[kick.robot.side];
+  if (next == Next::kMate && kick.is_for_mate) {
+    ++team.passes_tried;
+    ++team.passes_completed;
+  } else if (kick.is_at_goal || next == Next::kGoal) {
+    ++team.shots;
+    const bool is_met = next == Next::kOpponent && kick.is_between_posts;
+    if (is_met || next == Next::kGoal) ++team.shots_on_goal;
+  } else if (kick.is_for_mate) {
+    ++team.passes_tried;
+  }
+}
+
+void PlayStatistics::note(const referee::Decision& decision) {
+  if (decision.finding.event == referee::Event::kGoal && decision.command) {
+    give_goal(decision.command->side);
+  }
+  if (!referee::entry_of(decision.finding.event).is_foul) return;
+  for (const Side side : kSides) {
+    if (!decision.finding.offender || *decision.finding.offender == side) ++counts_[side].fouls;
+  }
+}
+
+void PlayStatistics::give_goal(Side scorer) {
+  if (kick_ && kick_->robot.side == scorer) {
+    settle(Next::kGoal);
+  } else if (last_touch_ == scorer) {
+    ++counts_[scorer].shots;
+    ++counts_[scorer].shots_on_goal;
+  }
+}
+
+void PlayStatistics::end_play() {
+  settle(Next::kStop);
+  last_touch_.reset();
+  duels_.stop();
+}
+
+}  // namespace autoref::game

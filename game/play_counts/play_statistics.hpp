@@ -1,0 +1,63 @@
+// Updates the play counts (play_counts.hpp) of a running game.
+//
+// Owns the state of the current kick, duel and possession. The game loop calls update() once per
+// frame. Does not affect the game and does not allocate.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "game/play_counts/duels.hpp"
+#include "game/play_counts/kick_away.hpp"
+#include "game/play_counts/play_counts.hpp"
+#include "referee/decision.hpp"
+#include "sim/world.hpp"
+#include "soccer/field.hpp"
+
+namespace autoref::game {
+
+class PlayStatistics {
+ public:
+  // A frame after the referee's update.
+  struct FrameSummary {
+    const sim::WorldState& now;
+    std::span<const sim::Touch> touches;             // of the last step
+    std::span<const referee::Decision> decisions{};  // of this frame
+    bool is_play_on = false;  // whether play is on after this frame (referee::State::kRun)
+    bool is_ball_in_play = false;
+  };
+
+  PlayStatistics(const Field& field, const sim::BallParameters& ball, double frame_rate_hz);
+
+  void update(const FrameSummary& summary);
+
+  // The counts so far, excluding a kick in progress.
+  PerSide<PlayCounts> counts() const;
+
+ private:
+  // Simultaneous touches: all kicks of a sub-step, or all hull contacts in it.
+  struct TouchGroup;
+  enum class Next : std::uint8_t { kMate, kOpponent, kGoal, kStop };
+
+  void touch(const FrameSummary& summary);
+  void touch(const TouchGroup& group, const sim::WorldState& now);
+  void meet(const TouchGroup& group);
+  void settle(Next next);
+  void note(const referee::Decision& decision);
+  void give_goal(Side scorer);
+  void end_play();
+
+  Field field_;
+  sim::BallParameters ball_;
+  double frame_rate_hz_;
+  std::int64_t same_kick_frames_;
+  Duels duels_;
+  bool is_on_ = false;              // whether play was on before this frame
+  std::optional<KickAway> kick_;    // in progress
+  std::optional<Side> last_touch_;  // since play started
+  PerSide<PlayCounts> counts_;
+  PerSide<std::int64_t> possession_frames_;
+};
+
+}  // namespace autoref::game

@@ -1,0 +1,176 @@
+#include "game/settings/fields.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "game/settings/settings_branch.hpp"
+#include "sim/ball_presets.hpp"
+#include "sim/camera_presets.hpp"
+#include "sim/robot_presets.hpp"
+#include "soccer/rule_table.hpp"
+#include "strategies/registry.hpp"
+
+namespace autoref::game {
+namespace {
+
+std::vector<std::string> strategy_names() {
+  std::vector<std::string> names;
+  for (const strategies::Entry& entry : strategies::all_strategies()) {
+    names.emplace_back(entry.name);
+  }
+  names.emplace_back(kNetworkStrategy);
+  return names;
+}
+
+// Words for the laws that a team knows: the rule books of the league, and none of them.
+std::vector<std::string> laws_names() {
+  std::vector<std::string> names = rule_book_names();
+  std::erase_if(names, [](const std::string& name) {
+    return find_rule_book(name)->edition == Edition::kPaper;
+  });
+  names.emplace_back(kEnforcedOnly);
+  return names;
+}
+
+void list_changes(RobotChanges& changes, Branch to) {
+  to.add("robot", ChangesOf{&changes, "robot"}, {}, "overrides of sim.robot");
+  to.add("kicker", ChangesOf{&changes, "kicker"}, {}, "overrides of sim.kicker");
+  to.add("dribbler", ChangesOf{&changes, "dribbler"}, {}, "overrides of sim.dribbler");
+}
+
+// Settings common to a team's robots and a single robot.
+template <typename Of>
+void list_robots(Of& of, const RobotTypes& types, Branch to) {
+  to.add("type", TypeName{&of.type, &types}, {}, "robot type");
+  to.parameter(of.speed_factor,
+               {"speed_factor", sim::kFactorRange, "scales the robots' top speed"});
+  to.parameter(of.acceleration_factor,
+               {"acceleration_factor", sim::kFactorRange, "scales their acceleration and braking"});
+  to.add("handicap", BothFactors{&of.speed_factor, &of.acceleration_factor}, sim::kFactorRange,
+         "sets speed_factor and acceleration_factor");
+  list_changes(of.changes, to);
+}
+
+void list_types(RobotTypes& types, Branch to) {
+  to.add("types", &types, {}, "robot types by name");
+  for (auto& [name, changes] : types) list_changes(changes, to.below("types").below(name));
+}
+
+void list_team(TeamSettings& team, const RobotTypes& types, Branch to) {
+  to.word("strategy", &team.strategy, strategy_names(), "the team's strategy");
+  to.word("laws", &team.laws, laws_names(),
+          "the laws that the team knows: it keeps to the rules in force and to these, whether or "
+          "not they are in force; enforced: only to the rules in force");
+  to.add("command", CommandWords{&team.program.command}, {},
+         "the team is this program, instead of a strategy");
+  to.add("directory", FreeText{&team.program.directory}, {}, "working directory of the program");
+  to.add("environment", CommandWords{&team.program.environment}, {},
+         "variables of the program's environment, such as [MODE=fast]");
+  to.add("files", CommandWords{&team.files}, {},
+         "files and folders of the program, which belong to the identity of its games; without, "
+         "the command's words that are files");
+  to.add("files_hash", FreeText{&team.files_hash}, {}, "what they contain, noted by AutoRef");
+  to.parameter(team.program.answer_s,
+               {"answer_s", positive(3600),
+                "how long the program may take for an answer, by the wall clock"});
+  to.parameter(team.program.memory_mb,
+               {"memory_mb", {16, 1 << 20}, "memory of each of its processes"});
+  to.parameter(team.robots, {"robots", {1, kMaxRobots}, "number of robots on the field"});
+  list_robots(team, types, to);
+  to.add("players", &team.players, {}, "robots that differ from the team, by number");
+  for (auto& [number, player] : team.players) {
+    list_robots(player, types, to.below("players").below(std::to_string(number)));
+  }
+  // The range depends on the strategy's parameter; check_team() checks it.
+  to.add("params", &team.params, {-1e9, 1e9}, "parameters of the strategy, by name");
+}
+
+// The numbers of a rule book that are settings of a match.
+void list_rules(RuleBook& rules, Branch to) {
+  for (const std::string_view name : {"extra_half_s", "change_ends"}) {
+    RuleBook::visit(rules, [name, &to](auto& value, const Parameter& about) {
+      if (about.name == name) to.parameter(value, about);
+    });
+  }
+}
+
+void list_match(GameSettings& game, Branch to) {
+  to.word("rules", RulesChoice{&game}, rule_book_names(),
+          "rule book; also sets switch, half_s, extra_half_s, change_ends, field, robots, kickers, "
+          "dribblers and latency_error_s");
+  referee::Match::visit(game.match, [&to](auto& value, const Parameter& about) {
+    if constexpr (std::is_same_v<std::remove_reference_t<decltype(value)>, RuleBook>) {
+      list_rules(value, to);
+    } else {
+      to.parameter(value, about);
+    }
+  });
+  Branch switches = to.below("switch");
+  for (const RuleEntry& entry : rule_table())
+    switches.parameter(game.match.rules.in_force[entry.rule], {entry.name, entry.about});
+}
+
+// The world's parameters, and among them the robots'.
+void list_world(GameSettings& game, std::vector<Setting>& list) {
+  Branch(list, "sim.").parameters(game.sim);
+  std::vector<Setting> robot = settings_of(game.robot, "sim.");
+  const auto place = std::find_if(list.begin(), list.end(), [](const Setting& setting) {
+    return setting.path.starts_with("sim.placement.");
+  });
+  list.insert(place, std::make_move_iterator(robot.begin()), std::make_move_iterator(robot.end()));
+}
+
+}  // namespace
+
+void list_preset(sim::Configuration& sim, Branch& to) {
+  to.word("camera", CameraPreset{&sim}, sim::camera_preset_names(),
+          "sets vision, frame_rate_hz, command_loss and latency_s");
+}
+
+void list_preset(sim::BallParameters& ball, Branch& to) {
+  to.word("preset", BallPreset{&ball}, sim::ball_preset_names(),
+          "sets how the ball slides, rolls and hops");
+}
+
+void list_preset(sim::KickerParameters& kicker, Branch& to) {
+  to.word("preset", KickerPreset{&kicker}, sim::kicker_preset_names(),
+          "sets all parameters of the kicker");
+}
+
+void list_preset(sim::DribblerParameters& dribbler, Branch& to) {
+  to.word("preset", DribblerPreset{&dribbler}, sim::dribbler_preset_names(),
+          "sets how the dribbler grips the ball");
+}
+
+std::vector<Setting> settings_of(GameSettings& game) {
+  std::vector<Setting> list;
+  list_types(game.types, Branch(list, ""));
+  list_team(game.a, game.types, Branch(list, "teams.a."));
+  list_team(game.b, game.types, Branch(list, "teams.b."));
+  list_match(game, Branch(list, "match."));
+  Branch(list, "field.").parameters(game.field);
+  list_world(game, list);
+  Branch(list, "").parameter(game.seed, {"seed", {0, 0x1p64}, "the game's random seed"});
+  return list;
+}
+
+std::vector<Setting> settings_of(TeamSettings& team, const RobotTypes& types,
+                                 const std::string& prefix) {
+  std::vector<Setting> list;
+  list_team(team, types, Branch(list, prefix));
+  return list;
+}
+
+std::vector<Setting> settings_of(sim::RobotSpec& robot, const std::string& prefix) {
+  std::vector<Setting> list;
+  Branch(list, prefix).parameters(robot);
+  return list;
+}
+
+std::vector<Setting> settings_of(RobotChanges& changes) {
+  std::vector<Setting> list;
+  list_changes(changes, Branch(list, ""));
+  return list;
+}
+
+}  // namespace autoref::game

@@ -1,0 +1,79 @@
+// A game as the user configured it: rule book and robot types by name, and the settings given
+// explicitly. Filled from files and `--set`, written to effective.yaml, and identified by its hash.
+// resolved() (resolved.hpp) turns it into the configuration that is played.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "game/loop/configuration.hpp"
+#include "game/settings/setting_value.hpp"
+#include "referee/match.hpp"
+#include "sim/configuration.hpp"
+#include "soccer/field.hpp"
+#include "soccer/rule_book.hpp"
+#include "soccer/side.hpp"
+
+namespace autoref::game {
+
+// Settings of a robot that differ from the game's: values by path below `sim.`, such as
+// "robot.speed_mps".
+using RobotChanges = std::map<std::string, SettingValue>;
+
+using RobotTypes = std::map<std::string, RobotChanges>;  // by name
+
+inline constexpr const char* kNoType = "none";
+
+// A robot that differs from the rest of its team.
+struct PlayerSettings {
+  std::string type = kNoType;
+  RobotChanges changes;              // override the type's
+  double speed_factor = 1.0;         // multiplied by the team's
+  double acceleration_factor = 1.0;  // multiplied by the team's
+};
+
+// The strategy of teams that play over the network (live/).
+inline constexpr const char* kNetworkStrategy = "network";
+
+// The laws of a team that keeps only to the rules in force.
+inline constexpr const char* kEnforcedOnly = "enforced";
+
+struct TeamSettings {
+  std::string strategy = "basic";  // unused if the program has a command
+  TeamProgram program;             // the team, if it has a command
+  std::vector<std::string> files;  // its files and folders; empty: those the command names
+  std::string files_hash;          // what they contain (experiments/run/program_versions.hpp)
+  int robots = 6;
+  std::string type = kNoType;        // type of its robots
+  RobotChanges changes;              // override the type's
+  double speed_factor = 1.0;         // scales the robots' top speed
+  double acceleration_factor = 1.0;  // scales their acceleration and braking
+  std::string laws = kDefaultLaws;   // name of a rule book, or kEnforcedOnly
+  std::map<std::string, double> params;
+  std::map<int, PlayerSettings> players;  // by number
+};
+
+// The name of the team's strategy or program.
+std::string name_of(const TeamSettings& team);
+
+struct GameSettings {
+  TeamSettings a;
+  TeamSettings b;
+  referee::Match match;
+  Field field;
+  sim::Configuration sim;
+  sim::RobotSpec robot;  // body, kicker and dribbler of every robot, unless its type overrides them
+  RobotTypes types;      // for teams and players
+  std::uint64_t seed = 42;
+  // Set by kinds of experiments, not by settings
+  // (experiments/kinds/situations/situations.hpp).
+  std::optional<StartState> start;
+  std::optional<Scene> scene;
+  // Full paths of the settings given explicitly; presets do not change them.
+  std::set<std::string> given;
+};
+
+}  // namespace autoref::game

@@ -1,0 +1,96 @@
+// Reads the settings in scenarios, scenes and robot types.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "game/settings/fields.hpp"
+#include "game/settings/yaml.hpp"
+
+namespace autoref::game {
+
+// Locations of settings in the file, by path.
+using SettingLocations = std::map<std::string, YamlLocation>;
+
+// Returns the location of the setting at `path`, or of the first one below that branch; {} if the
+// file has neither.
+YamlLocation location_in(const SettingLocations& locations, const std::string& path);
+
+// Returns the entry of a required key. Throws InputError if it is missing.
+const YamlEntry& required_entry(const YamlFile& file, const std::vector<YamlEntry>& top,
+                                std::string_view key);
+
+// Throws InputError unless the key is present and has this value.
+void expect_value(const YamlFile& file, const std::vector<YamlEntry>& top, std::string_view key,
+                  const std::string& value);
+
+// Throws InputError if there is an entry with another key.
+void refuse_unknown(const YamlFile& file, const std::vector<YamlEntry>& top,
+                    const std::vector<std::string>& known);
+
+// Parses the entry's value into the setting. Throws InputError saying what was expected.
+void assign_entry(const YamlFile& file, const YamlEntry& entry, const Setting& setting);
+
+// Reads branches of a file into a game as strictly as `--set`, and remembers their locations and
+// which settings are given. Does not check settings against each other.
+class SettingsReader {
+ public:
+  using List = std::function<std::vector<Setting>()>;
+
+  // All three must outlive the reader. Settings go into `game`, their locations into `locations`.
+  SettingsReader(const YamlFile& file, GameSettings& game, SettingLocations& locations)
+      : SettingsReader(
+            file, [&game] { return settings_of(game); }, game, locations) {}
+
+  // Reads the settings returned by `list`, which is called again after each new player or type.
+  // Types read from files, and the given settings, are added to `game`.
+  SettingsReader(const YamlFile& file, List list, GameSettings& game, SettingLocations& locations)
+      : file_(file),
+        list_(std::move(list)),
+        types_(&game.types),
+        given_(&game.given),
+        settings_(list_()),
+        locations_(locations) {}
+
+  // Reads only these settings, none of which may be a type, players or types.
+  SettingsReader(const YamlFile& file, std::vector<Setting> settings, SettingLocations& locations)
+      : file_(file), settings_(std::move(settings)), locations_(locations) {}
+
+  // Treats a setting, or a branch of settings, as unknown.
+  void hide(std::string_view path);
+
+  // The top-level names of the settings.
+  std::vector<std::string> names() const { return names_below(settings_, ""); }
+
+  // unknown_key_message(), and where else the settings have a key of that name.
+  std::string about_unknown(std::string_view key, const std::vector<std::string>& known) const;
+
+  // Reads the setting, or branch of settings, at `path`. Throws InputError.
+  void read(const YamlEntry& entry, const std::string& path);
+
+ private:
+  bool is_hidden(const Setting& setting) const;
+  void list_anew();
+  void read_branch(const YamlEntry& branch, const std::string& path);
+  void refuse_handicap_beside_its_factors(const std::vector<YamlEntry>& entries,
+                                          const std::string& path) const;
+  void read_held(const YamlEntry& entry, const Setting& setting);
+  void read_players(const YamlEntry& entry, const std::string& path, Players& players);
+  void read_types(const YamlEntry& entry, const std::string& path, RobotTypes& types);
+  void read_type(const YamlEntry& entry, const Setting& setting);
+  void read_value(const YamlEntry& entry, const Setting& setting);
+
+  const YamlFile& file_;
+  List list_;
+  RobotTypes* types_ = nullptr;
+  std::set<std::string>* given_ = nullptr;
+  std::vector<std::string> hidden_;
+  std::vector<Setting> settings_;
+  SettingLocations& locations_;
+};
+
+}  // namespace autoref::game

@@ -1,0 +1,207 @@
+// Checks and hashes all settings of a game.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "game/settings/fields.hpp"
+#include "game/settings/robot_changes.hpp"
+#include "game/settings/setting_error.hpp"
+#include "io/checksum.hpp"
+#include "io/words.hpp"
+#include "soccer/parameters.hpp"
+#include "strategies/registry.hpp"
+
+namespace autoref::game {
+namespace {
+
+using strategies::Tunable;
+
+[[noreturn]] void refuse_unknown_param(const strategies::Entry& strategy, const std::string& path,
+                                       const std::string& param) {
+  const std::string what =
+      fmt::format(": strategy '{}' has no parameter '{}'", strategy.name, param);
+  if (strategy.params.empty()) throw SettingError(path, what + "; it has none");
+  std::vector<std::string> known;
+  for (const Tunable& tunable : strategy.params) known.emplace_back(tunable.name);
+  const std::string nearest = io::suggestion(param, known);
+  throw SettingError(path, fmt::format("{}{} Known here: {}", what, nearest.empty() ? "." : nearest,
+                                       io::listed(known)));
+}
+
+void check_param(const Tunable& tunable, const std::string& path, double value) {
+  if (tunable.is_flag ? value == 0 || value == 1 : tunable.range.contains(value)) return;
+  const std::string allowed =
+      tunable.is_flag ? "0 or 1" : "a number " + text_of(tunable.range, unit_of(tunable.name));
+  throw SettingError(path, fmt::format(": expected {}, found '{}'", allowed, value));
+}
+
+void refuse_two_teams(const GameSettings& game, const TeamSettings& team, std::string_view name) {
+  const std::string path = fmt::format("{}.strategy", name);
+  if (team.program.command.empty() || !game.given.contains(path)) return;
+  throw SettingError(path, ": the team has a command as well; remove one of them");
+}
+
+// A program may have any parameters; a team on the network is sent none.
+void check_params(const TeamSettings& team, std::string_view name) {
+  if (!team.program.command.empty()) return;
+  if (team.strategy == kNetworkStrategy) {
+    if (team.params.empty()) return;
+    throw SettingError(fmt::format("{}.params", name), ": a team on the network has no parameters");
+  }
+  const strategies::Entry* strategy = strategies::find_strategy(team.strategy);
+  if (strategy == nullptr) {
+    throw std::invalid_argument(fmt::format("unknown strategy '{}'", team.strategy));
+  }
+  for (const auto& [param, value] : team.params) {
+    const std::string path = fmt::format("{}.params.{}", name, param);
+    const auto tunable =
+        std::find_if(strategy->params.begin(), strategy->params.end(),
+                     [&param = param](const Tunable& its) { return its.name == param; });
+    if (tunable == strategy->params.end()) refuse_unknown_param(*strategy, path, param);
+    check_param(*tunable, path, value);
+  }
+}
+
+void check_speeds(const GameSettings& game, const sim::TeamSpec& spec, std::string_view name) {
+  const double most_mps = sim::fastest_mps(game.sim);
+  for (const sim::RobotSpec& robot : spec.robots) {
+    const double robot_mps = sim::fastest_mps(robot);
+    if (robot_mps <= most_mps) continue;
+    throw SettingError(
+        "sim.substeps",
+        fmt::format(": a value of {} at {} frames per second limits all speeds to {:.4g} m/s, but "
+                    "robots of {} drive or kick at up to {:.4g} m/s; use more substeps",
+                    game.sim.substeps, game.sim.frame_rate_hz, most_mps, name, robot_mps));
+  }
+}
+
+void check_robots(const GameSettings& game, const TeamSettings& team, std::string_view name) {
+  const sim::TeamSpec spec = spec_of(game, team, name);
+  for (const auto& [number, player] : team.players) {
+    try {
+      sim::validate(spec.robots[static_cast<std::size_t>(number)]);
+    } catch (const OutOfRange& error) {
+      throw SettingError(fmt::format("{}.players.{}", name, number),
+                         fmt::format(": combined with the team's, {}", error.what()));
+    }
+  }
+  check_speeds(game, spec, name);
+}
+
+// Validates the part of the world with settings below `branch`.
+template <typename Part>
+void check_world(const std::string& branch, const Part& part) {
+  try {
+    sim::validate(part);
+  } catch (const OutOfRange& error) {
+    throw SettingError(branch + error.path(), error.text());
+  }
+}
+
+// The hash covers the values that types change, but not the types' names.
+bool is_given_by_changes(const Setting& setting) {
+  return std::holds_alternative<TypeName>(setting.target) ||
+         std::holds_alternative<ChangesOf>(setting.target) ||
+         std::holds_alternative<RobotTypes*>(setting.target);
+}
+
+// The values of a team's or a player's robots that differ from the game's.
+template <typename Of>
+std::string robots_text(const GameSettings& game, std::string_view path, const Of& of) {
+  std::string text;
+  for (const auto& [name, value] : merged(game.types, of.type, of.changes)) {
+    text += fmt::format("{}.{}={}\n", path, name, spelt(value));
+  }
+  return text;
+}
+
+std::string team_text(const GameSettings& game, std::string_view path, const TeamSettings& team) {
+  std::string text = robots_text(game, path, team);
+  for (const auto& [number, player] : team.players) {
+    text += robots_text(game, fmt::format("{}.players.{}", path, number), player);
+  }
+  return text;
+}
+
+std::string start_text(const GameSettings& game) {
+  if (!game.start) return "";
+  const StartState& start = *game.start;
+  std::string text;
+  const auto add = [&text](const auto&... values) {
+    ((text += fmt::format("{} ", values)), ...);
+    text += "\n";
+  };
+  for (const Side side : kSides) {
+    for (const sim::RobotState& robot : start.robots[side]) {
+      add(name_of(side), robot.number, robot.position_m.x(), robot.position_m.y(),
+          robot.heading.x(), robot.heading.y(), robot.velocity_mps.x(), robot.velocity_mps.y(),
+          robot.angular_velocity_radps);
+    }
+  }
+  const sim::BallState& ball = start.ball;
+  add("ball", ball.position_m.x(), ball.position_m.y(), ball.velocity_mps.x(),
+      ball.velocity_mps.y(), ball.height_m, ball.vertical_mps, ball.is_rolling);
+  const referee::Beginning& beginning = start.referee;
+  add(beginning.restart ? name_of(*beginning.restart) : "play", beginning.ball_m.x(),
+      beginning.ball_m.y(), beginning.is_stopped);
+  return text;
+}
+
+std::string scene_text(const GameSettings& game) {
+  if (!game.scene) return "";
+  std::string text =
+      fmt::format("scene {} {}", game.scene->lasts_s, fmt::join(game.scene->ends, ""));
+  SceneWeights::visit(game.scene->weights, [&text](double weight, const Parameter& /*about*/) {
+    text += fmt::format(" {}", weight);
+  });
+  return text + "\n";
+}
+
+// Of a program's files, what they contain belongs to the identity of a game, not how they are
+// named.
+bool names_no_content(const Setting& setting) {
+  const auto* text = std::get_if<FreeText>(&setting.target);
+  return setting.path.ends_with(".files") ||
+         (setting.path.ends_with(".files_hash") && text != nullptr && text->text->empty());
+}
+
+}  // namespace
+
+void check_team(const GameSettings& game, const TeamSettings& team, std::string_view path) {
+  refuse_two_teams(game, team, path.substr(path.rfind('.') + 1));
+  check_params(team, path);
+  check_robots(game, team, path);
+}
+
+void check_game(const GameSettings& game) {
+  if (game.match.control == referee::Control::kHuman ||
+      game.match.control == referee::Control::kNone) {
+    throw SettingError("match.control",
+                       ": in a simulated game autoref commands, or the game-controller; the others "
+                       "are for recorded games (autoref referee)");
+  }
+  check_team(game, game.a, "teams.a");
+  check_team(game, game.b, "teams.b");
+  check_world("", game.field);
+  check_world("sim.", game.sim);
+  check_world("sim.", game.robot);
+}
+
+std::uint64_t configuration_hash(const GameSettings& game) {
+  GameSettings copy = game;
+  std::string text;
+  // Hashes a canonical text, one line per setting, so the hash depends neither on memory layout nor
+  // on how the settings were given.
+  for (const Setting& setting : settings_of(copy)) {
+    if (is_alias(setting) || is_given_by_changes(setting) || names_no_content(setting)) continue;
+    text += fmt::format("{}={}\n", setting.path, value_of(setting));
+  }
+  text += team_text(game, "teams.a", game.a) + team_text(game, "teams.b", game.b);
+  text += start_text(game) + scene_text(game);
+  io::ByteHash hash;
+  hash.add(text);
+  return hash.value();
+}
+
+}  // namespace autoref::game

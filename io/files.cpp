@@ -1,0 +1,179 @@
+#include "io/files.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <system_error>
+#include <thread>
+
+#include "io/errors.hpp"
+#include "io/regular_file.hpp"
+#include "io/same_file.hpp"
+
+namespace autoref::io {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kLongestUserFile = 10'000'000;
+constexpr std::size_t kLongestFile = 4'000'000'000;
+constexpr double kPatience_s = 60;  // many shards may write their results at once
+
+InputOutputError cannot_write(const fs::path& path) {
+  return io_error(fmt::format("{} cannot be written", path.string()), errno);
+}
+
+// Closes a descriptor.
+class OpenInput {
+ public:
+  explicit OpenInput(int descriptor) : descriptor_(descriptor) {}
+  ~OpenInput() { close(descriptor_); }
+  OpenInput(const OpenInput&) = delete;
+  OpenInput& operator=(const OpenInput&) = delete;
+
+ private:
+  int descriptor_;
+};
+
+// Calls `take` with the content, piece by piece. Returns 0 or the error number: EFBIG if there are
+// more than `most` bytes (as in /dev/zero).
+int take_pieces(int descriptor, std::size_t most, const TakePiece& take) {
+  if (descriptor < 0) return errno;
+  const OpenInput input(descriptor);
+  std::array<char, 65536> buffer{};
+  std::size_t size = 0;
+  ssize_t count = 0;
+  while (size <= most && ((count = read(descriptor, buffer.data(), buffer.size())) > 0 ||
+                          (count < 0 && errno == EINTR))) {
+    if (count < 0) continue;
+    take({buffer.data(), static_cast<std::size_t>(count)});
+    size += static_cast<std::size_t>(count);
+  }
+  if (size > most) return EFBIG;
+  return count < 0 ? errno : 0;
+}
+
+TakePiece append_to(std::string& text) {
+  return [&text](std::string_view piece) { text += piece; };
+}
+
+}  // namespace
+
+std::string read_user_file(const fs::path& path) {
+  std::string text;
+  const int error_number =
+      take_pieces(open(path.c_str(), O_RDONLY | O_CLOEXEC), kLongestUserFile, append_to(text));
+  if (error_number == 0) return text;
+  throw InputError(
+      {path.string()}, "",
+      fmt::format("the file cannot be read: {}", std::generic_category().message(error_number)));
+}
+
+bool read_pieces(const fs::path& path, const TakePiece& take) {
+  const int error_number = take_pieces(open_regular_file(path, O_RDONLY), kLongestFile, take);
+  if (error_number == ENOENT) return false;
+  if (error_number == 0) return true;
+  throw io_error(fmt::format("{} cannot be read", path.string()), error_number);
+}
+
+std::optional<std::string> read_file(const fs::path& path) {
+  std::string text;
+  return read_pieces(path, append_to(text)) ? std::optional(std::move(text)) : std::nullopt;
+}
+
+void write_all(int descriptor, std::string_view text, const fs::path& path) {
+  while (!text.empty()) {
+    const ssize_t count = write(descriptor, text.data(), text.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) throw cannot_write(path);
+    text.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+PendingFile::PendingFile(fs::path path, FileKind kind, double patience_s)
+    : path_(std::move(path)), part_(path_) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path_, error);
+  const bool is_own = kind == FileKind::kFile;
+  if (is_own || !fs::exists(status) || fs::is_regular_file(status)) part_ += ".part";
+  if (is_direct()) {
+    descriptor_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor_ < 0) throw cannot_write(path_);
+  } else {
+    wait_for_part(patience_s);
+  }
+}
+
+// The temporary file always has the same name, so leftovers of a killed process are overwritten. A
+// lock (flock) distinguishes them from a file that another process is still writing.
+void PendingFile::wait_for_part(double patience_s) {
+  const auto until = Clock::now() + std::chrono::duration<double>(patience_s);
+  while (!take_part()) {
+    if (Clock::now() > until) {
+      throw InputOutputError(
+          fmt::format("{} is in use: another process writes {}", part_.string(), path_.string()));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+bool PendingFile::take_part() {
+  descriptor_ = open_regular_file(part_, O_WRONLY | O_CREAT | O_NOFOLLOW);
+  if (descriptor_ < 0) throw cannot_write(path_);
+  const bool is_locked = flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
+  const bool is_busy = !is_locked && (errno == EWOULDBLOCK || errno == EINTR);
+  // The previous holder of the lock may have renamed or removed the file in the meantime.
+  const bool is_gone = is_locked && !is_open_as(part_, descriptor_);
+  if (is_locked && !is_gone && ftruncate(descriptor_, 0) == 0) return true;
+  const int error_number = errno;
+  close(descriptor_);
+  descriptor_ = -1;
+  if (is_busy || is_gone) return false;
+  throw io_error(fmt::format("{} cannot be written", path_.string()), error_number);
+}
+
+PendingFile::~PendingFile() {
+  if (descriptor_ < 0) return;
+  // Unlink while the lock is held: afterwards the name may already belong to another process.
+  if (!is_direct()) unlink(part_.c_str());
+  close(descriptor_);
+}
+
+void PendingFile::commit(std::string_view text) {
+  write_all(descriptor_, text, path_);
+  if (is_direct()) return;
+  // rename() replaces the file atomically: readers see either the old or the new content, never a
+  // part of it. Without fsync(), a power failure could leave an empty file under that name.
+  if (fsync(descriptor_) != 0 || rename(part_.c_str(), path_.c_str()) != 0) {
+    throw cannot_write(path_);
+  }
+  close(descriptor_);
+  descriptor_ = -1;
+}
+
+void replace_file(const fs::path& path, std::string_view text) {
+  if (read_file(path) == text) return;
+  PendingFile file(path, FileKind::kFile, kPatience_s);
+  // Another run of the same experiment may just have written the same content.
+  if (read_file(path) != text) file.commit(text);
+}
+
+void create_folder(const fs::path& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (!error && !fs::is_directory(path, error) && !error) {
+    error = std::make_error_code(std::errc::not_a_directory);
+  }
+  if (error) {
+    throw InputOutputError(
+        fmt::format("the folder {} cannot be created: {}", path.string(), error.message()));
+  }
+}
+
+}  // namespace autoref::io

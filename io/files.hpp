@@ -1,0 +1,69 @@
+// Files that are read as a whole, and files that appear complete or not at all.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace autoref::io {
+
+// Returns the content of a file named by the user, which may be a pipe. Throws InputError if it
+// cannot be read.
+std::string read_user_file(const std::filesystem::path& path);
+
+// Returns the content of one of AutoRef's own files, or nullopt if it does not exist. Throws
+// InputOutputError on other failures, as if another program has replaced it by a FIFO.
+std::optional<std::string> read_file(const std::filesystem::path& path);
+
+// Receives a part of a file's content.
+using TakePiece = std::function<void(std::string_view piece)>;
+
+// As read_file(), but passes the content on in pieces. Returns false if the file does not exist.
+bool read_pieces(const std::filesystem::path& path, const TakePiece& take);
+
+// Writes all of `text` to a descriptor. Throws InputOutputError naming `path`.
+void write_all(int descriptor, std::string_view text, const std::filesystem::path& path);
+
+// What may have a file's name.
+enum class FileKind {
+  kFile,        // in one of AutoRef's folders
+  kFileOrPipe,  // named by the user: also a pipe, or a device such as /dev/stdout
+};
+
+// New content for a file, which appears under its final name only at commit(). If the user names
+// something else (a pipe or /dev/stdout, for example), commit() writes to it directly. A process
+// killed before commit() leaves `path`.part behind, which the next process overwrites.
+class PendingFile {
+ public:
+  // Throws InputOutputError if the file cannot be created, or if another process is still writing
+  // it after `patience_s`.
+  explicit PendingFile(std::filesystem::path path, FileKind kind = FileKind::kFile,
+                       double patience_s = 2);
+  ~PendingFile();
+  PendingFile(const PendingFile&) = delete;
+  PendingFile& operator=(const PendingFile&) = delete;
+
+  // For content that is not written at once. Valid until commit().
+  int descriptor() const { return descriptor_; }
+
+  void commit(std::string_view text = {});
+
+ private:
+  bool is_direct() const { return part_ == path_; }
+  void wait_for_part(double patience_s);
+  bool take_part();  // returns false if another process holds the temporary file
+
+  std::filesystem::path path_;
+  std::filesystem::path part_;  // temporary file, renamed at commit()
+  int descriptor_ = -1;
+};
+
+// Replaces a file's content. Does not touch the file if it already has this content.
+void replace_file(const std::filesystem::path& path, std::string_view text);
+
+// Creates a folder and its parents. Throws InputOutputError.
+void create_folder(const std::filesystem::path& path);
+
+}  // namespace autoref::io

@@ -1,0 +1,91 @@
+// Totals of a referee's evaluation over many games.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/results/call_evaluation.hpp"
+#include "experiments/statistics/interval.hpp"
+#include "game/loop/game.hpp"
+#include "judge/reliability.hpp"
+
+namespace autoref::judge {
+
+// An event that happened less often is rare: its measures are uncertain by several hundredths.
+inline constexpr int kRareEvents = 100;
+
+// One event with one rule book and one camera. An early call counts as happened, called and right.
+struct EventTally {
+  int right = 0;
+  int missed = 0;  // happened but was not called
+  int wrong = 0;   // called but did not happen
+  int early = 0;   // right calls of events that could no longer happen, since play was stopped
+  int before = 0;  // right calls that came before an event that did happen
+  int borderline_missed = 0;
+  int borderline_wrong = 0;
+  int overtaken = 0;  // happened when another right call ended play; not counted elsewhere
+  int in_air = 0;     // events and wrong calls with the ball in the air
+  std::vector<double> delays_s;
+  std::vector<double> errors_m;
+
+  int happened() const { return right + missed; }
+  int calls() const { return right + wrong; }
+  bool is_rare() const { return happened() < kRareEvents; }
+  // nullopt if undefined: nothing was called, nothing happened, or neither.
+  std::optional<double> precision() const;
+  std::optional<double> recall() const;
+  std::optional<double> f1() const;
+  // Their 95 % confidence intervals: Wilson's, and that of f1_interval.hpp.
+  std::optional<experiments::Interval> precision_interval() const;
+  std::optional<experiments::Interval> recall_interval() const;
+  std::optional<experiments::Interval> f1_interval() const;
+  // Score in the league's technical challenge of 2016: +1 for a right call, -2 for a wrong one.
+  int score() const { return right - 2 * wrong; }
+
+  void add(const experiments::CallVerdict& verdict);
+  void add(const EventTally& other);
+};
+
+// Whether a right call came before its event. Events foreseen when play was stopped do not count.
+bool is_before_event(const experiments::CallVerdict& verdict);
+
+// The smallest value that at least the fraction `share` of the sample does not exceed; nullopt if
+// the sample is empty.
+std::optional<double> quantile(std::vector<double> sample, double share);
+
+// The name of the rule book in tallies pooled over all rule books.
+inline constexpr const char* kAllRules = "all";
+
+// All games with one master seed, one rule book and one camera.
+struct CameraTally {
+  std::string seeds;  // name of the master seed
+  std::string rules;
+  std::string camera;
+  int games = 0;
+  int void_games = 0;
+  std::map<std::string, EventTally> events;  // by name
+  // By the team that truly touched the ball: at all exits, and at contested ones.
+  std::array<experiments::LastTouchTally, 2> last_touch;
+  std::array<experiments::LastTouchTally, 2> contested_touch;
+  Reliability reliability;
+
+  void add(const game::GameRecord& record, const experiments::CallEvaluation& evaluation);
+  void add(const CameraTally& other);
+};
+
+// Last touches of both teams as an event: a touch that was attributed to the wrong team was missed
+// and is a wrong call; an unknown one was missed.
+EventTally touch_tally(const std::array<experiments::LastTouchTally, 2>& by_team);
+
+// The referee's names of calls, in the order of referee/event.hpp, and of all evaluated events.
+std::vector<std::string> call_names();
+std::vector<std::string> judged_names();
+
+// Returns whether recognising the event requires the ball's height.
+bool needs_height(std::string_view event);
+
+}  // namespace autoref::judge

@@ -1,0 +1,44 @@
+// Judged games as rows of a results folder.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/kinds/judge/judge_schedule.hpp"
+#include "experiments/run/outcomes.hpp"
+#include "experiments/run/program_files.hpp"
+#include "experiments/run/result_folder.hpp"
+#include "judge/evaluate_calls.hpp"
+#include "judge/judge_report.hpp"
+
+namespace autoref::judge {
+
+// Fills the row of a judged game. The game is void if its evaluation is too long for a row.
+void keep(JudgedGame judged, experiments::GameRow& row);
+
+// Plays a game, evaluates its referee and fills its row. Throws what play() and the programs' files
+// throw.
+void play_judged(const game::GameConfiguration& game, game::GamePrograms& programs,
+                 experiments::GameRow& row);
+
+// How `autoref judge` plays its games, and the table that it shows meanwhile. `folder` takes what
+// programs leave.
+experiments::Outcomes judged_outcomes(const experiments::JudgeSchedule& schedule,
+                                      const std::filesystem::path& folder);
+
+JudgeReport report_of(const experiments::ResultFolder& folder);
+
+// A game found in a folder by look_up().
+struct LookedUp {
+  std::string game_id;
+  std::string fault;  // "missed throw_in of west at 12.345 s"; empty if a game was requested
+};
+
+// Finds a game by a fault's id or by its name in faults.csv, such as
+// "2014+none+basic~basic-p0002-1-f3" or "2014 none basic~basic 3"; nullopt if the folder has no
+// such game or fault.
+std::optional<LookedUp> look_up(const experiments::ResultFolder& folder, const std::string& id);
+
+}  // namespace autoref::judge

@@ -1,0 +1,147 @@
+// Robots at illegal positions when the ball enters play from a restart.
+#include <algorithm>
+#include <cmath>
+
+#include "judge/truth/ground_truth_rules.hpp"
+#include "judge/truth/outline.hpp"
+#include "soccer/robot_shape.hpp"
+#include "soccer/units.hpp"
+
+namespace autoref::judge::ground_truth {
+namespace {
+
+// The ball's radius: the rules leave open whether distances end at its centre or its surface.
+constexpr double kEntryMargin_m = 25_mm;
+
+// The robot that violates its position most.
+struct Worst {
+  std::optional<RobotId> robot;
+  Vec2 position_m{0, 0};
+  double excess_m = -kEntryMargin_m;
+
+  void consider(RobotId id, const sim::RobotState& state, double its_excess_m) {
+    if (its_excess_m <= excess_m) return;
+    robot = id;
+    position_m = state.position_m;
+    excess_m = its_excess_m;
+  }
+};
+
+// Counts how often the current restart has been retaken in a row. A restart is retaken at most
+// three times; after that, play continues wherever the robots are.
+class Retakes {
+ public:
+  void enter(const Play& play) {
+    const bool is_again = was_wrong_ && play.stops == stops_ + 1 && play.restart == restart_;
+    count_ = is_again ? count_ + 1 : 0;
+    stops_ = play.stops;
+    restart_ = play.restart;
+    was_wrong_ = false;
+  }
+  void be_wrong() { was_wrong_ = true; }
+  bool may_be_taken_again() const { return count_ < kMost; }
+
+ private:
+  static constexpr int kMost = 3;
+  int count_ = 0;
+  int stops_ = 0;  // stop in which it was last taken
+  Command restart_;
+  bool was_wrong_ = false;
+};
+
+class PositionsAtEntry final : public GroundTruthRule {
+ public:
+  void watch(const Scene& scene, TrueEvents& all) override {
+    if (!scene.play.entered_now || !scene.play.taker || scene.play.is_penalty()) return;
+    const Side taker = *scene.play.taker;
+    const std::size_t reported = all.size();
+    retakes_.enter(scene.play);
+    const bool is_2026 = scene.rules.edition == Edition::kRules2026;
+    if (scene.rules.has(RuleId::kAttackerTooCloseToDefenseArea) && !is_2026)
+      near_area(scene, taker, all);
+    if (scene.rules.has(RuleId::kDefenderTooCloseToKickPoint) && !is_2026)
+      near_ball(scene, taker, all);
+    if (scene.rules.has(RuleId::kKickoffPositions) && scene.play.is_kickoff()) half(scene, all);
+    note_breaches(reported, all);
+  }
+
+ private:
+  // Looks for violations that cause a retake, from index `reported` on; removes them if no more
+  // retakes are allowed.
+  void note_breaches(std::size_t reported, TrueEvents& all) {
+    const auto is_breach = [](const TrueEvent& event) {
+      return event.standing == Standing::kTrue &&
+             (event.name == "defender_too_close_to_kick_point" ||
+              event.name == "kickoff_positions");
+    };
+    const auto from = all.begin() + static_cast<std::ptrdiff_t>(reported);
+    if (!std::any_of(from, all.end(), is_breach)) return;
+    if (retakes_.may_be_taken_again()) {
+      retakes_.be_wrong();
+    } else {
+      all.erase(std::remove_if(from, all.end(), is_breach), all.end());
+    }
+  }
+
+  static void add(const Scene& scene, std::string_view name, const Worst& worst, TrueEvents& all) {
+    if (!worst.robot) return;
+    add_measured(all, {name, scene.time_s, worst.robot->side, worst.robot, worst.position_m},
+                 worst.excess_m, kEntryMargin_m);
+  }
+
+  // "A member of the kicker's team" (Laws 2014, law 9); "each robot" (the paper, section 4.2), of
+  // which one call is enough for both sides, and the side taking the kick is checked first.
+  static void near_area(const Scene& scene, Side taker, TrueEvents& all) {
+    for (const Side side : {taker, opponent_of(taker)}) {
+      if (side != taker && scene.rules.edition == Edition::kLaws2014) return;
+      Worst worst;
+      for_each_robot(scene.now, side, [&](RobotId id, const sim::RobotState& robot) {
+        const Reach reach = reach_to_area(scene.field, opponent_of(side), robot);
+        worst.consider(id, robot, scene.rules.attacker_to_area_m - reach.nearest_m);
+      });
+      add(scene, "attacker_too_close_to_defense_area", worst, all);
+      if (worst.excess_m > 0) return;
+    }
+  }
+
+  // Checks positions just before the kick; distances are measured from the ball's original
+  // position.
+  static void near_ball(const Scene& scene, Side taker, TrueEvents& all) {
+    Worst worst;
+    for_each_robot(scene.before, opponent_of(taker), [&](RobotId id, const auto& robot) {
+      const double gap_m =
+          distance_to_hull(scene.play.ball_from_m, robot.position_m, robot.heading);
+      worst.consider(id, robot, scene.rules.opponents_to_ball_m - gap_m);
+    });
+    worst.position_m = scene.play.ball_from_m;
+    add(scene, "defender_too_close_to_kick_point", worst, all);
+  }
+
+  // The kicker may be beyond the halfway line. If both sides are wrong, neither is solely at fault.
+  static void half(const Scene& scene, TrueEvents& all) {
+    Worst worst;
+    PerSide<bool> is_wrong;
+    for_each_robot(scene.before, [&](RobotId id, const sim::RobotState& robot) {
+      if (scene.ball.first() && scene.ball.first()->robot == id) return;
+      if (!is_on_field(scene.field, robot.position_m)) return;
+      const double beyond_m = reach_into_half(opponent_of(id.side), robot).nearest_m;
+      is_wrong[id.side] = is_wrong[id.side] || beyond_m > 0;
+      worst.consider(id, robot, beyond_m);
+    });
+    const std::size_t reported = all.size();
+    add(scene, "kickoff_positions", worst, all);
+    if (all.size() == reported) return;
+    all.back().position_m = scene.play.ball_from_m;
+    if (is_wrong[Side::kWest] && is_wrong[Side::kEast]) all.back().offender.reset();
+  }
+
+  Retakes retakes_;
+};
+
+}  // namespace
+
+std::unique_ptr<GroundTruthRule> positions_at_entry() {
+  return std::make_unique<PositionsAtEntry>();
+}
+
+}  // namespace autoref::judge::ground_truth

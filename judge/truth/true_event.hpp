@@ -1,0 +1,45 @@
+// An event that truly happened according to the rules, derived from the exact state of the world.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "soccer/geometry.hpp"
+#include "soccer/side.hpp"
+
+namespace autoref::judge::ground_truth {
+
+// How certain it is that the event happened.
+enum class Standing : std::uint8_t {
+  kTrue,
+  kPrevented,  // was about to happen when the referee ended play, so it cannot be verified
+  kNearMiss,   // did not happen, but was within the margin given in the rule's file
+};
+
+struct TrueEvent {
+  std::string_view name;  // as in referee/decision.hpp
+  double time_s = 0;
+  std::optional<Side> offender{};  // at fault; nullopt if nobody or both are
+  std::optional<RobotId> robot{};
+  std::optional<Vec2> position_m{};
+  Standing standing = Standing::kTrue;
+  bool is_borderline = false;  // happened, but by less than the same margin
+  bool is_in_air = false;      // the ball was in the air: a referee without heights must guess
+  std::string_view or_name{};  // the event may as well be called this
+  bool is_counted = true;      // towards a card, if the foul is one that counts
+};
+
+using TrueEvents = std::vector<TrueEvent>;
+
+// Adds `event` depending on how far it is beyond its threshold (`excess`, in the threshold's unit):
+// as true above 0, as a near miss above `-margin`, otherwise not at all.
+inline void add_measured(TrueEvents& all, TrueEvent event, double excess, double margin) {
+  if (!(excess > -margin)) return;
+  event.standing = excess > 0 ? Standing::kTrue : Standing::kNearMiss;
+  event.is_borderline = excess > 0 && excess <= margin;
+  all.push_back(event);
+}
+
+}  // namespace autoref::judge::ground_truth

@@ -1,0 +1,188 @@
+#include "live/controller/controlled_game.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "game/loop/game.hpp"
+#include "game/loop/game_event.hpp"
+#include "io/errors.hpp"
+#include "league/field_message.hpp"
+#include "league/referee_message.hpp"
+#include "league/tracker_message.hpp"
+#include "live/controller/ci_connection.hpp"
+#include "live/controller/controller_client.hpp"
+#include "live/controller/controller_differences.hpp"
+#include "live/controller/controller_operator.hpp"
+#include "live/controller/placement_watch.hpp"
+#include "live/published_tracks.hpp"
+#include "logs/logged_cameras.hpp"
+#include "soccer/published.hpp"
+
+namespace autoref::live {
+namespace {
+
+// Of the first frame on the controller's clock: 1 January 2026.
+constexpr double kStart_s = 1767225600;
+constexpr double kGeometryEvery_s = 1;
+constexpr std::chrono::milliseconds kLongestReply{500};  // to an event
+constexpr std::chrono::seconds kLongestRegistration{5};
+constexpr std::chrono::milliseconds kPoll{1};
+
+bool is_free_kick_or_force_start(const std::optional<Command>& command) {
+  return command &&
+         (command->kind == CommandKind::kForceStart || command->kind == CommandKind::kDirectFree ||
+          command->kind == CommandKind::kIndirectFree);
+}
+
+bool is_before_restart(CommandKind kind) {
+  return kind == CommandKind::kHalt || kind == CommandKind::kStop ||
+         kind == CommandKind::kPrepareKickoff || kind == CommandKind::kPreparePenalty ||
+         kind == CommandKind::kBallPlacement;
+}
+
+}  // namespace
+
+class ControlledGame::Impl final : public game::Observer {
+ public:
+  Impl(const game::GameConfiguration& game, const ControllerPlace& place,
+       std::function<void()> check)
+      : game_(game),
+        check_(std::move(check)),
+        connection_(place.ci),
+        autoref_(thread_, {place.ci.host, place.autoref_port}, "AutoRef"),
+        operator_(game) {
+    if (game.match.knockout)
+      throw io::InputError({"--game-controller"}, "", "games with extra time are not supported");
+    league::fill_geometry(game.field, logs::logged_cameras(game), geometry_);
+  }
+
+  game::GameRecord play(game::Observers observers, game::GamePrograms& programs) {
+    await([this] { return autoref_.status().is_registered; }, kLongestRegistration);
+    observers.add(this);
+    game::Game game(game_, observers, programs.maker());
+    exchange(game, operator_.set_up(requests_));
+    do {
+      check_();
+      programs.before_step(game);
+      if (!game.begin_step()) break;
+      report_events(game);
+      exchange(game, operator_.act(packet_, signal_, game.tracks()));
+      differences_.add(packet_, signal_, game.frame().time_s);
+    } while (game.end_step());
+    return game.record();
+  }
+
+  ControlledGameReport report() const {
+    const ControllerStatus status = autoref_.status();
+    return {status.counts.accepted, status.counts.rejected,
+            static_cast<std::int64_t>(status.waiting) + status.counts.dropped, status.problem,
+            differences_.text()};
+  }
+
+  void on_requests(const PerSide<TeamRequests>& requests) override { requests_ = requests; }
+  void on_decision(const referee::Decision& decision) override {
+    operator_.on_decision(decision);
+    differences_.on_decision(decision);
+    if (std::optional<GameEvent> event = game::game_event_of(decision, kStart_s))
+      events_.push_back(*std::move(event));
+  }
+
+ private:
+  // Waits until the condition holds, at most for that time.
+  template <typename Condition>
+  void await(const Condition& condition, std::chrono::milliseconds longest) {
+    const auto deadline = std::chrono::steady_clock::now() + longest;
+    while (!condition() && std::chrono::steady_clock::now() < deadline) {
+      check_();
+      std::this_thread::sleep_for(kPoll);
+    }
+  }
+
+  // The controller's clock stands still until it has answered, so that it counts an event from the
+  // frame in which it was reported.
+  void report_events(const game::Game& game) {
+    if (std::optional<GameEvent> event = placement_.update(signal_, game.tracks()))
+      events_.push_back(*std::move(event));
+    if (events_.empty()) return;
+    for (const GameEvent& event : events_) autoref_.report(event);
+    sent_ += static_cast<std::int64_t>(events_.size());
+    events_.clear();
+    const auto is_answered = [this] {
+      const ControllerStatus status = autoref_.status();
+      return status.counts.accepted + status.counts.rejected + status.counts.dropped >= sent_;
+    };
+    await(is_answered, kLongestReply);
+  }
+
+  void exchange(game::Game& game, const ControllerOperator::Inputs& inputs) {
+    league::CiInput input;
+    const Tracks& tracks = game.tracks();
+    input.set_timestamp(std::llround((kStart_s + tracks.time_s) * 1e9));
+    *input.mutable_api_inputs() = inputs;
+    const bool is_turned = !signal_.blue_on_positive_half;
+    league::fill_tracker(is_turned ? turned(tracks) : tracks, source_, kStart_s + tracks.time_s,
+                         *input.mutable_tracker_packet());
+    if (tracks.time_s >= geometry_due_s_) {
+      *input.mutable_geometry() = geometry_;
+      geometry_due_s_ = tracks.time_s + kGeometryEvery_s;
+    }
+    take(connection_.exchange(input), game);
+  }
+
+  void take(const league::CiOutput& output, game::Game& game) {
+    std::optional<RefereeSignal> signal = league::signal_of(output.referee_msg());
+    if (!signal)
+      throw io::InputError({"--game-controller"}, "",
+                           "the game controller sent a command or stage that is not the league's");
+    packet_ = output.referee_msg();
+    const bool is_new = signal->command_counter != signal_.command_counter;
+    const double command_s = is_new ? game.frame().time_s : signal_.command_time_s;
+    signal_ = published(*std::move(signal));
+    signal_.command_time_s = command_s;
+    set_placement();
+    game.follow(signal_);
+  }
+
+  // The controller names a position during play as well.
+  void set_placement() {
+    if (!is_before_restart(signal_.command.kind)) signal_.placement.reset();
+    if (!signal_.placement) return;
+    const bool teams_place = game_.match.placement == referee::PlacedBy::kTeams &&
+                             (signal_.command.kind == CommandKind::kBallPlacement ||
+                              is_free_kick_or_force_start(signal_.next_command));
+    signal_.placement->by_hand = !teams_place;
+  }
+
+  game::GameConfiguration game_;
+  std::function<void()> check_;
+  NetworkThread thread_;
+  CiConnection connection_;
+  ControllerClient autoref_;
+  ControllerOperator operator_;
+  ControllerDifferences differences_;
+  PlacementWatch placement_;
+  league::Geometry geometry_;
+  league::TrackerSource source_{"00000000-0000-4000-8000-000000000000", "AutoRef"};
+  double geometry_due_s_ = 0;
+  PerSide<TeamRequests> requests_;
+  std::vector<GameEvent> events_;  // to report
+  std::int64_t sent_ = 0;
+  league::RefereePacket packet_;  // the controller's newest message
+  RefereeSignal signal_;          // in the program's coordinates
+};
+
+ControlledGame::ControlledGame(const game::GameConfiguration& game, const ControllerPlace& place,
+                               std::function<void()> check)
+    : impl_(std::make_unique<Impl>(game, place, std::move(check))) {}
+ControlledGame::~ControlledGame() = default;
+
+game::GameRecord ControlledGame::play(game::Observers observers, game::GamePrograms& programs) {
+  return impl_->play(std::move(observers), programs);
+}
+
+ControlledGameReport ControlledGame::report() const { return impl_->report(); }
+
+}  // namespace autoref::live

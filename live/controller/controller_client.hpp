@@ -1,0 +1,43 @@
+// Connects to the league's game controller and reports game events to it.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "live/controller/controller_session.hpp"
+#include "live/network/network.hpp"
+
+namespace autoref::live {
+
+inline constexpr int kControllerPort = 10007;
+
+struct ControllerStatus {
+  bool is_registered = false;
+  std::size_t waiting = 0;  // events
+  ControllerCounts counts;
+  std::string problem;      // of the last connection; empty: none
+  std::int64_t losses = 0;  // connections that ended
+};
+
+// Works in the network's thread. After a lost or refused connection it tries again every second.
+class ControllerClient {
+ public:
+  // `host` is an IPv4 address; empty: not known yet (set_host()).
+  ControllerClient(NetworkThread& thread, const Address& controller, std::string identifier);
+  ~ControllerClient();  // sends events that wait, for at most a second
+  ControllerClient(const ControllerClient&) = delete;
+  ControllerClient& operator=(const ControllerClient&) = delete;
+
+  // Connects to this host from now on, unless it is the present one.
+  void set_host(const std::string& host);
+
+  void report(const GameEvent& event);
+
+  ControllerStatus status() const;
+
+ private:
+  class Impl;
+  std::shared_ptr<Impl> impl_;
+};
+
+}  // namespace autoref::live

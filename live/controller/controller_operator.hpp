@@ -1,0 +1,62 @@
+// Does at the league's game controller what a person would do there.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "game/loop/configuration.hpp"
+#include "league/messages/game_controller.pb.h"
+#include "referee/decision.hpp"
+#include "soccer/referee_signal.hpp"
+#include "soccer/side.hpp"
+#include "soccer/team_requests.hpp"
+#include "soccer/tracks.hpp"
+
+namespace autoref::live {
+
+// Sets up the match, resumes from halts, confirms goals, starts kick-offs and penalty kicks, and
+// ends stages. It decides from the controller's messages and its own state, and does one thing a
+// second at most; what had no effect is done again.
+class ControllerOperator {
+ public:
+  using Inputs = google::protobuf::RepeatedPtrField<league::ControllerInput>;
+
+  explicit ControllerOperator(const game::GameConfiguration& game);
+
+  // Before the first frame: a new match with these teams, continued by the controller itself where
+  // it can.
+  Inputs set_up(const PerSide<TeamRequests>& requests) const;
+
+  // AutoRef's decision on a shot at goal is what it answers when the controller asks.
+  void on_decision(const referee::Decision& decision);
+
+  // Once per frame: what to do now, with the controller's newest message and the signal in it.
+  Inputs act(const league::RefereePacket& packet, const RefereeSignal& signal,
+             const Tracks& tracks);
+
+ private:
+  using Action = league::ContinueAction;
+
+  std::optional<Action::Type> next_action(const league::RefereePacket& packet,
+                                          const RefereeSignal& signal, const Tracks& tracks);
+  void take_time(const RefereeSignal& signal, double now_s);
+  std::optional<Action::Type> in_halt(const league::RefereePacket& packet);
+  std::optional<Action::Type> at_restart(const RefereeSignal& signal, const Tracks& tracks) const;
+  bool is_half_over(Stage stage) const;
+
+  game::GameConfiguration game_;
+  double now_s_ = 0;
+  std::optional<double> before_s_;  // of the frame before
+  std::optional<Stage> stage_;
+  double stage_s_ = 0;  // time spent in the stage; of a half, time played
+  std::uint32_t command_counter_ = 0;
+  double command_s_ = 0;  // when the command was first seen
+  double acted_s_ = -1;   // when it last did something
+  bool is_goal_valid_ = true;
+  std::string decided_goal_;  // the event of the last goal that was accepted or rejected
+  int halted_ = 0;            // attempts to resume from the present halt
+  int for_team_ = 0;          // of the next action
+};
+
+}  // namespace autoref::live

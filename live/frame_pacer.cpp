@@ -1,0 +1,55 @@
+#include "live/frame_pacer.hpp"
+
+#include <ctime>
+
+#include <algorithm>
+
+namespace autoref::live {
+namespace {
+
+constexpr std::chrono::seconds kLongestDelay{1};
+constexpr std::chrono::milliseconds kLongestSleep{50};
+
+}  // namespace
+
+// An absolute time: an interrupted sleep goes on without drift.
+void SteadyFrameClock::sleep_until(Time time) {
+  const auto since_epoch =
+      std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch()).count();
+  const timespec until{static_cast<time_t>(since_epoch / 1'000'000'000),
+                       static_cast<long>(since_epoch % 1'000'000'000)};
+  clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
+}
+
+FramePacer::FramePacer(FrameClock& clock, double frames_per_s)
+    : clock_(&clock), period_(1 / frames_per_s), start_(clock.now()) {}
+
+void FramePacer::set_rate(double frames_per_s) {
+  period_ = std::chrono::duration<double>(1 / frames_per_s);
+  start_ = clock_->now();
+  frames_ = 0;
+}
+
+FrameClock::Time FramePacer::due() const {
+  return start_ + std::chrono::duration_cast<FrameClock::Time::duration>(
+                      period_ * static_cast<double>(frames_));
+}
+
+void FramePacer::wait(const std::function<void()>& meanwhile) {
+  ++frames_;
+  while (clock_->now() < due()) {
+    clock_->sleep_until(std::min(due(), clock_->now() + kLongestSleep));
+    if (meanwhile && clock_->now() < due()) meanwhile();
+  }
+  const auto delay = clock_->now() - due();
+  ++punctuality_.frames;
+  punctuality_.late += delay > kLate ? 1 : 0;
+  punctuality_.worst_ms =
+      std::max(punctuality_.worst_ms, std::chrono::duration<double, std::milli>(delay).count());
+  if (delay <= kLongestDelay) return;
+  ++punctuality_.restarts;
+  start_ = clock_->now();
+  frames_ = 0;
+}
+
+}  // namespace autoref::live

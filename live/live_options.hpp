@@ -1,0 +1,45 @@
+// How a live game uses the network.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "live/network/network.hpp"
+
+namespace autoref::live {
+
+// What sets the pace of a live game: the clock, the network teams' packets (as fast as they
+// answer), or their SimulationSyncRequests.
+enum class Pace : std::uint8_t { kClock, kPackets, kLockStep };
+
+struct LiveSpeed {
+  Pace pace = Pace::kClock;
+  double factor = 1;  // of real time, with Pace::kClock
+};
+
+// Ports as the league uses them. Port 0: closed.
+struct LivePorts {
+  int vision = 10006;
+  int referee = 10003;
+  int tracker = 10010;
+  int control = 10300;
+  int blue = 10301;
+  int yellow = 10302;
+  int grsim = 20011;
+  int grsim_status_blue = 30011;
+  int grsim_status_yellow = 30012;
+};
+
+struct LiveOptions {
+  LiveSpeed speed;
+  std::string interface = kLoopback;  // address of the interface
+  std::string unicast;                // host to send to instead of the multicast groups
+  LivePorts ports;
+  double lapse_s = 0.1;  // after this time without an update, a robot stands still
+  double answer_s = 10;  // with unlimited speed: the longest wait for a team
+};
+
+inline constexpr const char* kVisionGroup = "224.5.23.2";
+inline constexpr const char* kRefereeGroup = "224.5.23.1";
+
+}  // namespace autoref::live

@@ -1,0 +1,95 @@
+// Datagrams of the league's network. Nothing leaves this computer unless an interface is chosen.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace autoref::live {
+
+inline constexpr const char* kLoopback = "127.0.0.1";
+// The longest datagram that is read; longer ones are counted and dropped.
+inline constexpr std::size_t kLongestDatagram = 8192;
+// The longest one that can be sent over IPv4.
+inline constexpr std::size_t kLongestSent = 65'507;
+
+struct Address {
+  std::string host;  // IPv4, in numbers
+  int port = 0;
+};
+
+// Where packets for all hosts of the interface's network are sent to; nullopt if it has no such
+// address.
+std::optional<std::string> broadcast_address(const std::string& interface);
+
+// A thread that waits for packets and timers. All functions that it calls must return soon.
+class NetworkThread {
+ public:
+  NetworkThread();
+  ~NetworkThread();  // stops the thread
+  NetworkThread(const NetworkThread&) = delete;
+  NetworkThread& operator=(const NetworkThread&) = delete;
+
+  class Context;  // network_context.hpp
+  Context& context() { return *context_; }
+
+ private:
+  std::unique_ptr<Context> context_;
+};
+
+// Sends datagrams to a multicast group, to a host or to all hosts of a network, without ever
+// waiting: what the system cannot take at once is dropped and counted. Multicast goes to one
+// interface only, and no further than its own network.
+class DatagramSender {
+ public:
+  // `interface` is the address of the interface to send on. Throws InputError if an address is
+  // wrong or not this computer's.
+  DatagramSender(const std::string& interface, const Address& to);
+  ~DatagramSender();
+  DatagramSender(DatagramSender&&) noexcept;
+  DatagramSender& operator=(DatagramSender&&) noexcept;
+
+  void send(std::string_view bytes);
+  std::int64_t dropped() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+// Reads datagrams at a port, or those of a multicast group.
+class DatagramReceiver {
+ public:
+  // Called in the network's thread. What it returns is sent back to the sender: an empty message,
+  // too, is an answer.
+  using Handler =
+      std::function<std::optional<std::string>(std::string_view bytes, const Address& from)>;
+
+  // Port 0: any free port. For a group, `group` is its address, otherwise empty. Throws InputError
+  // if the port is in use or an address is wrong; `flag` is the option that would change it.
+  struct Place {
+    std::string interface = kLoopback;
+    std::string group = {};
+    int port = 0;
+    std::string flag = {};
+  };
+  DatagramReceiver(NetworkThread& thread, const Place& place, Handler handler);
+  ~DatagramReceiver();  // after this, the handler is not called any more
+  DatagramReceiver(DatagramReceiver&&) noexcept;
+  DatagramReceiver& operator=(DatagramReceiver&&) noexcept;
+
+  // Sends a datagram from this port; may be called in any thread.
+  void send(std::string bytes, const Address& to);
+
+  int port() const;
+  std::int64_t oversized() const;  // datagrams dropped because of their length
+
+ private:
+  class Impl;
+  std::shared_ptr<Impl> impl_;
+};
+
+}  // namespace autoref::live

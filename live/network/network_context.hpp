@@ -1,0 +1,40 @@
+// The Asio context of a NetworkThread, for the few files that use Asio.
+#pragma once
+
+#include <utility>  // Boost 1.74 needs it before Asio
+
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/io_context.hpp>
+#include <csignal>
+#include <thread>
+
+#include "live/network/network.hpp"
+
+namespace autoref::live {
+
+class NetworkThread::Context {
+ public:
+  Context() : thread_([this] { run(); }) {}
+  ~Context() {
+    io.stop();
+    thread_.join();
+  }
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  boost::asio::io_context io{1};
+
+ private:
+  // Leaves signals to the main thread.
+  void run() {
+    sigset_t all{};
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, nullptr);
+    io.run();
+  }
+
+  boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work_{io.get_executor()};
+  std::thread thread_;
+};
+
+}  // namespace autoref::live

@@ -1,0 +1,173 @@
+#include "live/network/stream_server.hpp"
+
+#include "live/network/stream_connection.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <future>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "io/errors.hpp"
+
+namespace autoref::live {
+namespace {
+
+using boost::asio::ip::tcp;
+using boost::system::error_code;
+
+constexpr std::chrono::milliseconds kAcceptPause{
+    100};  // after a connection that could not be accepted
+
+tcp::endpoint endpoint_of(const DatagramReceiver::Place& place) {
+  error_code error;
+  const auto address = boost::asio::ip::make_address_v4(place.interface, error);
+  if (error)
+    throw io::InputError(
+        {"--interface"}, "",
+        fmt::format("'{}' is not an IPv4 address such as 127.0.0.1", place.interface));
+  return {address, static_cast<unsigned short>(place.port)};
+}
+
+bool is_equal(const Address& one, const Address& other) {
+  return one.port == other.port && one.host == other.host;
+}
+
+}  // namespace
+
+// Kept alive by the asynchronous operations, so that they can end after their owner.
+class StreamServer::Impl : public std::enable_shared_from_this<StreamServer::Impl> {
+ public:
+  Impl(NetworkThread& thread, const DatagramReceiver::Place& place, Handler handler,
+       std::chrono::milliseconds silent)
+      : acceptor_(thread.context().io),
+        pause_(thread.context().io),
+        handler_(std::move(handler)),
+        silent_(silent) {
+    const tcp::endpoint endpoint = endpoint_of(place);
+    error_code error;
+    acceptor_.open(tcp::v4());
+    acceptor_.set_option(tcp::acceptor::reuse_address(true));
+    acceptor_.bind(endpoint, error);
+    if (!error) acceptor_.listen(static_cast<int>(kMostConnections), error);
+    if (error)
+      throw io::InputError({place.flag}, "",
+                           fmt::format("cannot listen at {}:{} (TCP): {}", place.interface,
+                                       place.port, error.message()));
+    port_ = acceptor_.local_endpoint().port();
+  }
+
+  void start() {
+    acceptor_.async_accept(
+        [self = shared_from_this()](const error_code& error, tcp::socket socket) {
+          if (!self->acceptor_.is_open()) return;
+          if (error) return self->start_later();
+          self->take(std::move(socket));
+          self->start();
+        });
+  }
+
+  void send(std::string message, const Address& to) {
+    boost::asio::post(acceptor_.get_executor(),
+                      [self = shared_from_this(), message = std::move(message), to] {
+                        for (const Connection& one : self->connections_) {
+                          if (is_equal(one->peer(), to)) return one->send(message);
+                        }
+                      });
+  }
+
+  // Returns once the handler is not called any more.
+  void stop() {
+    std::promise<void> stopped;
+    boost::asio::post(acceptor_.get_executor(), [&] {
+      error_code error;
+      acceptor_.close(error);
+      pause_.cancel();
+      for (const Connection& one : connections_) one->close();
+      connections_.clear();
+      stopped.set_value();
+    });
+    stopped.get_future().wait();
+  }
+
+  int port() const { return port_; }
+
+  StreamTroubles troubles() const {
+    const std::lock_guard lock(mutex_);
+    return troubles_;
+  }
+
+ private:
+  using Connection = std::shared_ptr<StreamConnection>;
+
+  // For example when the process has too many files open.
+  void start_later() {
+    pause_.expires_after(kAcceptPause);
+    pause_.async_wait([self = shared_from_this()](const error_code&) {
+      if (self->acceptor_.is_open()) self->start();
+    });
+  }
+
+  void take(tcp::socket socket) {
+    if (connections_.size() == kMostConnections && !make_room()) return count(troubles_.refused);
+    const auto connection = std::make_shared<StreamConnection>(
+        std::move(socket),
+        [self = weak_from_this()](std::string_view message, const Address& from) {
+          const auto server = self.lock();
+          return server ? server->handler_(message, from) : std::nullopt;
+        },
+        [self = weak_from_this()](const StreamConnection& ended, StreamConnection::End why) {
+          if (const auto server = self.lock()) server->forget(ended, why);
+        });
+    connections_.push_back(connection);
+    connection->start();
+  }
+
+  bool make_room() {
+    const auto oldest = std::min_element(
+        connections_.begin(), connections_.end(),
+        [](const Connection& a, const Connection& b) { return a->last_heard() < b->last_heard(); });
+    if (StreamConnection::Clock::now() - (*oldest)->last_heard() < silent_) return false;
+    (*oldest)->close();
+    connections_.erase(oldest);
+    return true;
+  }
+
+  void forget(const StreamConnection& ended, StreamConnection::End why) {
+    std::erase_if(connections_, [&](const Connection& one) { return one.get() == &ended; });
+    if (why == StreamConnection::End::kInvalid) count(troubles_.invalid);
+    if (why == StreamConnection::End::kUnread) count(troubles_.unread);
+  }
+
+  void count(std::int64_t& trouble) {
+    const std::lock_guard lock(mutex_);
+    ++trouble;
+  }
+
+  tcp::acceptor acceptor_;
+  boost::asio::steady_timer pause_;
+  Handler handler_;
+  std::chrono::milliseconds silent_;
+  std::vector<Connection> connections_;
+  int port_ = 0;
+  mutable std::mutex mutex_;
+  StreamTroubles troubles_;
+};
+
+StreamServer::StreamServer(NetworkThread& thread, const DatagramReceiver::Place& place,
+                           Handler handler, std::chrono::milliseconds silent)
+    : impl_(std::make_shared<Impl>(thread, place, std::move(handler), silent)) {
+  impl_->start();
+}
+StreamServer::~StreamServer() { impl_->stop(); }
+void StreamServer::send(std::string message, const Address& to) {
+  impl_->send(std::move(message), to);
+}
+int StreamServer::port() const { return impl_->port(); }
+StreamTroubles StreamServer::troubles() const { return impl_->troubles(); }
+
+}  // namespace autoref::live

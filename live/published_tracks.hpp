@@ -1,0 +1,16 @@
+// What senders of tracker packets have in common.
+#pragma once
+
+#include <string>
+
+#include "soccer/tracks.hpp"
+
+namespace autoref::live {
+
+// The tracks in the field's coordinates, if those differ from the program's (published.hpp).
+Tracks turned(Tracks tracks);
+
+// A random UUID of version 4.
+std::string random_uuid();
+
+}  // namespace autoref::live

@@ -1,0 +1,71 @@
+// What a live referee sends: referee packets if it commands the game, tracks, and game events to
+// the league's game controller.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "league/game_packets.hpp"
+#include "league/messages/tracker.pb.h"
+#include "league/tracker_message.hpp"
+#include "live/controller/controller_client.hpp"
+#include "live/network/network.hpp"
+#include "referee/decision.hpp"
+#include "soccer/field.hpp"
+#include "soccer/game_event.hpp"
+#include "soccer/referee_signal.hpp"
+#include "soccer/tracks.hpp"
+
+namespace autoref::live {
+
+struct LiveRefereeOptions;
+
+// Sends nothing unless AutoRef commands the game or reports to the game controller.
+class RefereeOutputs final : league::PacketSink {
+ public:
+  RefereeOutputs(const LiveRefereeOptions& options, const Field& field,
+                 const PerSide<std::string>& names);
+
+  // The Unix time of the frames' time 0.
+  void set_start(const std::optional<double>& start_unix_s);
+
+  // The sender of the referee packets is taken to be the game controller's host, unless another one
+  // was given.
+  void note_referee(const std::string& host);
+
+  // Sends the tracks of a frame. `is_turned`: they are rotated with respect to the field.
+  void send_tracks(const Tracks& tracks, bool is_turned);
+
+  // Notes a command or event for the next referee packets.
+  void note(const referee::Decision& decision);
+
+  // Sends a referee packet if the signal has changed, and every 25 ms. `time_s` is on the frames'
+  // clock.
+  void send_signal(const RefereeSignal& signal, double time_s);
+
+  // Reports an event to the game controller.
+  void report(GameEvent event);
+
+  std::optional<ControllerStatus> controller_status() const;
+
+ private:
+  void on_vision(double /*time_s*/, const league::VisionPacket& /*packet*/) override {}
+  void on_referee(double time_s, const league::RefereePacket& packet) override;
+
+  bool commands_;
+  bool is_host_known_;
+  double start_unix_s_ = 0;
+  double latest_s_ = 0;
+  league::TrackerSource source_;
+  std::optional<league::GamePackets> packets_;
+  std::optional<DatagramSender> referee_;
+  std::optional<DatagramSender> tracker_;
+  std::optional<NetworkThread> thread_;
+  std::optional<ControllerClient> controller_;
+  std::string controller_host_;
+  int reported_ = 0;
+  league::TrackerPacket tracker_packet_;
+  std::string bytes_;
+};
+
+}  // namespace autoref::live

@@ -1,0 +1,62 @@
+// The newest command of each robot, between the network's thread and the game's.
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <vector>
+
+#include "league/simulator/command_update.hpp"
+#include "soccer/robot_command.hpp"
+#include "soccer/side.hpp"
+
+namespace autoref::live {
+
+// What the commands of a side refer to.
+struct SideState {
+  std::array<Vec2, kMaxRobots> headings{};  // in the frame of vision, by number
+  std::array<league::WheelPositions, kMaxRobots> wheels{};
+};
+
+class CommandSlots {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  // Commands older than this many frames lapse: their robots stand still.
+  explicit CommandSlots(int lapse_frames) : lapse_frames_(lapse_frames) {}
+
+  // In the network's thread: takes over a packet's updates.
+  void add(Side side, const std::vector<league::CommandUpdate>& updates);
+
+  // How many packets each side has sent so far.
+  PerSide<std::int64_t> packets() const;
+
+  // Waits until each side in `is_awaited` has sent more packets than in `before`. Returns false if
+  // that has not happened by the deadline.
+  bool wait(const PerSide<std::int64_t>& before, const PerSide<bool>& is_awaited,
+            Clock::time_point deadline);
+
+  // The commands of a side for the step after `frame`, as transmitted() sends them to robots.
+  // Commands that have arrived since the last call count as of this frame.
+  TeamCommands take(Side side, std::int64_t frame, const SideState& state);
+
+ private:
+  struct Slot {
+    league::CommandUpdate held;
+    bool is_new = false;
+    std::int64_t frame = 0;  // of the newest update
+    bool is_held = false;
+  };
+
+  int lapse_frames_;
+  mutable std::mutex mutex_;
+  std::condition_variable news_;
+  bool is_waiting_ = false;
+  PerSide<std::array<Slot, kMaxRobots>> slots_;
+  PerSide<std::int64_t> packets_;
+};
+
+}  // namespace autoref::live

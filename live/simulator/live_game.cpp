@@ -1,0 +1,302 @@
+#include "live/simulator/live_game.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "game/loop/game.hpp"
+#include "io/errors.hpp"
+#include "live/prompt_thread.hpp"
+#include "live/simulator/command_slots.hpp"
+#include "live/simulator/game_publisher.hpp"
+#include "live/simulator/network_team.hpp"
+#include "live/simulator/robot_reports.hpp"
+#include "live/simulator/robot_updates.hpp"
+#include "live/simulator/world_changes.hpp"
+#include "soccer/published.hpp"
+
+namespace autoref::live {
+namespace {
+
+constexpr double kAfterEnd_s = 1;
+constexpr std::chrono::milliseconds kSlice{50};  // of waits, after which interrupts are noticed
+constexpr std::chrono::milliseconds kLastSlice{500};  // for the last requests after the game
+// Of the first frame in lock-step, so that the packets are the same in each run: 1 January 2026.
+constexpr double kLockstepStart_s = 1767225600;
+
+double now_unix_s() {
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+int frames_of(double seconds, const game::GameConfiguration& game) {
+  return static_cast<int>(std::lround(seconds * game.sim.frame_rate_hz));
+}
+
+}  // namespace
+
+class LiveGame::Impl {
+ public:
+  Impl(const game::GameConfiguration& game, const LiveOptions& options, FrameClock& clock,
+       std::function<void()> check)
+      : game_(game),
+        options_(options),
+        check_(std::move(check)),
+        is_network_(network_sides(game)),
+        slots_(frames_of(options.lapse_s, game)),
+        robot_updates_(game),
+        lock_step_(is_network_, game.sim.frame_rate_hz),
+        publisher_(game, options,
+                   options.speed.pace == Pace::kLockStep ? kLockstepStart_s : now_unix_s()),
+        ports_(thread_, options, game,
+               {&slots_, &requests_, &robot_updates_,
+                options.speed.pace == Pace::kLockStep ? &lock_step_ : nullptr}),
+        clock_(&clock),
+        pacer_(clock, game.sim.frame_rate_hz * options.speed.factor) {
+    for (const Side side : kSides) states_[side].wheels = wheels_of(game::team_on(game, side));
+  }
+
+  std::unique_ptr<strategies::Strategy> make_network_team(
+      const strategies::TeamContext& context) const {
+    return std::make_unique<NetworkTeam>(inputs_[context.side]);
+  }
+
+  game::GameRecord play(game::Observers observers, game::GamePrograms& programs) {
+    observers.add(&publisher_);
+    game::Game game(game_, observers, programs.maker());
+    if (options_.speed.pace == Pace::kLockStep) {
+      publisher_.send_standing_field(waiting_signal(game));
+    } else {
+      await_teams(game);
+    }
+    if (change_robots(programs)) game = game::Game(game_, observers, programs.maker());
+    be_prompt();  // after the start of programs, which would inherit it
+    for (;;) {
+      // Taken before the frame is sent: a fast team may answer at once.
+      const PerSide<std::int64_t> before = slots_.packets();
+      if (!game.begin_step()) break;
+      check_();
+      publisher_.publish(game.tracks());
+      const PerSide<RobotReports> reports = reports_of(game_, game.world());
+      ports_.report(reports);
+      wait(game.frame().number, before, reports);
+      take_commands(game, before);
+      if (!game.end_step()) break;
+      control(game, programs);
+    }
+    publish_end(game);
+    return game.record();
+  }
+
+  LiveReport report() const {
+    return {pacer_.punctuality(), publisher_.dropped(),   ports_.traffic(),
+            ports_.troubles(),    ports_.wrong_control(), ages_};
+  }
+
+ private:
+  bool has_network_teams() const { return is_network_[Side::kWest] || is_network_[Side::kEast]; }
+
+  // The signal before the game, whose own one begins with the first frame.
+  RefereeSignal waiting_signal(const game::Game& game) const {
+    RefereeSignal signal = game.signal();
+    for (const Side side : kSides)
+      signal.robots_allowed[side] = static_cast<int>(game::team_on(game_, side).robots.size());
+    return signal;
+  }
+
+  // Sends the field as it is before the game, until every team has commanded a robot.
+  void await_teams(const game::Game& game) {
+    const RefereeSignal waiting = waiting_signal(game);
+    while (!slots_.wait({{0, 0}}, is_network_, CommandSlots::Clock::now() + frame_period())) {
+      check_();
+      say_notices();
+      publisher_.add_waiting_frame(game.world().state(), waiting);
+    }
+    pacer_.set_rate(game_.sim.frame_rate_hz * options_.speed.factor);
+  }
+
+  // Why packets do not let the game go on.
+  void say_notices() {
+    for (const std::string& notice : ports_.take_notices())
+      io::write_message(stderr, fmt::format("autoref: {}\n", notice));
+  }
+
+  // Takes over what programs have set before the game.
+  bool change_robots(game::GamePrograms& programs) {
+    const std::vector<game::ChangedRobot> changed = robot_updates_.close();
+    for (const game::ChangedRobot& robot : changed) {
+      game::apply(robot, game_);
+      programs.record(robot);
+    }
+    return !changed.empty();
+  }
+
+  CommandSlots::Clock::duration frame_period() const {
+    return std::chrono::duration_cast<CommandSlots::Clock::duration>(
+        std::chrono::duration<double>(1 / game_.sim.frame_rate_hz));
+  }
+
+  void wait(std::int64_t frame, const PerSide<std::int64_t>& before,
+            const PerSide<RobotReports>& reports) {
+    if (options_.speed.pace == Pace::kLockStep) {
+      for (const std::string& detection : publisher_.detections())
+        lock_step_.add_detection(detection);
+      const auto take = [this](const league::SimulatorRequest& request) { requests_.add(request); };
+      const bool is_first = frame == 0;
+      wait_in_slices(
+          [&](auto until) { return lock_step_.advance(frame, reports, slots_, take, until); },
+          [&] {
+            if (!is_first) blame(lock_step_.is_awaited());
+            return !is_first;
+          });
+    } else if (options_.speed.pace == Pace::kClock) {
+      pacer_.wait([this] {
+        check_();
+        if (const std::optional<double> speed = requests_.speed()) set_speed(*speed);
+      });
+    } else if (has_network_teams() && frame >= sim::split_latency(game_.sim).frames) {
+      wait_in_slices([&](auto until) { return slots_.wait(before, is_network_, until); },
+                     [&] {
+                       blame(silent_since(before));
+                       return true;
+                     });
+    }
+  }
+
+  // Calls `wait` until it returns true, with a check in between. When the longest answer has
+  // passed, `give_up` decides whether to stop waiting.
+  template <typename Wait, typename GiveUp>
+  void wait_in_slices(const Wait& wait, const GiveUp& give_up) {
+    const auto deadline =
+        CommandSlots::Clock::now() + std::chrono::duration_cast<CommandSlots::Clock::duration>(
+                                         std::chrono::duration<double>(options_.answer_s));
+    while (!wait(CommandSlots::Clock::now() + kSlice)) {
+      check_();
+      if (options_.speed.pace == Pace::kLockStep) publisher_.repeat_standing_field();
+      say_notices();
+      if (CommandSlots::Clock::now() >= deadline && give_up()) return;
+    }
+  }
+
+  PerSide<bool> silent_since(const PerSide<std::int64_t>& before) const {
+    const PerSide<std::int64_t> packets = slots_.packets();
+    PerSide<bool> silent;
+    for (const Side side : kSides) silent[side] = packets[side] <= before[side];
+    return silent;
+  }
+
+  void blame(const PerSide<bool>& silent) {
+    for (const Side side : kSides) {
+      if (is_network_[side] && silent[side])
+        inputs_[side].fault = fmt::format("sent no commands for {} s", options_.answer_s);
+    }
+  }
+
+  void take_commands(const game::Game& game, const PerSide<std::int64_t>& before) {
+    const PerSide<std::int64_t> packets = slots_.packets();
+    for (const Side side : kSides) {
+      if (!is_network_[side]) continue;
+      headings_of(game.world().state(), side, game.signal().blue_on_positive_half, states_[side]);
+      inputs_[side].commands = slots_.take(side, game.frame().number, states_[side]);
+      const bool is_new = packets[side] > before[side];
+      silent_frames_[side] = is_new ? 0 : silent_frames_[side] + 1;
+      ++ages_[side].at(static_cast<std::size_t>(std::min(silent_frames_[side], 2)));
+    }
+  }
+
+  // Does what the control port has asked for. While the speed is 0, the field is sent as it is.
+  void control(game::Game& game, game::GamePrograms& programs) {
+    do {
+      for (const league::SimulatorRequest& request : requests_.take())
+        control(request, game, programs);
+      if (!is_paused_) return;
+      check_();
+      publisher_.add_waiting_frame(game.world().state(), game.signal());
+      clock_->sleep_until(clock_->now() + frame_period());
+    } while (true);
+  }
+
+  void control(const league::SimulatorRequest& request, game::Game& game,
+               game::GamePrograms& programs) {
+    for (const league::Teleport& teleport : request.teleports) {
+      const bool blue_on_positive_half = game.signal().blue_on_positive_half;
+      if (const auto change =
+              change_of(teleport, game.world().state(), game_.field, blue_on_positive_half))
+        programs.change(*change, game);
+    }
+    if (request.vision_port) publisher_.set_vision_port(*request.vision_port);
+    if (!request.speed || options_.speed.pace != Pace::kClock) return;
+    set_speed(*request.speed);
+  }
+
+  // A factor of real time; 0 pauses the game.
+  void set_speed(double speed) {
+    is_paused_ = speed == 0;
+    if (!is_paused_ && speed != speed_) pacer_.set_rate(game_.sim.frame_rate_hz * speed);
+    speed_ = speed;
+  }
+
+  // Sends the frame in which the game has ended, and goes on sending it, so that everybody learns
+  // how.
+  void publish_end(const game::Game& game) {
+    Frame frame = game.frame();
+    Tracks tracks = game.tracks();
+    publisher_.publish(tracks);
+    for (int i = frames_of(kAfterEnd_s, game_); wait_after_end(frame.number) && i > 0; --i) {
+      tracks.frame = ++frame.number;
+      tracks.time_s = frame.time_s = static_cast<double>(frame.number) / game_.sim.frame_rate_hz;
+      publisher_.on_frame(frame, game.signal(), game.world());
+      publisher_.publish(tracks);
+    }
+  }
+
+  // Returns false if nobody asks for a later frame.
+  bool wait_after_end(std::int64_t frame) {
+    if (options_.speed.pace == Pace::kClock) pacer_.wait();
+    if (options_.speed.pace != Pace::kLockStep) return true;
+    for (const std::string& detection : publisher_.detections())
+      lock_step_.add_detection(detection);
+    const auto ignore = [](const league::SimulatorRequest&) {};
+    return lock_step_.advance(frame, {}, slots_, ignore, CommandSlots::Clock::now() + kLastSlice);
+  }
+
+  game::GameConfiguration game_;
+  LiveOptions options_;
+  std::function<void()> check_;
+  PerSide<bool> is_network_;
+  CommandSlots slots_;
+  ControlRequests requests_;
+  RobotUpdates robot_updates_;
+  LockStep lock_step_;
+  GamePublisher publisher_;
+  NetworkThread thread_;
+  TeamPorts ports_;
+  FrameClock* clock_;
+  FramePacer pacer_;
+  bool is_paused_ = false;
+  double speed_ = 0;  // asked for at the control port; 0: never
+  PerSide<SideState> states_;
+  PerSide<NetworkInput> inputs_;
+  PerSide<int> silent_frames_;  // since the newest packet
+  PerSide<std::array<std::int64_t, 3>> ages_;
+};
+
+LiveGame::LiveGame(const game::GameConfiguration& game, const LiveOptions& options,
+                   FrameClock& clock, std::function<void()> check)
+    : impl_(std::make_unique<Impl>(game, options, clock, std::move(check))) {}
+LiveGame::~LiveGame() = default;
+
+std::unique_ptr<strategies::Strategy> LiveGame::make_network_team(
+    const strategies::TeamContext& context) {
+  return impl_->make_network_team(context);
+}
+
+game::GameRecord LiveGame::play(game::Observers observers, game::GamePrograms& programs) {
+  return impl_->play(std::move(observers), programs);
+}
+
+LiveReport LiveGame::report() const { return impl_->report(); }
+
+}  // namespace autoref::live

@@ -1,0 +1,57 @@
+// A simulated game in real time on the league's network.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+#include "game/loop/configuration.hpp"
+#include "game/loop/game_record.hpp"
+#include "game/loop/observer.hpp"
+#include "game/team_programs/program_games.hpp"
+#include "live/frame_pacer.hpp"
+#include "live/live_options.hpp"
+#include "live/simulator/team_ports.hpp"
+#include "strategies/strategy.hpp"
+
+namespace autoref::live {
+
+// How a live game went, apart from its result.
+struct LiveReport {
+  Punctuality punctuality;
+  std::int64_t dropped = 0;  // datagrams that the system did not take
+  PerSide<TeamTraffic> traffic;
+  StreamTroubles connections;
+  std::int64_t wrong_control = 0;  // packets to the control port with errors
+  // Frames by the age of the newest packet of a network team, in frames: 0, 1, and older.
+  PerSide<std::array<std::int64_t, 3>> command_ages;
+};
+
+// Plays one game. A frame: the camera looks and the referee decides; vision, referee and tracker
+// packets are sent; the teams have until the next frame is due; then the world advances with their
+// newest commands. With unlimited speed, the next frame is due when every network team has sent a
+// packet since this one. In lock-step, it is due when every network team, and the control port if
+// it takes part, has asked for it.
+class LiveGame {
+ public:
+  // Opens the ports of the network teams. `check` is called about once per frame and may throw, for
+  // example because the user has had enough. Throws InputError if the network cannot be used.
+  LiveGame(const game::GameConfiguration& game, const LiveOptions& options, FrameClock& clock,
+           std::function<void()> check);
+  ~LiveGame();
+
+  // The team on the network, for a TeamMaker.
+  std::unique_ptr<strategies::Strategy> make_network_team(const strategies::TeamContext& context);
+
+  // Plays the game and sends its last frame for another second.
+  game::GameRecord play(game::Observers observers, game::GamePrograms& programs);
+
+  LiveReport report() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace autoref::live

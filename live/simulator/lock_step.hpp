@@ -1,0 +1,88 @@
+// Lock-step with programs on the network: the game goes on when all of them have asked for it.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "league/simulator/sync_request.hpp"
+#include "live/simulator/command_slots.hpp"
+#include "live/simulator/robot_reports.hpp"
+#include "soccer/side.hpp"
+
+namespace autoref::live {
+
+// Who asks: a team, or nobody's team, the control port.
+using Participant = std::optional<Side>;
+
+class LockStep {
+ public:
+  using Clock = std::chrono::steady_clock;
+  using Reply = std::function<void(std::string bytes)>;
+
+  // Teams in `is_network` take part from the beginning, the control port from its first request for
+  // a step. Until then, its requests are answered without detections.
+  LockStep(const PerSide<bool>& is_network, double frame_rate_hz);
+
+  // In the network's thread: takes a request; `reply` will be called in the game's thread with a
+  // response of at most `longest_bytes`. Returns false if 64 requests of the participant wait
+  // already.
+  bool add(const Participant& from, league::SyncRequest request, Reply reply,
+           std::size_t longest_bytes);
+
+  // What a camera saw, for the next responses. If not all detections since a participant's last
+  // response fit into the next one, the oldest are missing, and an error says how long its steps
+  // may be.
+  void add_detection(const std::string& detection);
+
+  // Answers every request that a frame completes, takes over the commands of the next ones, and
+  // waits until everybody has asked for a later frame, or until the deadline: then it returns
+  // false. `control` receives the requests for the simulator.
+  bool advance(std::int64_t frame, const PerSide<RobotReports>& reports, CommandSlots& slots,
+               const std::function<void(const league::SimulatorRequest&)>& control,
+               Clock::time_point deadline);
+
+  // The teams that have not asked for a later frame.
+  PerSide<bool> is_awaited() const;
+
+ private:
+  struct Waiting {
+    league::SyncRequest request;
+    Reply reply;
+    std::size_t longest_bytes = 0;
+  };
+  struct Member {
+    bool takes_part = false;
+    double granted_s = 0;  // until when it lets the game go on
+    std::deque<Waiting> waiting;
+    std::optional<Waiting> current;      // answered when its frame is reached
+    std::deque<std::string> detections;  // since the last response, or the newest
+    std::size_t detections_bytes = 0;    // of all since the last response
+    std::size_t kept_bytes = 0;
+    std::int64_t answered = 0;                        // the frame of the last response
+    std::vector<league::SimulatorRequest> control{};  // of requests since the last frame
+  };
+
+  Member& member(const Participant& participant);
+  std::int64_t target(const Member& member) const;
+  static void drop_first_detection(Member& member);
+  void let_join(Member& member, std::int64_t frame) const;
+  void fit_detections(Member& member, std::int64_t frame, Waiting& done) const;
+  void answer(Member& member, std::int64_t frame, const std::bitset<kMaxRobots>& contact);
+  void begin_next(const Participant& from, Member& member, CommandSlots& slots);
+  bool settle(std::int64_t frame, const PerSide<RobotReports>& reports, CommandSlots& slots);
+
+  double rate_hz_;
+  mutable std::mutex mutex_;
+  std::condition_variable news_;
+  std::array<Member, 3> members_;  // west, east, control
+};
+
+}  // namespace autoref::live

@@ -1,0 +1,30 @@
+// What robots of the simulated world report to network teams, and what their commands refer to.
+#pragma once
+
+#include <array>
+#include <bitset>
+
+#include "game/loop/configuration.hpp"
+#include "league/simulator/grsim_packet.hpp"
+#include "live/simulator/command_slots.hpp"
+#include "sim/world.hpp"
+
+namespace autoref::live {
+
+// What the robots of a side report.
+struct RobotReports {
+  std::bitset<kMaxRobots> ball_contact;  // the ball is in the dribbler zone
+  std::array<league::GrsimStatus, kMaxRobots> status{};
+};
+
+// The reports after a step of the world.
+PerSide<RobotReports> reports_of(const game::GameConfiguration& game, const sim::World& world);
+
+// The wheels of a team's robots.
+std::array<league::WheelPositions, kMaxRobots> wheels_of(const game::TeamConfiguration& team);
+
+// Sets the headings of a side's robots in the frame of vision.
+void headings_of(const sim::WorldState& world, Side side, bool blue_on_positive_half,
+                 SideState& state);
+
+}  // namespace autoref::live

@@ -1,0 +1,149 @@
+// The ports at which programs command robots and the simulator: those of the simulation protocol
+// and grSim's.
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <chrono>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "game/loop/configuration.hpp"
+#include "league/simulator/command_update.hpp"
+#include "league/simulator/grsim_packet.hpp"
+#include "live/live_options.hpp"
+#include "live/network/network.hpp"
+#include "live/network/stream_server.hpp"
+#include "live/simulator/command_slots.hpp"
+#include "live/simulator/lock_step.hpp"
+#include "live/simulator/robot_reports.hpp"
+#include "live/simulator/robot_updates.hpp"
+#include "soccer/side.hpp"
+
+namespace autoref::live {
+
+// What has arrived for a team.
+struct TeamTraffic {
+  std::int64_t packets = 0;  // those that were read, with errors or without
+  std::int64_t wrong = 0;    // with at least one error
+  std::int64_t foreign = 0;  // dropped because they came from another computer than the team's
+  std::string last_error;    // with its sender; empty: none
+};
+
+// Admits packets from one computer: the first that sends commands, until it has been silent for
+// 2 s.
+class SourceLock {
+ public:
+  // A packet without commands is admitted unless another computer commands, but excludes nobody.
+  bool admits(const std::string& host, std::chrono::steady_clock::time_point now,
+              bool has_commands = true);
+
+  const std::string& host() const { return host_; }  // empty: nobody's yet
+
+ private:
+  std::string host_;
+  std::chrono::steady_clock::time_point last_{};
+};
+
+// Requests to the simulator that wait for the game's thread; at most 64.
+class ControlRequests {
+ public:
+  // In the network's thread. Returns false if there is no room.
+  bool add(league::SimulatorRequest request);
+  std::vector<league::SimulatorRequest> take();
+  // The speed that the latest of the waiting requests asks for, if any does.
+  std::optional<double> speed() const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<league::SimulatorRequest> requests_;
+};
+
+// Where the packets of the ports go.
+struct PortTargets {
+  CommandSlots* slots = nullptr;
+  ControlRequests* control = nullptr;
+  RobotUpdates* robots = nullptr;
+  LockStep* lock_step = nullptr;  // null: SimulationSyncRequests are errors
+};
+
+// How a packet has come, and its answer goes.
+enum class Transport : std::uint8_t { kDatagram, kStream };
+
+// The sides whose teams play over the network.
+PerSide<bool> network_sides(const game::GameConfiguration& game);
+
+class TeamPorts {
+ public:
+  // Listens for the game's teams on the network and at the control port: to datagrams, and except
+  // at grSim's port to connections. Throws InputError if a port is in use.
+  TeamPorts(NetworkThread& thread, const LiveOptions& options, const game::GameConfiguration& game,
+            const PortTargets& targets);
+
+  // In the game's thread, once per frame: what the next responses report. Sends grSim's status to
+  // teams that command by grSim's packets if it has changed.
+  void report(const PerSide<RobotReports>& reports);
+
+  PerSide<TeamTraffic> traffic() const;
+  std::int64_t wrong_control() const;  // packets to the control port with errors
+
+  // Sentences for the user that are new since the last call: the first packet to each team's port
+  // that did not show that its team is there.
+  std::vector<std::string> take_notices();
+
+  // The troubles of all connections.
+  StreamTroubles troubles() const;
+
+ private:
+  void listen(NetworkThread& thread, const Participant& to, int port, const char* flag);
+  std::optional<std::string> answer(const Participant& to, std::string_view bytes,
+                                    const Address& from, Transport transport);
+  std::string answer_team(Side side, std::string_view bytes, const Address& from);
+  std::string answer_control(std::string_view bytes);
+  void refuse_unsupported(league::SimulatorRequest& request,
+                          std::vector<league::PacketError>& errors) const;
+  // nullopt: replies later, since the request takes part in the lock-step.
+  std::optional<std::string> answer_sync_request(const Participant& participant,
+                                                 std::string_view bytes, const Address& from,
+                                                 Transport transport);
+  std::optional<std::string> add_to_lock_step(const Participant& participant,
+                                              league::SyncRequest request, const Address& from,
+                                              Transport transport);
+  void read_grsim(std::string_view bytes, const Address& from);
+  std::int64_t oversized(std::size_t port) const;
+  bool is_admitted(Side side, const Address& from, bool has_commands);
+  bool commands_from(Side side, const Address& from) const;
+  // Counts the packet, and adds an error if it commands no robot before its team has commanded any.
+  void count(Side side, league::CommandPacket& packet, const Address& from, bool has_commands);
+  void count_wrong_control();
+  void note_stranger(Side side, const Address& from, const std::string& error);
+  // Takes over the commands; the packet counts as the team's answer to a frame.
+  void take_over(Side side, const league::CommandPacket& packet);
+  void send_status(Side side, const RobotReports& reports);
+
+  LiveOptions options_;
+  PerSide<bool> is_network_;
+  PerSide<int> robots_;
+  Field field_;
+  PortTargets targets_;
+  mutable std::mutex mutex_;
+  PerSide<RobotReports> reports_;
+  PerSide<TeamTraffic> traffic_;
+  PerSide<bool> is_present_;  // the team has sent commands
+  PerSide<bool> is_noted_;    // that a packet did not show it
+  std::vector<std::string> notices_;
+  std::int64_t wrong_control_ = 0;
+  PerSide<SourceLock> sources_;
+  PerSide<std::string> grsim_hosts_;  // empty: the team has not sent grSim's packets
+  PerSide<std::string> status_hosts_;
+  PerSide<std::optional<DatagramSender>> status_senders_;
+  PerSide<RobotReports> sent_;
+  std::array<std::optional<DatagramReceiver>, 4> receivers_;  // west, east, control, grSim
+  std::array<std::optional<StreamServer>, 3> servers_;        // west, east, control
+};
+
+}  // namespace autoref::live

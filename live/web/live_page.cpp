@@ -1,0 +1,101 @@
+#include "live/web/live_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "view/live_messages.hpp"
+
+namespace autoref::live {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr std::chrono::microseconds kFrameEvery{33'333};
+constexpr milliseconds kEarliest{3};  // how much before its time a frame may be sent
+constexpr milliseconds kMessageEvery{10};
+constexpr std::size_t kFramesPerFold = 150;  // 5 s
+constexpr std::size_t kKeptFrames = 18'000;  // ten minutes
+
+std::string random_id() {
+  std::random_device random;
+  return fmt::format("{:08x}{:08x}", random(), random());
+}
+
+bool has_calls(const view::GameRecording& part) {
+  return !part.signals().empty() || !part.clock().empty() || !part.decisions().empty();
+}
+
+// Calls come before frames: the page needs the teams' ends first.
+std::vector<std::size_t> kept_entries() {
+  const view::LiveLimits limits;
+  return {limits.signals, limits.clock_marks, limits.decisions, kKeptFrames};
+}
+
+}  // namespace
+
+LivePage::LivePage(const view::PageContent& content, const FrameClock& clock, Send send)
+    : clock_(&clock),
+      send_(std::move(send)),
+      history_(view::start_message(content, random_id()), kept_entries()),
+      present_(std::make_shared<const std::string>(view::present_message())),
+      next_frame_(clock.now()),
+      next_message_(next_frame_) {}
+
+void LivePage::add(const Frame& frame, const RefereeSignal& signal) {
+  const FrameClock::Time now = clock_->now();
+  newest_.add(frame.time_s, signal);
+  calls_.add(frame.time_s, signal);
+  if (now + kEarliest >= next_frame_) {
+    next_frame_ = std::max(next_frame_ + kFrameEvery, now);
+    take(frame);
+  } else {
+    skipped_ = frame;
+  }
+  if (now >= next_message_) send_newest(now);
+}
+
+void LivePage::add(const view::RecordedDecision& decision) {
+  newest_.add(decision);
+  calls_.add(decision);
+}
+
+void LivePage::take(const Frame& frame) {
+  newest_.add(frame);
+  frames_.add(frame);
+  skipped_.reset();
+}
+
+// The last frame is always sent: the page shows no signal later than that.
+void LivePage::end() {
+  if (skipped_) take(Frame(*skipped_));
+  send_newest(clock_->now());
+  send_(history_.add(view::over_message("The game is over."), false));
+}
+
+WebBacklog LivePage::backlog() const {
+  WebBacklog backlog = history_.backlog();
+  backlog.texts.push_back(present_);
+  return backlog;
+}
+
+void LivePage::send_newest(FrameClock::Time now) {
+  const bool is_frame = !has_calls(newest_);
+  if (is_frame && newest_.frames() == 0) return;
+  next_message_ = now + kMessageEvery;
+  send_(history_.add(view::part_message(newest_.take()), is_frame));
+  if (frames_.frames() >= kFramesPerFold) fold();
+}
+
+void LivePage::fold() {
+  auto [signals, clock, decisions] = view::call_messages(calls_.take());
+  const view::GameRecording frames = frames_.take();
+  history_.fold({std::move(signals), std::move(clock), std::move(decisions),
+                 view::CountedMessage{view::part_message(frames), frames.frames()}});
+}
+
+}  // namespace autoref::live

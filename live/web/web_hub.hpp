@@ -1,0 +1,75 @@
+// What the connections of a web server share. Used in the network's thread only.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "live/web/web_address.hpp"
+#include "live/web/web_message.hpp"
+#include "live/web/web_server.hpp"
+
+namespace autoref::live {
+
+enum class WebState {
+  kSilent,    // has not sent its request
+  kAnswered,  // is being sent the answer
+  kWatching,  // gets messages
+};
+
+// One open socket.
+class WebConnection {
+ public:
+  explicit WebConnection(std::string computer) : computer_(std::move(computer)) {}
+  virtual ~WebConnection() = default;
+  WebConnection(const WebConnection&) = delete;
+  WebConnection& operator=(const WebConnection&) = delete;
+
+  const std::string& computer() const { return computer_; }  // its address, without port
+  virtual void close() = 0;
+  virtual WebState state() const = 0;
+  virtual void push(const WebMessage& /*message*/) {}
+
+ private:
+  std::string computer_;
+};
+
+class WebHub {
+ public:
+  using Connections = std::vector<std::shared_ptr<WebConnection>>;
+
+  WebHub(WebOptions options, WebHosts hosts, WebContent content);
+
+  const WebOptions& options() const { return options_; }
+  const WebHosts& hosts() const { return hosts_; }
+  const std::string& page() const { return content_.page; }
+  WebBacklog backlog() const { return content_.backlog(); }
+  std::optional<std::string> game_page(const std::string& id) const;
+
+  // Adds a connection that has sent nothing, or a watcher; another one may have to give way.
+  void add(const std::shared_ptr<WebConnection>& connection);
+  // Whether one more watcher from this computer may be added; another one may have to give way.
+  bool makes_room_for_watcher(const std::string& computer);
+  void remove(const std::shared_ptr<WebConnection>& connection);
+
+  void send(const WebMessage& message);  // to all watchers
+  void close_watchers();
+  void close();  // all connections, for ever
+  bool is_closed() const { return is_closed_; }
+
+ private:
+  Connections those_who(bool watch) const;
+  void make_room();
+  // The caller holds the connection elsewhere than in connections_.
+  void drop(const std::shared_ptr<WebConnection>& connection);
+
+  WebOptions options_;
+  WebHosts hosts_;
+  WebContent content_;
+  Connections connections_;  // the oldest first
+  bool is_closed_ = false;
+};
+
+}  // namespace autoref::live

@@ -1,0 +1,63 @@
+// Shows an experiment and its games to watchers on the network, while they are played.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "live/network/network.hpp"
+#include "live/web/web_server.hpp"
+#include "view/live_messages.hpp"
+
+namespace autoref::live {
+
+// Watchers get the newest message of each kind: their number and length do not grow with the
+// experiment's length.
+class WebRun {
+ public:
+  static constexpr std::size_t kMostEnded = 32;    // games that are listed after their end
+  static constexpr std::size_t kMostRunning = 64;  // games that are listed while they are played
+
+  // `title` is what the experiment is about, or its name. `game_page` is called in the network's
+  // thread. Throws InputError naming --web if the server cannot listen, or --web-host.
+  WebRun(const WebOptions& options, const std::string& title,
+         std::function<std::optional<std::string>(const std::string& id)> game_page);
+
+  // Also sends the list of games, if it has changed: short games begin and end far more often than
+  // anybody can read.
+  void show(const view::RunProgress& progress);
+  void show_results(const std::string& html);
+  // Lists a game as being played, once, even if it is begun again.
+  void start_game(const view::ListedGame& game);
+  // Lists a game that was started with its result. Returns the id of the game that is not listed
+  // any more in exchange, if any.
+  std::optional<std::string> end_game(const std::string& id, const std::string& text);
+  void end(const std::string& text);  // `text` is a sentence that says what is over
+
+  std::string url() const { return server_.url(); }
+
+ private:
+  WebBacklog backlog() const;
+  void send(WebText& last, std::string message);
+  void send_games();
+
+  mutable std::mutex mutex_;
+  WebText start_;
+  WebText progress_;
+  WebText results_;
+  WebText list_;
+  WebText over_;             // null until the end
+  std::int64_t number_ = 0;  // of messages
+  std::vector<view::ListedGame> running_;
+  std::deque<view::ListedGame> ended_;  // newest first
+  bool is_list_stale_ = false;
+  NetworkThread thread_;
+  WebServer server_;
+};
+
+}  // namespace autoref::live

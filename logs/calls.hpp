@@ -1,0 +1,79 @@
+// A referee's calls, derived from its commands, and the agreement between two referees.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "soccer/referee_signal.hpp"
+#include "soccer/side.hpp"
+
+namespace autoref::logs {
+
+// A stop and the restart that ends it; the league's evaluation of 2016 calls this an event.
+struct Call {
+  double stop_s = 0;
+  double restart_s = 0;
+  Command restart;
+  std::string_view event{};  // the reason (referee/events.def); empty if only commands are known
+  std::optional<Side>
+      side{};  // the team that the event names: of a goal the scorer, else the offender
+};
+
+// The event and its team, such as "goal (yellow)"; of a call without an event the restart.
+std::string title_of(const Call& call);
+
+// Derives calls from a stream of commands: a STOP and the restart after it. Halts, timeouts and
+// further STOPs in between are ignored.
+class CallMaker {
+ public:
+  void take(double time_s, Command command);
+  const std::vector<Call>& calls() const { return calls_; }
+
+ private:
+  std::optional<double> stopped_s_;
+  std::vector<Call> calls_;
+};
+
+// A recorded call and the matching AutoRef call; one of the two is missing if it has no match.
+struct CallPair {
+  std::optional<Call> recorded;
+  std::optional<Call> refereed;
+  bool is_right() const { return recorded && refereed; }
+};
+
+// When play stopped for the call.
+double time_of(const CallPair& pair);
+
+struct Agreement {
+  std::vector<CallPair> pairs;  // in order of time
+  int right = 0;
+  int recorded = 0;
+  int refereed = 0;
+
+  // Precision and recall of AutoRef's calls; 0 if there are no calls.
+  double precision() const;
+  double recall() const;
+  double f1() const;
+  // Score in the technical challenge of 2016: 1 for a right call, -2 for a wrong one.
+  int challenge_score() const { return right - 2 * (refereed - right); }
+};
+
+// For a call that only one referee made: what the other one did, and when. Empty for a right call.
+std::string other_referee_text(const CallPair& pair, const Agreement& agreement);
+
+// Matches AutoRef's calls with the recorded ones. A call is right if a recorded call has the same
+// restart and they overlap in time; AutoRef may be up to `lead_s` early. Both lists must be in
+// order of time; each call is matched once, with the first that fits.
+Agreement agreement_of(std::span<const Call> recorded, std::span<const Call> refereed,
+                       double lead_s = 2.0);
+
+// Matches AutoRef's calls with those of a person's annotations (annotations.hpp). A call is right
+// if event and, where the annotation names one, side are the same and at most `tolerance_s` lies
+// between them.
+Agreement agreement_with_annotations(std::span<const Call> annotated,
+                                     std::span<const Call> refereed, double tolerance_s = 2.0);
+
+}  // namespace autoref::logs

@@ -1,0 +1,117 @@
+#include "logs/log_referee.hpp"
+
+#include <optional>
+
+#include "game/loop/event_log.hpp"
+#include "game/loop/game_event.hpp"
+
+namespace autoref::logs {
+namespace {
+
+Call call_of(const referee::Decision& decision) {
+  const std::optional<GameEvent> event = game::game_event_of(decision);
+  return {decision.time_s, decision.time_s, decision.finding.restart,
+          name_of(decision.finding.event), event ? event->by_team : decision.finding.offender};
+}
+
+// AutoRef's own calls beside a person: each lasts from its STOP until play goes on.
+class OwnCalls {
+ public:
+  void take(const referee::Decision& decision) {
+    const bool stops = decision.to == referee::State::kCalled;
+    if (stops) open_ = call_of(decision);
+    if (open_) open_->restart_s = decision.time_s;
+    if (!open_ || stops || decision.to != referee::State::kRun) return;
+    calls_.push_back(*open_);
+    open_.reset();
+  }
+
+  std::vector<Call> calls() const {
+    std::vector<Call> all = calls_;
+    if (open_) all.push_back(*open_);
+    return all;
+  }
+
+ private:
+  std::optional<Call> open_;
+  std::vector<Call> calls_;
+};
+
+// What AutoRef decides in a log.
+class DecisionCollector {
+ public:
+  DecisionCollector(const RecordedFacts& facts, const DecisionWatch& watch)
+      : watch_(watch),
+        log_(PerSide<game::EventTeam>{{game::EventTeam{"", facts.names[Side::kWest]},
+                                       game::EventTeam{"", facts.names[Side::kEast]}}}),
+        game_events_(1e-9 * static_cast<double>(facts.log.first_ns)) {}
+
+  void take(const referee::Decision& decision) {
+    ++decisions_;
+    if (watch_) watch_(decision);
+    log_.on_decision(decision);
+    game_events_.on_decision(decision);
+    own_calls_.take(decision);
+    if (is_call(decision.finding.event)) all_calls_.push_back(call_of(decision));
+    if (decision.command) calls_.take(decision.time_s, *decision.command);
+  }
+
+  std::vector<Call> calls(bool is_beside_person) const {
+    return is_beside_person ? own_calls_.calls() : calls_.calls();
+  }
+
+  LogRefereeResult result() const {
+    LogRefereeResult result;
+    result.calls = all_calls_;
+    result.game_events = game_events_.events();
+    result.events = log_.text();
+    result.decisions = decisions_;
+    return result;
+  }
+
+ private:
+  const DecisionWatch& watch_;
+  game::EventLog log_;
+  game::GameEventLog game_events_;
+  CallMaker calls_;
+  OwnCalls own_calls_;
+  std::vector<Call> all_calls_;
+  int decisions_ = 0;
+};
+
+// A STOP before a half, such as before the first kick-off, is no call that a referee beside the
+// recorded one could make.
+bool may_be_call(const RecordedCommand& recorded) {
+  const bool is_between_halves =
+      recorded.stage == Stage::kFirstHalfPre || recorded.stage == Stage::kHalfTime ||
+      recorded.stage == Stage::kSecondHalfPre || recorded.stage == Stage::kExtraTimeBreak ||
+      recorded.stage == Stage::kExtraFirstHalfPre || recorded.stage == Stage::kExtraHalfTime ||
+      recorded.stage == Stage::kExtraSecondHalfPre || recorded.stage == Stage::kShootoutBreak;
+  return recorded.command.kind != CommandKind::kStop || !is_between_halves;
+}
+
+}  // namespace
+
+LogRefereeResult referee_log(const std::filesystem::path& log, const RecordedFacts& facts,
+                             const std::vector<referee::Configuration>& configurations,
+                             const DecisionWatch& watch) {
+  DecisionCollector collector(facts, watch);
+  RecordReferee judge(configurations, facts.teams, SignalOrder::kByTime,
+                      [&](const referee::Decision& decision) { collector.take(decision); });
+  league::read_log(log, judge, facts.log.source);
+  const bool is_alone = configurations.front().control == referee::Control::kAutoref;
+  CallMaker recorded;
+  for (const RecordedCommand& command : facts.commands) {
+    if (is_alone || may_be_call(command)) recorded.take(command.time_s, command.command);
+  }
+  LogRefereeResult result = collector.result();
+  const bool is_beside_person = judge.configuration().control != referee::Control::kAutoref;
+  result.agreement = agreement_of(recorded.calls(), collector.calls(is_beside_person));
+  result.control = configurations.front().control;
+  for (const PerSide<int>& half : judge.referee().goals_by_half()) {
+    for (const Side side : kSides) result.goals[side] += half[side];
+  }
+  return result;
+}
+
+}  // namespace autoref::logs

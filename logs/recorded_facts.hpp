@@ -1,0 +1,81 @@
+// Facts about the games in a log, collected before they are refereed.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "game/loop/game_event_log.hpp"
+#include "league/log_contents.hpp"
+#include "logs/recorded_teams.hpp"
+#include "soccer/referee_signal.hpp"
+#include "soccer/side.hpp"
+#include "tracking/tracker.hpp"
+
+namespace autoref::logs {
+
+// The first occurrence of a command in the log.
+struct RecordedCommand {
+  double time_s = 0;  // time since the start of the log
+  Command command;
+  Stage stage = Stage::kFirstHalf;
+};
+
+struct RecordedCamera {
+  std::int64_t packets = 0;
+  double first_s = 0;
+  double last_s = 0;
+  double longest_gap_s = 0;
+  int gaps = 0;  // number of gaps of at least 0.1 s
+
+  // Packets per second; 0 if there are fewer than two.
+  double rate_hz() const;
+};
+
+// Facts about one game. Most logs contain one.
+struct RecordedGame {
+  double begins_s = 0;
+  std::optional<double> half_s = {};  // from the clock of the first half
+  int halves = 0;                     // number of halves that were started, without extra time
+  bool is_knockout = false;           // it went to extra time or a shoot-out
+  std::optional<double> extra_half_s = {};  // from the clock of extra time's first half
+  std::optional<Side> first_kickoff = {};
+};
+
+// Detects the start of another game from the recorded referee's stages.
+class NextGame {
+ public:
+  bool begins_with(Stage stage);
+
+ private:
+  Stage latest_ = Stage::kFirstHalfPre;  // of the current game
+};
+
+struct RecordedFacts {
+  league::LogSummary log;
+  std::vector<RecordedCommand> commands;            // at most kMostCommands
+  std::int64_t commands_left_out = 0;               // number of further commands
+  PerSide<std::string> names;                       // empty if unknown
+  std::optional<RefereeSignal> last_signal;         // nullopt without referee packets
+  std::map<std::uint32_t, RecordedCamera> cameras;  // by number
+  PerSide<int> robots;                              // maximum number in a frame
+  bool has_ball = false;                            // in any frame
+  std::vector<RecordedGame> games = {{}};           // at least one, at most kMostGames
+  std::optional<VisionNoise> noise;                 // measured (logged_noise.hpp)
+  std::vector<game::TimedGameEvent> game_events;    // the recorded referee's
+  RecordedTeams teams;                              // found out separately (recorded_teams.hpp)
+  std::int64_t unknown_signals = 0;                 // packets with an unknown stage or command
+
+  static constexpr std::size_t kMostCommands = 100'000;
+  static constexpr std::size_t kMostGames = 100;
+};
+
+// Reads the whole log. Throws league::LogError if the file is not a log.
+RecordedFacts facts_of(const std::filesystem::path& log,
+                       league::FrameSource source = league::FrameSource::kFirst);
+
+}  // namespace autoref::logs

@@ -1,0 +1,39 @@
+// Reads an SSL log named by the user and reports its oddities.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "league/log_contents.hpp"
+#include "logs/recorded_facts.hpp"
+
+namespace autoref::logs {
+
+// A path at which the log can be read several times: `path` itself or, if that is a pipe, a copy
+// without a name that vanishes when the program ends. Throws InputError if the log cannot be
+// opened, and InputOutputError if it cannot be copied.
+std::string seekable_log(const std::string& path);
+
+// The message of an error in such a copy, with the name that the user gave.
+std::string text_of(const league::LogError& error, const std::string& copy,
+                    const std::string& path);
+
+// What is wrong with the messages of a game, recorded or live; without line ends.
+std::vector<std::string> texts_of(const league::MessageFaults& faults);
+
+// Lines for stderr: where the log is damaged, how many of its messages are ignored, and other
+// oddities. Empty if everything is fine.
+std::string damage_text(const std::string& path, const league::LogSummary& log);
+
+// The same lines, and further ones for oddities of the games in the log.
+std::string damage_text(const std::string& path, const RecordedFacts& facts);
+
+// Feeds the log to `visitor`. Reports damage and ignored messages on stderr. Throws InputError if
+// the file is not a log or contains no frame.
+league::LogSummary read_user_log(const std::string& path, league::LogVisitor& visitor);
+
+// The log's field, or that of the rule book (reported on stderr) if the log has no geometry. Throws
+// InputError for an unknown rule book.
+Field field_shown(const std::string& path, const league::LogSummary& log, const std::string& book);
+
+}  // namespace autoref::logs

@@ -1,0 +1,111 @@
+#include "experiments/kinds/scenario.hpp"
+
+#include <gtest/gtest.h>
+
+#include "experiments/kinds/effective.hpp"
+#include "experiments/kinds/scenario_reader.hpp"
+#include "experiments/kinds/sweep/sweep.hpp"
+#include "game/settings/fields.hpp"
+#include "io/errors.hpp"
+
+namespace autoref::experiments {
+namespace {
+
+const std::string kGame = "schema: 1\nkind: game\n";
+const std::string kSweep = "schema: 1\nkind: sweep\npairs: 2\nseed: 1\n";
+
+game::GameSettings game_of(const std::string& text) {
+  return std::get<game::GameSettings>(read_scenario_text(text, "x.yaml").content);
+}
+
+Sweep sweep_of(const std::string& text) { return *read_scenario_text(text, "x.yaml").as<Sweep>(); }
+
+TEST(ReadScenario, KeepsDefaultsForMissingKeys) {
+  const game::GameSettings game = game_of(kGame);
+  EXPECT_EQ(game.a.robots, 6);
+  EXPECT_EQ(game.match.rules.name, "paper");
+  EXPECT_EQ(game.match.half_s, 600);  // the paper's ten minutes
+}
+
+TEST(ReadScenario, LetsSingleNumbersOverrideAPresetInAnyOrder) {
+  const game::GameSettings game =
+      game_of(kGame + "sim: { ball: { roll_mps2: 0.5, preset: erforce } }\n");
+  EXPECT_EQ(game.sim.ball.slide_mps2, 3.92);
+  EXPECT_EQ(game.sim.ball.roll_mps2, 0.5);
+}
+
+TEST(ReadScenario, WritesTheNumbersOfAPresetIntoTheEffectiveText) {
+  const Scenario scenario =
+      read_scenario_text(kGame + "sim: { ball: { preset: tigers } }\n", "x.yaml");
+  const std::string text = effective_text(scenario);
+  EXPECT_NE(text.find("switch_ratio: 0.667"), std::string::npos);
+  EXPECT_EQ(text.find("preset"), std::string::npos);
+}
+
+TEST(ReadScenario, ReadsAGame) {
+  const game::GameSettings game =
+      game_of(kGame +
+              "teams: { a: { strategy: dummy, robots: 3 }, b: { handicap: 0.8, params: { shot_mps: "
+              "5 } } }\n"
+              "match: { half_s: 60, a_plays: east }\nsim: { substeps: 2 }\nseed: 7\n");
+  EXPECT_EQ(game.a.strategy, "dummy");
+  EXPECT_EQ(game.a.robots, 3);
+  EXPECT_EQ(game.b.acceleration_factor, 0.8);
+  EXPECT_EQ(game.b.params.at("shot_mps"), 5);
+  EXPECT_EQ(game.match.a_plays, Side::kEast);
+  EXPECT_EQ(game.sim.substeps, 2);
+  EXPECT_EQ(game.seed, 7U);
+}
+
+TEST(ReadScenario, ReadsASweep) {
+  const Sweep sweep = sweep_of(kSweep +
+                               "base: { match: { half_s: 60 } }\n"
+                               "factors: { b.handicap: [1, 0.50], teams.b.robots: [6, 5] }\n");
+  EXPECT_EQ(sweep.base.match.half_s, 60);
+  EXPECT_EQ(sweep.pairs, 2);
+  const std::vector<Factor> expected = {{"b.handicap", {1.0, 0.5}}, {"b.robots", {6, 5}}};
+  EXPECT_EQ(sweep.factors, expected);
+}
+
+TEST(ReadScenario, AcceptsNegativeParametersIfTheirRangeIncludesThem) {
+  const game::GameSettings game =
+      game_of(kGame + "teams: { a: { strategy: rowdy, params: { otherwise: -1 } } }\n");
+  EXPECT_EQ(game.a.params.at("otherwise"), -1);
+}
+
+TEST(ReadScenario, AcceptsFactorsThatAreValidOnlyInCombination) {
+  const Sweep sweep =
+      sweep_of(kSweep + "factors: { field.goal_width_m: [3.8], field.width_m: [9] }\n");
+  EXPECT_EQ(sweep.factors.size(), 2U);
+}
+
+TEST(EffectiveConfiguration, OfAGameReadsBackEqual) {
+  game::GameSettings game;
+  game.a.robots = 3;
+  game.b.speed_factor = 1.0 / 3.0;
+  game.a.params["shot_mps"] = 0.1;
+  game.match.a_plays = Side::kEast;
+  game.field.defence_area.shape = DefenceArea::Shape::kBox;
+  game.seed = 18446744073709551615ULL;
+  const Scenario scenario{"A \"quoted\"\nsentence: #1", game};
+  const Scenario back = read_scenario_text(effective_text(scenario), "effective.yaml");
+  EXPECT_EQ(back.about, scenario.about);
+  EXPECT_EQ(game::configuration_hash(std::get<game::GameSettings>(back.content)),
+            game::configuration_hash(game));
+}
+
+TEST(EffectiveConfiguration, OfASweepReadsBackEqual) {
+  Sweep sweep;
+  sweep.base.match.half_s = 60;
+  sweep.factors = {{"b.handicap", {1.0, 0.5}}, {"a.strategy", {"basic", "dummy"}}};
+  sweep.pairs = 30;
+  sweep.seed = 7;
+  const Sweep back = sweep_of(effective_text({"", sweep}));
+  EXPECT_EQ(game::configuration_hash(back.base), game::configuration_hash(sweep.base));
+  EXPECT_EQ(back.factors, sweep.factors);
+  EXPECT_EQ(back.pairs, 30);
+  EXPECT_EQ(back.seed, 7U);
+}
+
+}  // namespace
+}  // namespace autoref::experiments

@@ -1,0 +1,26 @@
+// The columns and keys that the program writes, taken from its output.
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace autoref {
+
+using WrittenNames = std::vector<std::string>;
+
+// One section of docs/schemas.md.
+struct Artefact {
+  std::string section;
+  WrittenNames (*names)();  // columns in order, or sorted keys
+  bool is_json = false;
+};
+
+// Prints the artefact's name if a test fails.
+inline void PrintTo(const Artefact& artefact, std::ostream* out) { *out << artefact.section; }
+
+std::vector<Artefact> written_csv();
+std::vector<Artefact> written_plots();
+std::vector<Artefact> written_json();
+
+}  // namespace autoref

@@ -1,0 +1,150 @@
+#include "view/game_recording.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "soccer/units.hpp"
+
+namespace autoref::view {
+namespace {
+
+constexpr double kTicksPerSecond = 10'000;
+constexpr double kMostTicks = 4e9;  // 111 hours
+
+using Triple = std::array<PackedColumn, 3>;
+using Numbers = std::array<std::int16_t, 3>;
+
+constexpr Numbers kNotSeen = {PackedColumn::kNothing, PackedColumn::kNothing,
+                              PackedColumn::kNothing};
+
+std::int16_t packed_mm(double metres) { return packed(metres * 1000); }
+
+Numbers numbers_of(const RobotObservation& robot) {
+  return {packed_mm(robot.position_m.x()), packed_mm(robot.position_m.y()),
+          packed(angle_of(robot.heading) * 1800 / kPi)};
+}
+
+Numbers numbers_of(const std::optional<BallObservation>& ball) {
+  if (!ball) return kNotSeen;
+  return {packed_mm(ball->position_m.x()), packed_mm(ball->position_m.y()),
+          ball->height_m ? packed_mm(*ball->height_m) : PackedColumn::kNothing};
+}
+
+void add_to(Triple& columns, const Numbers& numbers) {
+  for (std::size_t i = 0; i < columns.size(); ++i) columns[i].add(numbers[i]);
+}
+
+Triple unseen_for(std::size_t frames) {
+  Triple columns;
+  for (PackedColumn& column : columns) column.begin_with_nothing(frames);
+  return columns;
+}
+
+// Signals arrive with every frame, but only a few change what a page shows.
+bool show_the_same(const RefereeSignal& one, const RefereeSignal& other) {
+  const auto target = [](const RefereeSignal& signal) {
+    return signal.placement ? std::optional(signal.placement->target_m) : std::nullopt;
+  };
+  return one.command == other.command && one.command_counter == other.command_counter &&
+         one.stage == other.stage && one.goals == other.goals &&
+         one.shootout_goals == other.shootout_goals && one.yellow_cards == other.yellow_cards &&
+         one.red_cards == other.red_cards && one.next_command == other.next_command &&
+         one.blue_on_positive_half == other.blue_on_positive_half && target(one) == target(other);
+}
+
+// The time left, rounded up as clocks do; limited to a day, in case the input is invalid.
+int shown_seconds(double left_s) {
+  return static_cast<int>(std::ceil(std::clamp(left_s, -86'400.0, 86'400.0) - 1e-6));
+}
+
+}  // namespace
+
+void GameRecording::add(const Frame& frame) {
+  if (frames_ >= kMostFrames) {
+    is_full_ = true;
+    return;
+  }
+  if (frames_ == 0) first_s_ = frame.time_s;
+  last_s_ = frame.time_s;
+  add_time(frame.time_s);
+  for (const Side side : kSides) add_robots(frame.robots[side], robots_[side]);
+  add_to(ball_, numbers_of(frame.ball));
+  ++frames_;
+}
+
+void GameRecording::add_time(double time_s) {
+  const double ticks = std::clamp(time_s * kTicksPerSecond, 0.0, kMostTicks);
+  const auto bits = static_cast<std::uint32_t>(std::llround(ticks));
+  for (const unsigned shift : {0U, 8U, 16U, 24U})
+    times_ += static_cast<char>(bits >> shift & 0xffU);
+}
+
+void GameRecording::add_robots(const SeenRobots& robots, Columns& columns) {
+  std::array<Numbers, kMaxRobots> seen{};
+  seen.fill(kNotSeen);
+  for (const RobotObservation& robot : robots) {
+    const auto number = static_cast<std::size_t>(robot.number);
+    seen[number] = numbers_of(robot);
+    // Columns are created when a robot first appears, and padded to the length of the others.
+    if (!columns[number]) columns[number] = unseen_for(frames_);
+  }
+  for (std::size_t number = 0; number < seen.size(); ++number)
+    if (columns[number]) add_to(*columns[number], seen[number]);
+}
+
+void GameRecording::add(double time_s, const RefereeSignal& signal) {
+  if (signals_.size() >= kMostSignals || clock_.size() >= kMostSignals) {
+    is_full_ = true;
+    return;
+  }
+  if (last_signal_) time_s = std::max(time_s, last_signal_->time_s);
+  if (last_mark_) time_s = std::max(time_s, last_mark_->time_s);
+  if (!last_signal_ || !show_the_same(last_signal_->signal, signal)) {
+    last_signal_ = {time_s, signal};
+    signals_.push_back(*last_signal_);
+  }
+  const int left_s = shown_seconds(signal.stage_time_left_s);
+  if (last_mark_ && last_mark_->left_s == left_s) return;
+  last_mark_ = {time_s, left_s};
+  clock_.push_back(*last_mark_);
+}
+
+GameRecording GameRecording::take() {
+  GameRecording taken;
+  std::swap(taken, *this);
+  last_signal_ = taken.last_signal_;
+  last_mark_ = taken.last_mark_;
+  return taken;
+}
+
+void GameRecording::add(RecordedDecision decision) {
+  if (!is_shown(decision.event)) return;
+  if (decisions_.size() >= kMostDecisions) {
+    is_full_ = true;
+    return;
+  }
+  decisions_.push_back(std::move(decision));
+}
+
+std::vector<RobotId> GameRecording::robots() const {
+  std::vector<RobotId> robots;
+  for (const Side side : kSides) {
+    for (int number = 0; number < kMaxRobots; ++number)
+      if (robots_[side][static_cast<std::size_t>(number)]) robots.push_back({side, number});
+  }
+  return robots;
+}
+
+std::string GameRecording::bytes() const {
+  std::string bytes = times_;
+  const auto append = [&bytes](const Triple& columns) {
+    for (const PackedColumn& column : columns) bytes += column.bytes();
+  };
+  for (const RobotId robot : robots())
+    append(*robots_[robot.side][static_cast<std::size_t>(robot.number)]);
+  append(ball_);
+  return bytes;
+}
+
+}  // namespace autoref::view

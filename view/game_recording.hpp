@@ -1,0 +1,89 @@
+// A recording of a game: every frame and the referee's signals, packed for a page (page.hpp).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "soccer/field.hpp"
+#include "soccer/frame.hpp"
+#include "soccer/referee_signal.hpp"
+#include "view/packed_column.hpp"
+#include "view/recorded_decision.hpp"
+
+namespace autoref::view {
+
+struct RecordedSignal {
+  double time_s = 0;
+  RefereeSignal signal;
+};
+
+// From `time_s` on, the stage's clock showed `left_s`.
+struct ClockMark {
+  double time_s = 0;
+  int left_s = 0;
+};
+
+// Takes published positions (soccer/published.hpp).
+class GameRecording {
+ public:
+  // Frames, signals and decisions beyond these limits are left out. No game of the league reaches
+  // them: kMostFrames frames last 4.6 hours at 60 frames per second.
+  static constexpr std::size_t kMostFrames = 1'000'000;
+  static constexpr std::size_t kMostSignals = 100'000;
+  static constexpr std::size_t kMostDecisions = 100'000;
+
+  // Times must increase.
+  void add(const Frame& frame);
+
+  // Stores the signal if it differs visibly from the previous one. A time earlier than the previous
+  // signal's is replaced by that time.
+  void add(double time_s, const RefereeSignal& signal);
+
+  // Stores the decision if pages show it.
+  void add(RecordedDecision decision);
+
+  // Returns the recording so far and begins an empty one, whose signals continue those before.
+  GameRecording take();
+
+  std::size_t frames() const { return frames_; }
+  double first_s() const { return first_s_; }
+  double last_s() const { return last_s_; }
+  const std::vector<RecordedSignal>& signals() const { return signals_; }
+  const std::vector<ClockMark>& clock() const { return clock_; }
+  const std::vector<RecordedDecision>& decisions() const { return decisions_; }
+  bool is_full() const { return is_full_; }  // whether something was left out
+
+  // All robots that were ever seen, in the order of their columns.
+  std::vector<RobotId> robots() const;
+
+  // Each frame's time in units of 0.1 ms as a little-endian uint32, then columns
+  // (packed_column.hpp): for each robot x and y in mm and heading in 0.1 degrees, counter-clockwise
+  // from x; finally the ball's x, y and height in mm. The height is kNothing if vision does not
+  // provide it.
+  std::string bytes() const;
+
+ private:
+  using Triple = std::array<PackedColumn, 3>;
+  using Columns = std::array<std::optional<Triple>, kMaxRobots>;  // by number; nullopt: never seen
+
+  void add_time(double time_s);
+  void add_robots(const SeenRobots& robots, Columns& columns);
+
+  std::size_t frames_ = 0;
+  double first_s_ = 0;
+  double last_s_ = 0;
+  std::string times_;
+  PerSide<Columns> robots_;
+  Triple ball_;
+  std::vector<RecordedSignal> signals_;
+  std::vector<ClockMark> clock_;
+  std::vector<RecordedDecision> decisions_;
+  std::optional<RecordedSignal> last_signal_;
+  std::optional<ClockMark> last_mark_;
+  bool is_full_ = false;
+};
+
+}  // namespace autoref::view

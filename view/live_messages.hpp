@@ -1,0 +1,72 @@
+// Messages to a live page (page.hpp), as JSON text.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "view/game_recording.hpp"
+#include "view/page.hpp"
+
+namespace autoref::view {
+
+// How much of a game a live page keeps at most; it forgets the oldest. At least the last 7 hours of
+// a game fit in: one has about 640 signals, 3600 marks of the clock and 310 decisions per hour.
+struct LiveLimits {
+  std::size_t signals = 5'000;
+  std::size_t clock_marks = 40'000;
+  std::size_t decisions = 4'000;
+};
+
+// A message, and how many frames, signals, marks of the clock or decisions it contains.
+struct CountedMessage {
+  std::string text;
+  std::size_t entries = 0;
+};
+
+// The first message: teams, field, facts and LiveLimits, as on the page of a recorded game. A page
+// that connects again keeps what it has received if `id` is the same; otherwise it starts over.
+std::string start_message(const PageContent& content, std::string_view id);
+
+// A part of the game: frames, signals, clock and decisions. Parts may contain any of these.
+std::string part_message(const GameRecording& part);
+
+// The same without the frames, as one message for the signals, one for the clock and one for the
+// decisions.
+std::array<CountedMessage, 3> call_messages(const GameRecording& part);
+
+// The page has now got everything up to the present.
+std::string present_message();
+
+// What is shown is over; `text` is a sentence that says so.
+std::string over_message(std::string_view text);
+
+// The first message to the page of a run. A page with another title is loaded again.
+std::string run_start_message(std::string_view title);
+
+// How many games of a run are done, as a sentence too, and a remark below it; may be empty.
+struct RunProgress {
+  int done = 0;
+  int total = 0;
+  std::string text;
+  std::string remark = {};
+};
+std::string progress_message(const RunProgress& progress);
+
+// The results so far, as HTML.
+std::string results_message(std::string_view html);
+
+// A game of a run.
+struct ListedGame {
+  std::string id;
+  std::string text;       // "cobalt 3:1 zone"
+  bool has_page = false;  // whether the server has a page with this id
+};
+
+// The games that are being played, and those that ended last, the newest first.
+std::string games_message(const std::vector<ListedGame>& running,
+                          const std::vector<ListedGame>& ended);
+
+}  // namespace autoref::view

@@ -1,0 +1,27 @@
+// The files of view/page/, embedded into the program by cmake/page_parts.cmake.
+#pragma once
+
+#include <string_view>
+
+namespace autoref::view {
+
+// The HTML of a page. @ALLOWED@ (further sources of the content security policy), @STYLE@, @GAME@,
+// @FRAMES@ and @SCRIPT@ are to be replaced.
+std::string_view page_frame();
+std::string_view page_style();
+std::string_view page_script();
+std::string_view page_start();  // the end of a recorded game's script
+
+// What a live page has besides: the end of its style, and of its script instead of page_start().
+std::string_view page_live_style();
+std::string_view page_live_script();
+
+std::string_view page_bracket_style();  // of report/bracket_drawing.hpp
+
+// The HTML of the page of a run, in which @TITLE@ (twice), @STYLE@ and @SCRIPT@ are to be replaced,
+// the end of its style, and its script.
+std::string_view page_run();
+std::string_view page_run_style();
+std::string_view page_run_script();
+
+}  // namespace autoref::view
