@@ -34,7 +34,7 @@ endfunction()
 autoref_package_documents(autoref program)
 autoref_package_documents(libautoref-dev development)
 # The pages keep their places to each other.
-foreach(folder IN ITEMS . benchmarks referee sim strategies python tools)
+foreach(folder IN ITEMS . ${AUTOREF_ROOMS} benchmarks python tools)
   install(FILES ${folder}/README.md DESTINATION share/doc/autoref/${folder} COMPONENT program)
 endforeach()
 install(DIRECTORY docs DESTINATION share/doc/autoref COMPONENT program FILES_MATCHING PATTERN "*.md")
