@@ -58,13 +58,13 @@ std::string score_text(const RecordedFacts& facts) {
                      name_of(signal.stage));
 }
 
-std::string noise_text(const std::optional<VisionNoise>& noise) {
+std::string noise_text(const std::optional<tracking::VisionNoise>& noise) {
   if (!noise) return "unknown";
   return fmt::format("ball {:.2f} mm, robots {:.2f} mm and {:.1f} mrad (standard deviations)",
                      1e3 * noise->ball_m, 1e3 * noise->robot_m, 1e3 * noise->robot_rad);
 }
 
-io::Json noise_json(const std::optional<VisionNoise>& noise) {
+io::Json noise_json(const std::optional<tracking::VisionNoise>& noise) {
   if (!noise) return {};
   return {{"ball_m", io::rounded(noise->ball_m, 5)},
           {"robot_m", io::rounded(noise->robot_m, 5)},

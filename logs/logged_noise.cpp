@@ -68,14 +68,14 @@ void LoggedNoise::take(const RobotObservation& robot, Side side, double time_s) 
     note(cross(robot.heading, *difference), robot_rad_);
 }
 
-std::optional<VisionNoise> LoggedNoise::noise() const {
+std::optional<tracking::VisionNoise> LoggedNoise::noise() const {
   const std::optional<double> ball_m = deviation_of(ball_m_);
   const std::optional<double> robot_m = deviation_of(robot_m_);
   const std::optional<double> robot_rad = deviation_of(robot_rad_);
   if (!ball_m || !robot_m || !robot_rad) return std::nullopt;
-  return VisionNoise{within(*ball_m, kLeastNoise_m, kMostNoise_m),
-                     within(*robot_m, kLeastNoise_m, kMostNoise_m),
-                     within(*robot_rad, kLeastNoise_rad, kMostNoise_rad)};
+  return tracking::VisionNoise{within(*ball_m, kLeastNoise_m, kMostNoise_m),
+                               within(*robot_m, kLeastNoise_m, kMostNoise_m),
+                               within(*robot_rad, kLeastNoise_rad, kMostNoise_rad)};
 }
 
 }  // namespace autoref::logs

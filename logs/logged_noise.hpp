@@ -20,7 +20,7 @@ class LoggedNoise {
 
   // Standard deviations. Zero where there is hardly any noise, as in the logs of a simulator
   // without it. nullopt if the log is too short or its frames are too irregular to tell.
-  std::optional<VisionNoise> noise() const;
+  std::optional<tracking::VisionNoise> noise() const;
 
  private:
   // The latest positions of one body.

@@ -121,7 +121,7 @@ class StateReader final : public league::LogVisitor {
 
   double at_s_;
   RecordedEnds ends_;
-  Tracker tracker_;
+  tracking::Tracker tracker_;
   Tracks tracks_;
   std::optional<double> first_s_;
   double last_s_ = 0;

@@ -14,7 +14,7 @@ namespace autoref::referee {
 struct Configuration : Match {
   Field field;
   PerSide<int> robots{{kMaxRobots, kMaxRobots}};  // per team, at the start
-  VisionNoise noise;                              // noise in the vision frames
+  tracking::VisionNoise noise;                    // noise in the vision frames
   double camera_error_m = 0;  // lasting error of a camera's positions, root mean square
   TouchParameters touch;      // thresholds of the touch detector
 };

@@ -110,7 +110,7 @@ class AutoRef final : public Referee {
   using Referee::judge;
   using Referee::see;
 
-  Tracker tracker_;
+  tracking::Tracker tracker_;
 };
 
 }  // namespace autoref::referee

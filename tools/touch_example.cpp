@@ -33,7 +33,7 @@ bool is_play(CommandKind kind) {
 
 class TouchExample final : public game::Observer {
  public:
-  TouchExample(const VisionNoise& noise, std::string folder)
+  TouchExample(const tracking::VisionNoise& noise, std::string folder)
       : folder_(std::move(folder)), online_(history_, Field{}, TouchParameters{}, noise) {
     parameters_.motion.detection_m = noise.ball_m;
     parameters_.intersection.robot_m = noise.robot_m;

@@ -5,7 +5,7 @@
 
 #include "soccer/robot_shape.hpp"
 
-namespace autoref {
+namespace autoref::tracking {
 namespace {
 
 // Values between those of the carpet models in the league's simulators.
@@ -232,4 +232,4 @@ std::optional<BallTracker::Holder> BallTracker::holder_among(
   return std::nullopt;
 }
 
-}  // namespace autoref
+}  // namespace autoref::tracking

@@ -21,7 +21,7 @@
 #include "tracking/chip_flight.hpp"
 #include "tracking/motion_filter.hpp"
 
-namespace autoref {
+namespace autoref::tracking {
 
 class BallTracker {
  public:
@@ -68,4 +68,4 @@ class BallTracker {
   Vec2 camera_m_{0, 0};  // position of the camera of the last detection
 };
 
-}  // namespace autoref
+}  // namespace autoref::tracking

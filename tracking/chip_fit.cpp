@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace autoref {
+namespace autoref::tracking {
 namespace {
 
 // Sliding balls decelerate by 3 to 10.3 m/s2 in the league's models.
@@ -83,4 +83,4 @@ double CarpetSums::misfit(double position_weight, const Vec2& before_mps) const 
   return std::min(straight, path_misfit(*this, direction_of(velocity_mps - before_mps, along), 0));
 }
 
-}  // namespace autoref
+}  // namespace autoref::tracking

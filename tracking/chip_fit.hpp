@@ -10,7 +10,7 @@
 #include "soccer/geometry.hpp"
 #include "soccer/units.hpp"
 
-namespace autoref {
+namespace autoref::tracking {
 
 struct BallDetection {
   double time_s = 0;
@@ -73,4 +73,4 @@ struct CarpetSums {
   double misfit(double position_weight, const Vec2& before_mps) const;
 };
 
-}  // namespace autoref
+}  // namespace autoref::tracking

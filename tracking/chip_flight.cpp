@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace autoref {
+namespace autoref::tracking {
 namespace {
 
 // Prior: a chip of up to 5.5 m/s at 45 degrees, weak enough that the detections soon dominate.
@@ -205,4 +205,4 @@ void ChipFlight::settle(double settled_s) {
   estimate_ = {};
 }
 
-}  // namespace autoref
+}  // namespace autoref::tracking

@@ -6,7 +6,7 @@
 #include "soccer/geometry.hpp"
 #include "tracking/chip_fit.hpp"
 
-namespace autoref {
+namespace autoref::tracking {
 
 // A sudden change of the ball's velocity between two detections.
 struct KickGuess {
@@ -79,4 +79,4 @@ class ChipFlight {
   ChipEstimate estimate_;
 };
 
-}  // namespace autoref
+}  // namespace autoref::tracking

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-namespace autoref {
+namespace autoref::tracking {
 
 // Measurement noise and process noise.
 struct MotionNoise {
@@ -82,4 +82,4 @@ class MotionFilter {
   double covariance_ = 0;  // between position and speed
 };
 
-}  // namespace autoref
+}  // namespace autoref::tracking

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace autoref {
+namespace autoref::tracking {
 namespace {
 
 constexpr double kRobotLeastNoise_m = 0.05e-3;
@@ -127,4 +127,4 @@ void Tracker::see_robots(const SeenRobots& seen, std::array<Known, kMaxRobots>& 
   }
 }
 
-}  // namespace autoref
+}  // namespace autoref::tracking

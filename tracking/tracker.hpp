@@ -10,7 +10,7 @@
 #include "tracking/ball_tracker.hpp"
 #include "tracking/motion_filter.hpp"
 
-namespace autoref {
+namespace autoref::tracking {
 
 // Vision noise as standard deviations, measured on stationary objects.
 struct VisionNoise {
@@ -70,4 +70,4 @@ class Tracker {
   bool has_seen_frame_ = false;
 };
 
-}  // namespace autoref
+}  // namespace autoref::tracking

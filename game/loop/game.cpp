@@ -298,7 +298,7 @@ class Game::Impl {
   std::int64_t most_frames_;
   sim::World world_;
   sim::Camera camera_;
-  Tracker tracker_;
+  tracking::Tracker tracker_;
   referee::Referee referee_;
   SituationTracker situation_;
   SubstitutionController substitution_controller_;

@@ -20,9 +20,11 @@ double reach_of_hull_m(const Vec2& heading, const Vec2& direction) {
   return local.x() * kFrontDistance_m + std::abs(local.y()) * kHalfPlate_m;
 }
 
-double robot_uncertainty_m(const VisionNoise& noise) { return kHullDeviations * noise.robot_m; }
+double robot_uncertainty_m(const tracking::VisionNoise& noise) {
+  return kHullDeviations * noise.robot_m;
+}
 
-double robot_to_ball_uncertainty_m(const VisionNoise& noise) {
+double robot_to_ball_uncertainty_m(const tracking::VisionNoise& noise) {
   return kHullDeviations * std::hypot(noise.robot_m, noise.ball_m);
 }
 

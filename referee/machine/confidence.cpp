@@ -51,7 +51,7 @@ double contest_of(const TouchHistory& touches) {
 
 ConfidenceFeatures confidence_features(const Finding& finding, const RefereeState& state,
                                        const RefereeInput& input) {
-  const VisionNoise& noise = input.configuration.noise;
+  const tracking::VisionNoise& noise = input.configuration.noise;
   const LastTouch& touch = input.last_touch;
   const bool has_rival = touch.runner_up && touch.side && touch.runner_up->side != *touch.side;
   return {1, std::min(1.0, std::hypot(noise.ball_m, noise.robot_m) / kMostNoise_m),

@@ -27,7 +27,7 @@ std::optional<double> second_last_m(const SeenRobots& robots, double end) {
 
 // The robots of `side` in an offside position while the ball is at `ball_m`.
 RobotSet offside_robots(Side side, const PerSide<SeenRobots>& robots, const Vec2& ball_m,
-                        const VisionNoise& noise) {
+                        const tracking::VisionNoise& noise) {
   const Side opponents = opponent_of(side);
   const double end = goal_sign(opponents);
   RobotSet offside;

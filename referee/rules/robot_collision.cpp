@@ -51,7 +51,7 @@ std::size_t first_sample(std::span<const PairSample> path, std::size_t last, Sid
 // The robot's motion at the time of path[last]; nullopt if it was hardly seen.
 std::optional<ConstantAcceleration> motion_before(std::span<const PairSample> path,
                                                   std::size_t last, Side side,
-                                                  const VisionNoise& noise) {
+                                                  const tracking::VisionNoise& noise) {
   const double now_s = path[last].time_s;
   const std::size_t first = first_sample(path, last, side);
   const auto is_seen = [side](const PairSample& s) { return s.position_m[side].has_value(); };
@@ -139,7 +139,7 @@ MeasuredCollision collision_at(const PairMotion& motion, double frame_s, double 
 }  // namespace
 
 std::optional<MeasuredCollision> measure_collision(std::span<const PairSample> path, double from_s,
-                                                   const VisionNoise& noise) {
+                                                   const tracking::VisionNoise& noise) {
   const double contact_m = kCylinders_m + kContactError_m + kContactDeviations * noise.robot_m;
   for (std::size_t last = 0; last + 2 < path.size(); ++last) {
     if (path[last + 1].time_s < from_s) continue;

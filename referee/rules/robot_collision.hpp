@@ -39,6 +39,6 @@ struct MeasuredCollision {
 // about 0.2 s before to three frames after the collision; nullopt if the robots do not collide, or
 // if vision saw too little of them.
 std::optional<MeasuredCollision> measure_collision(std::span<const PairSample> path, double from_s,
-                                                   const VisionNoise& noise);
+                                                   const tracking::VisionNoise& noise);
 
 }  // namespace autoref::referee

@@ -14,7 +14,7 @@ constexpr double kSeparate_m = 20_mm;
 }  // namespace
 
 bool has_ball(const TrackedRobot& robot, const TrackedBall& ball, bool had,
-              const VisionNoise& noise) {
+              const tracking::VisionNoise& noise) {
   if (ball.height_m > kRobotHeight_m) return false;
   const double gap_m =
       distance_to_hull(ball.position_m, robot.position_m, robot.heading) - kBallRadius_m;

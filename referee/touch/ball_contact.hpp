@@ -11,6 +11,6 @@ namespace autoref::referee {
 // between the ball and the robot" (Laws 12; 2026, Dribbling), taken as 20 mm. `had` is whether it
 // was in contact in the previous frame. A ball above the robot is not in contact.
 bool has_ball(const TrackedRobot& robot, const TrackedBall& ball, bool had,
-              const VisionNoise& noise);
+              const tracking::VisionNoise& noise);
 
 }  // namespace autoref::referee

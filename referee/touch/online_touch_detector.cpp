@@ -232,7 +232,7 @@ void OnlineTouchDetector::detect_velocity_change() {
 }
 
 TouchParameters OnlineTouchDetector::with_noise(TouchParameters parameters,
-                                                const VisionNoise& noise) {
+                                                const tracking::VisionNoise& noise) {
   parameters.position_noise_m = noise.ball_m;
   const double noise_m = kMaybe * noise.ball_m;
   parameters.contact_m += noise_m;

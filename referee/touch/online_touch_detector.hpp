@@ -33,7 +33,7 @@ class OnlineTouchDetector {
  public:
   // Keeps a reference to the history. `noise` is the vision noise.
   OnlineTouchDetector(const FrameHistory& frames, const Field& field,
-                      const TouchParameters& parameters, const VisionNoise& noise = {})
+                      const TouchParameters& parameters, const tracking::VisionNoise& noise = {})
       : frames_(frames),
         field_(field),
         parameters_(with_noise(parameters, noise)),
@@ -58,7 +58,7 @@ class OnlineTouchDetector {
   const LastTouch& last() const { return last_; }
 
  private:
-  static TouchParameters with_noise(TouchParameters parameters, const VisionNoise& noise);
+  static TouchParameters with_noise(TouchParameters parameters, const tracking::VisionNoise& noise);
   void forget_detections();
   void resume_after_gap();
   void look_back_over_gap();

@@ -50,7 +50,7 @@ const LastTouch* nearer_touch(const FrameHistory& frames, const LastTouch& west,
 RetrospectiveTouchDetector::RetrospectiveTouchDetector(const FrameHistory& frames,
                                                        const Field& field,
                                                        const TouchHypothesisParameters& parameters,
-                                                       const VisionNoise& noise)
+                                                       const tracking::VisionNoise& noise)
     : frames_(frames), field_(field), parameters_(parameters) {
   parameters_.motion.detection_m = std::max(noise.ball_m, parameters.motion.detection_m);
   parameters_.intersection.robot_m = noise.robot_m;

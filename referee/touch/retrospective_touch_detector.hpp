@@ -28,7 +28,8 @@ class RetrospectiveTouchDetector {
  public:
   // Keeps a reference to the history. `noise` is the vision noise.
   RetrospectiveTouchDetector(const FrameHistory& frames, const Field& field,
-                             const TouchHypothesisParameters& parameters, const VisionNoise& noise);
+                             const TouchHypothesisParameters& parameters,
+                             const tracking::VisionNoise& noise);
   RetrospectiveTouchDetector(const RetrospectiveTouchDetector&) = delete;
   RetrospectiveTouchDetector& operator=(const RetrospectiveTouchDetector&) = delete;
 

@@ -35,7 +35,7 @@ bool is_apart(const BallTouch& touch, const RefereeInput& input) {
   const RobotObservation* robot =
       find_robot(input.frame.robots[touch.robot->side], touch.robot->number);
   if (robot == nullptr) return true;
-  const VisionNoise& noise = input.configuration.noise;
+  const tracking::VisionNoise& noise = input.configuration.noise;
   const double noise_m = kSureDeviations * std::hypot(noise.ball_m, noise.robot_m);
   return gap_to_robot_m(*robot, input.ball->position_m) > kHistoryApart_m + noise_m;
 }

@@ -292,7 +292,7 @@ RecordedVision from(RecordedVision vision, double begin_s) {
 
 RecordedVision with_tracker(RecordedVision vision) {
   league::DetectionMerger merger;
-  Tracker tracker;
+  tracking::Tracker tracker;
   const auto track = [&](const Frame* frame) {
     if (frame == nullptr) return;
     league::TrackerPacket packet;

@@ -10,7 +10,7 @@ namespace autoref::logs {
 namespace {
 
 // Robots that drive in circles at 2 m/s and a ball that is kicked every second.
-LoggedNoise noise_of(const VisionNoise& noise, double rate_hz, double length_s) {
+LoggedNoise noise_of(const tracking::VisionNoise& noise, double rate_hz, double length_s) {
   RandomStream chance(7);
   const auto blurred = [&chance](const Vec2& at, double deviation) {
     const double x = chance.normal();
@@ -35,11 +35,11 @@ LoggedNoise noise_of(const VisionNoise& noise, double rate_hz, double length_s) 
   return measured;
 }
 
-class NoiseOf : public testing::TestWithParam<VisionNoise> {};
+class NoiseOf : public testing::TestWithParam<tracking::VisionNoise> {};
 
 TEST_P(NoiseOf, IsMeasured) {
   for (const double rate_hz : {60.0, 73.0}) {
-    const std::optional<VisionNoise> noise = noise_of(GetParam(), rate_hz, 30).noise();
+    const std::optional<tracking::VisionNoise> noise = noise_of(GetParam(), rate_hz, 30).noise();
     ASSERT_TRUE(noise);
     EXPECT_NEAR(noise->ball_m, GetParam().ball_m, 0.1 * GetParam().ball_m + 1e-9);
     EXPECT_NEAR(noise->robot_m, GetParam().robot_m, 0.1 * GetParam().robot_m + 1e-9);
@@ -48,9 +48,10 @@ TEST_P(NoiseOf, IsMeasured) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Vision, NoiseOf,
-                         testing::Values(VisionNoise{}, VisionNoise{0.0007, 0.0005, 0.005},
-                                         VisionNoise{0.0014, 0.0013, 0.01},
-                                         VisionNoise{0.004, 0.003, 0.03}));
+                         testing::Values(tracking::VisionNoise{},
+                                         tracking::VisionNoise{0.0007, 0.0005, 0.005},
+                                         tracking::VisionNoise{0.0014, 0.0013, 0.01},
+                                         tracking::VisionNoise{0.004, 0.003, 0.03}));
 
 TEST(LoggedNoise, IsUnknownAfterAFewFrames) { EXPECT_FALSE(noise_of({}, 60, 1).noise()); }
 

@@ -57,7 +57,7 @@ class TrackerPackets final : public league::LogVisitor {
   std::vector<LogRecord> records;
 
  private:
-  Tracker tracker_;
+  tracking::Tracker tracker_;
 };
 
 // Part of a game in which the referee commands a corner kick and robots foul: vision, referee and

@@ -121,7 +121,7 @@ class StagedGame {
   }
 
   sim::Camera camera_;
-  Tracker tracker_;
+  tracking::Tracker tracker_;
   SituationTracker situation_;
   game::SubstitutionController substitution_controller_;
   Frame frame_;

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace autoref {
+namespace autoref::tracking {
 namespace {
 
 // A ball that rolled at `before_mps` leaves a robot at `after_mps`. It keeps its spin at first, so
@@ -48,4 +48,4 @@ TEST(CarpetSums, DoNotFitABallThatAcceleratesAlongItsPath) {
 }
 
 }  // namespace
-}  // namespace autoref
+}  // namespace autoref::tracking

@@ -6,7 +6,7 @@
 
 #include "tests/tracking/simulated_kicks.hpp"
 
-namespace autoref {
+namespace autoref::tracking {
 namespace {
 
 // A chip with a closed-form solution: 5 m/s at 45 degrees first lands v²/g = 2.548 m away.
@@ -118,4 +118,4 @@ TEST(ChipFlight, IsEquivariantUnderRotation) {
 }
 
 }  // namespace
-}  // namespace autoref
+}  // namespace autoref::tracking

@@ -8,7 +8,7 @@
 
 #include "tests/tracking/simulated_kicks.hpp"
 
-namespace autoref {
+namespace autoref::tracking {
 namespace {
 
 struct Errors {
@@ -194,4 +194,4 @@ TEST(ChipFlightTowardsTheCamera, RarelyDetectsAFlightForAStraightKick) {
 }
 
 }  // namespace
-}  // namespace autoref
+}  // namespace autoref::tracking

@@ -6,7 +6,7 @@
 
 #include "soccer/random.hpp"
 
-namespace autoref {
+namespace autoref::tracking {
 namespace {
 
 using Axis = MotionFilter<1>::Axis;
@@ -119,4 +119,4 @@ TEST(MotionFilter, TakesAKnownAccelerationIntoAccount) {
 }
 
 }  // namespace
-}  // namespace autoref
+}  // namespace autoref::tracking

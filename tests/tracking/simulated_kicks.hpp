@@ -11,7 +11,7 @@
 #include "soccer/trigonometry.hpp"
 #include "tracking/chip_flight.hpp"
 
-namespace autoref {
+namespace autoref::tracking {
 
 inline constexpr double kCameraHeight_m = 4_m;
 
@@ -169,4 +169,4 @@ void follow(const Kick& kick, Vision& vision, double until_s, Look look) {
   }
 }
 
-}  // namespace autoref
+}  // namespace autoref::tracking

@@ -9,7 +9,7 @@
 #include "soccer/units.hpp"
 #include "tracking/tracker.hpp"
 
-namespace autoref {
+namespace autoref::tracking {
 namespace {
 
 Frame frame_at(int number, const Vec2& robot_m, const Vec2& ball_m) {
@@ -237,4 +237,4 @@ TEST(Frame, MirroredTwiceIsItself) {
 }
 
 }  // namespace
-}  // namespace autoref
+}  // namespace autoref::tracking

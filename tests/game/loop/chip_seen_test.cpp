@@ -50,8 +50,8 @@ void kick_and_watch(RandomStream& random, std::uint64_t seed, bool chip, Heights
   configuration.latency_s = 0.05 * random.uniform();  // kicks occur anywhere between two frames
   Scene scene(configuration, specs(1, 0), seed);
   Camera camera(configuration.vision, scene.field, 60, seed);
-  Tracker tracker({configuration.vision.ball_noise_m, configuration.vision.robot_noise_m,
-                   configuration.vision.robot_noise_rad});
+  tracking::Tracker tracker({configuration.vision.ball_noise_m, configuration.vision.robot_noise_m,
+                             configuration.vision.robot_noise_rad});
   const double x_m = 4 * (random.uniform() - 0.5);
   const double y_m = 3 * (random.uniform() - 0.5);
   const double heading_rad = 2 * kPi * random.uniform();

@@ -10,7 +10,7 @@
 namespace autoref::referee {
 namespace {
 
-Decision throw_in_with(const VisionNoise& noise) {
+Decision throw_in_with(const tracking::VisionNoise& noise) {
   Configuration configuration;
   configuration.noise = noise;
   ScriptedGame game = in_play(configuration);

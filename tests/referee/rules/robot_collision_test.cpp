@@ -26,7 +26,7 @@ PairPath path_of(const std::function<double(double)>& distance_m, const Vec2& li
 }
 
 std::optional<MeasuredCollision> measured(const PairPath& path, double noise_m = 0) {
-  VisionNoise noise;
+  tracking::VisionNoise noise;
   noise.robot_m = noise_m;
   return measure_collision({path.data(), path.size()}, -0.05, noise);
 }

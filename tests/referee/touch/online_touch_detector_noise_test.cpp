@@ -11,7 +11,7 @@
 namespace autoref::referee {
 namespace {
 
-constexpr VisionNoise kNoise{0.0014, 0.0013, 0.01};
+constexpr tracking::VisionNoise kNoise{0.0014, 0.0013, 0.01};
 constexpr double kMissed = 0.05;
 
 // A ball on a given path past stationary robots, seen with noise; one detection in twenty is

@@ -12,12 +12,12 @@
 namespace autoref::referee {
 namespace {
 
-constexpr VisionNoise kRealistic{0.0014, 0.0013, 0.01};
+constexpr tracking::VisionNoise kRealistic{0.0014, 0.0013, 0.01};
 
 // A ball that slides or rolls between touches, and stationary robots, seen at 60 Hz.
 class HindsightScene {
  public:
-  explicit HindsightScene(const VisionNoise& noise = {}, std::uint64_t seed = 1)
+  explicit HindsightScene(const tracking::VisionNoise& noise = {}, std::uint64_t seed = 1)
       : noise_(noise),
         random_(seed),
         touch_detector_(frames_, Field{}, TouchHypothesisParameters{}, noise) {}
@@ -71,7 +71,7 @@ class HindsightScene {
     return at_m + Vec2(x_m, y_m);
   }
 
-  VisionNoise noise_;
+  tracking::VisionNoise noise_;
   RandomStream random_;
   PerSide<SeenRobots> robots_;
   Vec2 ball_m_{0, 0};
@@ -214,7 +214,8 @@ TEST(RetrospectiveTouchDetector, FindsTheSecondOfTwoTouchesWithinAFrame) {
 }
 
 // The side found for a brush that deflects a ball at 1 m/s by 8 degrees, 1 mm from a robot's hull.
-std::optional<Side> side_of_brush(const VisionNoise& noise, std::uint64_t seed, bool is_turned) {
+std::optional<Side> side_of_brush(const tracking::VisionNoise& noise, std::uint64_t seed,
+                                  bool is_turned) {
   HindsightScene scene(noise, seed);
   const Vec2 normal = heading_of(to_radians(94));
   const double sign = is_turned ? -1 : 1;

@@ -73,7 +73,7 @@ TEST(BallPath, StartsWhereTheBallIsWhenCommandsTakeEffect) {
 TEST(BallPath, PredictsAFastKickWithinSevenCentimetresPerSecond) {
   const CarpetBall kick{{-2, 0}, {1, 0}, 6};
   const auto at = [&](double time_s) { return kick.at(std::max(0.0, time_s - 0.507)); };
-  BallTracker tracker(0);
+  tracking::BallTracker tracker(0);
   BallPath path;
   for (int frame = 0; frame < 90; ++frame) {
     const double now_s = frame * kStagedFrame_s;
