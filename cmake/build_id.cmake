@@ -5,7 +5,7 @@ set(sources CMakeLists.txt)
 string(REPLACE " " ";" rooms "${ROOMS}")
 foreach(room IN LISTS rooms)
   file(GLOB_RECURSE found RELATIVE ${SOURCE_DIR}
-       ${SOURCE_DIR}/${room}/*.hpp ${SOURCE_DIR}/${room}/*.cpp ${SOURCE_DIR}/${room}/*.proto ${SOURCE_DIR}/${room}/CMakeLists.txt)
+       ${SOURCE_DIR}/${room}/*.hpp ${SOURCE_DIR}/${room}/*.cpp ${SOURCE_DIR}/${room}/*.def ${SOURCE_DIR}/${room}/*.proto ${SOURCE_DIR}/${room}/CMakeLists.txt)
   list(APPEND sources ${found})
 endforeach()
 list(SORT sources)
