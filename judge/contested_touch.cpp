@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "judge/truth/association.hpp"
+#include "judge/association.hpp"
 
 namespace autoref::judge {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <utility>
 
+#include "judge/association.hpp"
 #include "judge/contested_touch.hpp"
-#include "judge/truth/association.hpp"
 #include "judge/truth/ground_truth_observer.hpp"
 
 namespace autoref::judge {

@@ -5,7 +5,7 @@
 
 #include "experiments/statistics/f1_interval.hpp"
 #include "experiments/statistics/proportion_interval.hpp"
-#include "judge/truth/association.hpp"
+#include "judge/association.hpp"
 #include "referee/event.hpp"
 
 namespace autoref::judge {

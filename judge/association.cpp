@@ -1,4 +1,4 @@
-#include "judge/truth/association.hpp"
+#include "judge/association.hpp"
 
 #include <algorithm>
 #include <cmath>
