@@ -1,17 +1,17 @@
 # Adds the library autoref_ROOM of all sources below the current folder. The folders are globbed at each build, so new files
 # need not be listed. With AUTOREF_UNITY 28 sources at a time are compiled as one, which compiles their common headers and
-# templates only once; names in unnamed namespaces must therefore be unique within a room. BESIDE_GAMES is for a room whose
+# templates only once; names in unnamed namespaces must therefore be unique within a room. LESS_OPTIMISED is for a room whose
 # code does little in a frame of a game: it is compiled with less optimisation, which takes two thirds of the time.
-#   autoref_room(ROOM [BESIDE_GAMES])
+#   autoref_room(ROOM [LESS_OPTIMISED])
 function(autoref_room room)
-  cmake_parse_arguments(PARSE_ARGV 1 with "BESIDE_GAMES" "" "")
+  cmake_parse_arguments(PARSE_ARGV 1 with "LESS_OPTIMISED" "" "")
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "/main\\.cpp$|/templates/")
   add_library(autoref_${room} STATIC ${sources})
   set(headers autoref_headers)
-  if(with_BESIDE_GAMES)
-    string(APPEND headers _beside_games)
-    target_compile_options(autoref_${room} PRIVATE ${AUTOREF_BESIDE_GAMES})
+  if(with_LESS_OPTIMISED)
+    string(APPEND headers _less_optimised)
+    target_compile_options(autoref_${room} PRIVATE ${AUTOREF_LESS_OPTIMISED})
   endif()
   target_precompile_headers(autoref_${room} REUSE_FROM ${headers})
   set_target_properties(autoref_${room} PROPERTIES UNITY_BUILD ${AUTOREF_UNITY} UNITY_BUILD_BATCH_SIZE 28)
