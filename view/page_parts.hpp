@@ -16,7 +16,7 @@ std::string_view page_start();  // the end of a recorded game's script
 std::string_view page_live_style();
 std::string_view page_live_script();
 
-std::string_view page_bracket_style();  // of report/bracket_drawing.hpp
+std::string_view page_bracket_style();  // of experiments/report/bracket_drawing.hpp
 
 // The HTML of the page of a run, in which @TITLE@ (twice), @STYLE@ and @SCRIPT@ are to be replaced,
 // the end of its style, and its script.

@@ -36,7 +36,7 @@ RecordedDecision recorded(const io::Json& line);
 // per line. Throws InputError with `file` and the line's number if a line is not a decision.
 std::vector<RecordedDecision> decisions_in(std::string_view lines, const std::string& file);
 
-// The decision as the page's script reads it (page/highlights.js).
+// The decision as the page's script reads it (view/page/highlights.js).
 io::Json page_json(const RecordedDecision& decision);
 
 }  // namespace autoref::view

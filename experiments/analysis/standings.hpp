@@ -30,8 +30,9 @@ struct Standing {
   std::vector<double> differences;       // per game: goals for minus goals against
   std::vector<double> pair_differences;  // mean over the two legs; no pairs with a void leg
   bool is_rated = false;                 // whether the two ratings are valid
-  Rating goals;     // in goals per game above the average team (statistics/goal_rating.hpp)
-  Rating strength;  // Bradley-Terry (statistics/bradley_terry.hpp)
+  Rating
+      goals;  // in goals per game above the average team (experiments/statistics/goal_rating.hpp)
+  Rating strength;  // Bradley-Terry (experiments/statistics/bradley_terry.hpp)
 
   int games() const { return wins + draws + losses; }
   int points() const { return kPointsOfWin * wins + draws + bye_points; }

@@ -1,3 +1,4 @@
+// Starts the page of a recorded game.
 
 const page = new Page(readGame());
 page.begin();
