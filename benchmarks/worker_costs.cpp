@@ -60,7 +60,7 @@ double megabytes(std::int64_t kb) { return 1024e-6 * static_cast<double>(kb); }
 WorkerMeter::WorkerMeter() {
   void* memory =
       mmap(nullptr, sizeof(Totals), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (memory == MAP_FAILED) throw io::io_error("there is no shared memory", errno);
+  if (memory == MAP_FAILED) throw io::io_error("cannot create shared memory", errno);
   totals_ = new (memory) Totals;
 }
 

@@ -27,7 +27,7 @@ struct WorkerCosts {
 // the children.
 class WorkerMeter {
  public:
-  // Throws InputOutputError if there is no shared memory.
+  // Throws InputOutputError if shared memory cannot be created.
   WorkerMeter();
   ~WorkerMeter();
   WorkerMeter(const WorkerMeter&) = delete;

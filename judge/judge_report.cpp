@@ -15,8 +15,6 @@
 namespace autoref::judge {
 namespace {
 
-// USING CallOutcome
-
 std::string fault_line(const experiments::JudgeGame& game, std::size_t number,
                        const experiments::CallVerdict& verdict) {
   const bool is_missed = verdict.outcome == experiments::CallOutcome::kMissed;

@@ -18,7 +18,7 @@ const experiments::JudgeSchedule& schedule_of(const experiments::ResultFolder& f
   return folder.scenario.get<experiments::JudgeSchedule>();
 }
 
-// Describes the fault with this number in the game's row; empty if there is no such fault.
+// Describes the fault with this number in the game's row; empty if the row has no such fault.
 std::string fault_text(const experiments::ResultFolder& folder, const std::string& game_id,
                        int number) {
   const auto row = folder.completed_games.done.find(game_id);

@@ -10,8 +10,6 @@
 namespace autoref::experiments {
 namespace {
 
-// USING CallOutcome
-
 // Each entry is a CSV line; its first cell is the entry's type.
 constexpr std::string_view kVerdict = "v";
 constexpr std::string_view kLastTouch = "t";

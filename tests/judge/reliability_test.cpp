@@ -5,9 +5,6 @@
 namespace autoref::judge {
 namespace {
 
-// USING CallOutcome
-// USING CallVerdict
-
 experiments::CallVerdict call_of_confidence(double confidence, experiments::CallOutcome outcome) {
   experiments::CallVerdict verdict;
   verdict.outcome = outcome;

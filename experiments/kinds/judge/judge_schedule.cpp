@@ -169,7 +169,7 @@ std::vector<ScheduledGame> JudgeSchedule::games() const {
 }
 
 ExperimentResults JudgeSchedule::results(const RowsById& /*rows*/) const {
-  throw std::logic_error("the calls of judged games are summed up in judge");
+  throw std::logic_error("the calls of judged games are summed up in judge/");
 }
 
 }  // namespace autoref::experiments

@@ -43,7 +43,7 @@ struct JudgeSchedule : ExperimentOf<JudgeSchedule> {
   std::string why_no_pairs() const override { return "it has a number of games"; }
   RowKind row_kind() const override { return RowKind::kJudged; }
   std::vector<std::string> value_columns() const override { return {"seeds", "rules", "camera"}; }
-  // Throws std::logic_error: the calls of judged games are summed up in judge.
+  // Throws std::logic_error: the calls of judged games are summed up in judge/.
   ExperimentResults results(const RowsById& rows) const override;
 };
 
