@@ -15,7 +15,7 @@
 #include "game/settings/assignments.hpp"
 #include "live/live_options.hpp"
 #include "live/referee/live_referee.hpp"
-#include "logs/log_recorder.hpp"
+#include "logs/log_page.hpp"
 #include "logs/recorded_facts.hpp"
 
 namespace autoref::app {

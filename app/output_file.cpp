@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "io/errors.hpp"
-#include "io/same_file.hpp"
+#include "io/files.hpp"
 
 namespace autoref::app {
 namespace {

@@ -8,7 +8,6 @@
 
 #include "io/errors.hpp"
 #include "io/files.hpp"
-#include "io/installed_files.hpp"
 #include "io/words.hpp"
 
 namespace autoref::app {

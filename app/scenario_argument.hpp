@@ -17,7 +17,7 @@ CLI::Option* add_scenario_argument(CLI::App& verb, std::string& file, const std:
 std::string scenario_to_read(const std::string& given);
 
 // `file` if it exists; otherwise the file of that name that was installed with `program`
-// (io/installed_files.hpp), or that is in the folder scenarios here, or in the installed
+// (io/files.hpp), or that is in the folder scenarios here, or in the installed
 // one; if there is none, `file`.
 std::string found_scenario(const std::string& file, const std::filesystem::path& program);
 

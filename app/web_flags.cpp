@@ -1,6 +1,6 @@
 #include "app/web_flags.hpp"
 
-#include "live/web/web_address.hpp"
+#include "live/web/web_request.hpp"
 
 namespace autoref::app {
 

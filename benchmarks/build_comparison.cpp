@@ -7,13 +7,11 @@
 #include <optional>
 #include <string_view>
 
-#include "game/loop/fixed_games.hpp"
 #include "game/loop/state_hash.hpp"
 #include "io/command.hpp"
 #include "io/errors.hpp"
 #include "io/files.hpp"
 #include "io/json.hpp"
-#include "io/working_folder.hpp"
 
 namespace autoref::benchmarks {
 namespace {

@@ -14,10 +14,9 @@
 #include "io/build_id.hpp"
 #include "io/command.hpp"
 #include "io/errors.hpp"
-#include "io/processor_time.hpp"
+#include "io/files.hpp"
 #include "io/table.hpp"
 #include "io/terminal.hpp"
-#include "io/working_folder.hpp"
 
 namespace autoref::benchmarks {
 namespace {

@@ -7,10 +7,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "game/loop/fixed_games.hpp"
 #include "game/loop/game.hpp"
-#include "io/processor_time.hpp"
-#include "sim/camera_presets.hpp"
+#include "game/loop/state_hash.hpp"
+#include "io/command.hpp"
+#include "sim/presets.hpp"
 
 namespace autoref::benchmarks {
 namespace {

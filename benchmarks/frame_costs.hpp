@@ -7,7 +7,7 @@
 
 #include "benchmarks/measured_ratio.hpp"
 #include "benchmarks/options.hpp"
-#include "game/loop/configuration.hpp"
+#include "game/loop/game_configuration.hpp"
 
 namespace autoref::benchmarks {
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "experiments/statistics/interval.hpp"
-#include "experiments/statistics/median_interval.hpp"
 #include "experiments/statistics/sample.hpp"
 
 namespace autoref::benchmarks {

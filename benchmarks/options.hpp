@@ -3,12 +3,12 @@
 
 #include <string>
 
-#include "game/loop/configuration.hpp"
+#include "game/loop/game_configuration.hpp"
 
 namespace autoref::benchmarks {
 
 // The fewest rounds that give a 95 % interval of the median
-// (experiments/statistics/median_interval.hpp).
+// (experiments/statistics/interval.hpp).
 inline constexpr int kFewestRounds = 6;
 
 struct Options {

@@ -9,10 +9,9 @@
 
 #include "benchmarks/bare_box2d_benchmark.hpp"
 #include "experiments/statistics/sample.hpp"
-#include "game/loop/fixed_games.hpp"
 #include "game/loop/game.hpp"
 #include "game/loop/state_hash.hpp"
-#include "soccer/rule_table.hpp"
+#include "soccer/rules/rule_book.hpp"
 #include "strategies/registry.hpp"
 
 namespace autoref::benchmarks {

@@ -6,7 +6,6 @@
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -16,7 +15,6 @@
 #include <thread>
 
 #include "io/errors.hpp"
-#include "io/processor_time.hpp"
 
 namespace autoref::io {
 namespace {

@@ -3,22 +3,61 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
-
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <string_view>
 #include <system_error>
 #include <thread>
 
 #include "io/errors.hpp"
-#include "io/regular_file.hpp"
-#include "io/same_file.hpp"
 
 namespace autoref::io {
 namespace {
 
+constexpr mode_t kNewFileMode = 0666;
+
+std::string_view kind_of_file(mode_t mode) {
+  if (S_ISFIFO(mode)) return "a FIFO";
+  if (S_ISDIR(mode)) return "a folder";
+  if (S_ISSOCK(mode)) return "a socket";
+  if (S_ISLNK(mode)) return "a symbolic link";
+  return "a device";
+}
+
+InputOutputError not_a_file(const std::filesystem::path& path, mode_t mode) {
+  return InputOutputError(fmt::format("{} is {} where a file is expected; remove it", path.string(),
+                                      kind_of_file(mode)));
+}
+
+// Before a device is opened, since that alone may have effects.
+void refuse_other_kinds(const std::filesystem::path& path, int flags) {
+  struct stat named {};
+  const bool is_followed = (flags & O_NOFOLLOW) == 0;
+  const int result = is_followed ? stat(path.c_str(), &named) : lstat(path.c_str(), &named);
+  if (result != 0 || S_ISREG(named.st_mode)) return;
+  throw not_a_file(path, named.st_mode);
+}
+
 namespace fs = std::filesystem;
+
+constexpr int kMostLinks = 40;  // the limit of Linux
+
+// Resolves links, "." and "..". The file need not exist; the last component may be a dangling link.
+fs::path resolved(fs::path path) {
+  std::error_code error;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(fs::symlink_status(path, error)); ++i) {
+    const fs::path target = fs::read_symlink(path, error);
+    path = target.is_absolute() ? target : path.parent_path() / target;
+  }
+  path = fs::absolute(path, error);
+  const fs::path whole = fs::weakly_canonical(path, error);
+  return error ? path.lexically_normal() : whole;
+}
+
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kLongestUserFile = 10'000'000;
@@ -64,6 +103,48 @@ TakePiece append_to(std::string& text) {
 }
 
 }  // namespace
+
+int open_regular_file(const std::filesystem::path& path, int flags) {
+  refuse_other_kinds(path, flags);
+  const int descriptor =
+      open(path.c_str(), flags | O_CLOEXEC | O_NONBLOCK | O_NOCTTY, kNewFileMode);
+  struct stat opened {};
+  if (descriptor < 0 || (fstat(descriptor, &opened) == 0 && S_ISREG(opened.st_mode)))
+    return descriptor;
+  // It has been replaced since the first look.
+  close(descriptor);
+  throw not_a_file(path, opened.st_mode);
+}
+
+bool is_same_file(const fs::path& one, const fs::path& other) {
+  std::error_code error;
+  // equivalent() compares device and inode, so it also recognises hard links, but fails for files
+  // that do not exist yet.
+  return fs::equivalent(one, other, error) || resolved(one) == resolved(other);
+}
+
+bool is_open_as(const fs::path& path, int descriptor) {
+  struct stat opened {};
+  struct stat named {};
+  return fstat(descriptor, &opened) == 0 && S_ISREG(opened.st_mode) &&
+         stat(path.c_str(), &named) == 0 && opened.st_dev == named.st_dev &&
+         opened.st_ino == named.st_ino;
+}
+
+namespace fs = std::filesystem;
+
+fs::path running_program() {
+  std::error_code error;
+  return fs::read_symlink("/proc/self/exe", error);
+}
+
+std::optional<fs::path> installed_file(const fs::path& name, const fs::path& program) {
+  const bool leads_up = std::find(name.begin(), name.end(), "..") != name.end();
+  if (name.empty() || name.is_absolute() || leads_up) return std::nullopt;
+  fs::path file = program.parent_path().parent_path() / "share" / "autoref" / name;
+  std::error_code error;
+  return fs::is_regular_file(file, error) ? std::optional(std::move(file)) : std::nullopt;
+}
 
 std::string read_user_file(const fs::path& path) {
   std::string text;

@@ -1,13 +1,71 @@
 // Files that are read as a whole, and files that appear complete or not at all.
 #pragma once
 
+#include <stdlib.h>
+#include <cerrno>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
+
+#include "io/errors.hpp"
 
 namespace autoref::io {
+
+// A temporary folder to work in.
+
+// Deleted with this object.
+class WorkingFolder {
+ public:
+  // Throws InputOutputError.
+  WorkingFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "autoref-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw io_error(name + " cannot be created", errno);
+    path_ = name;
+  }
+  ~WorkingFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  WorkingFolder(const WorkingFolder&) = delete;
+  WorkingFolder& operator=(const WorkingFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+// Opens files whose names another program can have given to something else.
+
+// Opens a file as open(2) does, with O_CLOEXEC, but never waits for another program and never
+// touches a terminal or a device. `flags` are those of open(2); new files may be read and written
+// by everybody whom the umask allows. Returns the descriptor, or -1 with errno if the file cannot
+// be opened. Throws InputOutputError if the name leads to a FIFO, a device, a socket or a folder,
+// or with O_NOFOLLOW to a symbolic link.
+int open_regular_file(const std::filesystem::path& path, int flags);
+
+// Tests whether two paths lead to the same file.
+
+// Returns whether both paths lead to the same file, whatever their links and spellings, even if the
+// file does not exist yet.
+bool is_same_file(const std::filesystem::path& one, const std::filesystem::path& other);
+
+// Returns whether `descriptor` is open on this file; always false for terminals and pipes.
+bool is_open_as(const std::filesystem::path& path, int descriptor);
+
+// Files that are installed with the program.
+
+// The path of the running program; empty if the system does not report it.
+std::filesystem::path running_program();
+
+// PREFIX/share/autoref/NAME, if it exists, where `program` is PREFIX/bin/autoref. `name` is a path
+// without "..".
+std::optional<std::filesystem::path> installed_file(const std::filesystem::path& name,
+                                                    const std::filesystem::path& program);
 
 // Returns the content of a file named by the user, which may be a pipe. Throws InputError if it
 // cannot be read.

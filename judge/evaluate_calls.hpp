@@ -1,10 +1,39 @@
 // Plays games and judges their referee by ground truth.
 #pragma once
 
+#include <span>
+#include <string_view>
+
 #include "experiments/results/call_evaluation.hpp"
 #include "game/loop/game.hpp"
+#include "judge/truth/true_event.hpp"
+#include "sim/world.hpp"
+#include "soccer/side.hpp"
 
 namespace autoref::judge {
+
+// Detects contested touches: both sides touch the ball just before it leaves the field.
+
+// A last touch is contested if both sides touched the ball within this time before it left.
+inline constexpr double kContested_s = 0.1;
+
+// Remembers when each side last touched the ball.
+class SideTouches {
+ public:
+  // Call once per frame. `time_s` is the frame's.
+  void see(std::span<const sim::Touch> touches, double time_s);
+
+  // Whether the last touch before the ball left the field at `exit_s` was contested.
+  bool is_contested(double exit_s) const;
+
+ private:
+  static constexpr double kNever_s = -1e9;
+  PerSide<double> latest_s_{{kNever_s, kNever_s}};
+};
+
+// When the ball left the field over a line, according to a call at `call_s`: the time of the latest
+// true exit, also of one that play's end prevented. Without one in the last second, the call's.
+double exit_time_s(const ground_truth::TrueEvents& true_events, double call_s);
 
 struct JudgedGame {
   game::GameRecord record;

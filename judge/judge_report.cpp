@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "experiments/kinds/judge/judge_schedule.hpp"
-#include "experiments/results/scores.hpp"
+#include "experiments/results/game_row.hpp"
 #include "io/csv.hpp"
 #include "referee/machine/machine.hpp"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "experiments/statistics/proportion_interval.hpp"
+#include "experiments/statistics/interval.hpp"
 #include "io/csv.hpp"
 #include "judge/judge_measures.hpp"
 

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/statistics/f1_interval.hpp"
-#include "experiments/statistics/proportion_interval.hpp"
+#include "experiments/statistics/interval.hpp"
 #include "judge/association.hpp"
 #include "referee/event.hpp"
 
@@ -57,6 +56,24 @@ std::vector<std::string> names_of(bool (*is_one)(referee::Event)) {
 }
 
 }  // namespace
+
+void Reliability::add(const experiments::CallVerdict& verdict) {
+  if (!verdict.confidence) return;
+  std::size_t index = kFrom.size() - 1;
+  while (index > 0 && *verdict.confidence < kFrom[index]) --index;
+  ReliabilityBand& band = bands_[index];
+  ++band.calls;
+  band.right += verdict.outcome == experiments::CallOutcome::kRight ? 1 : 0;
+  band.confidence_sum += *verdict.confidence;
+}
+
+void Reliability::add(const Reliability& other) {
+  for (std::size_t i = 0; i < bands_.size(); ++i) {
+    bands_[i].calls += other.bands_[i].calls;
+    bands_[i].right += other.bands_[i].right;
+    bands_[i].confidence_sum += other.bands_[i].confidence_sum;
+  }
+}
 
 std::optional<double> EventTally::precision() const { return share(right, calls()); }
 std::optional<double> EventTally::recall() const { return share(right, happened()); }

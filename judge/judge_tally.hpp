@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -11,9 +12,32 @@
 #include "experiments/results/call_evaluation.hpp"
 #include "experiments/statistics/interval.hpp"
 #include "game/loop/game.hpp"
-#include "judge/reliability.hpp"
 
 namespace autoref::judge {
+
+// How far the referee's confidence can be relied on: among calls of 0.9, 90 % should be right.
+
+// Calls of similar confidence.
+struct ReliabilityBand {
+  int calls = 0;
+  int right = 0;
+  double confidence_sum = 0;
+};
+
+class Reliability {
+ public:
+  // Lower ends of the bands; each ends where the next one begins, and the last at 1.
+  static constexpr std::array kFrom = {0.0, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95, 0.98};
+
+  // Verdicts without a confidence do not count.
+  void add(const experiments::CallVerdict& verdict);
+  void add(const Reliability& other);
+
+  const ReliabilityBand& band(std::size_t index) const { return bands_[index]; }
+
+ private:
+  std::array<ReliabilityBand, kFrom.size()> bands_;
+};
 
 // An event that happened less often is rare: its measures are uncertain by several hundredths.
 inline constexpr int kRareEvents = 100;
@@ -39,7 +63,7 @@ struct EventTally {
   std::optional<double> precision() const;
   std::optional<double> recall() const;
   std::optional<double> f1() const;
-  // Their 95 % confidence intervals: Wilson's, and that of f1_interval.hpp.
+  // Their 95 % confidence intervals: Wilson's, and that of interval.hpp.
   std::optional<experiments::Interval> precision_interval() const;
   std::optional<experiments::Interval> recall_interval() const;
   std::optional<experiments::Interval> f1_interval() const;

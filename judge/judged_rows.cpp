@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "experiments/kinds/judge/judge_schedule.hpp"
-#include "experiments/results/evaluation_text.hpp"
+#include "experiments/results/call_evaluation.hpp"
 #include "io/words.hpp"
 #include "judge/judge_tables.hpp"
 

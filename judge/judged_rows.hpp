@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "experiments/kinds/judge/judge_schedule.hpp"
-#include "experiments/run/outcomes.hpp"
-#include "experiments/run/program_files.hpp"
+#include "experiments/run/program_versions.hpp"
 #include "experiments/run/result_folder.hpp"
+#include "experiments/run/run_experiment.hpp"
 #include "judge/evaluate_calls.hpp"
 #include "judge/judge_report.hpp"
 

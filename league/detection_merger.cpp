@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "league/field_message.hpp"
-#include "league/units.hpp"
+#include "league/message_fields.hpp"
 
 namespace autoref::league {
 namespace {

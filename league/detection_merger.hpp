@@ -8,7 +8,6 @@
 #include <set>
 #include <vector>
 
-#include "league/ball_choice.hpp"
 #include "league/camera_clocks.hpp"
 #include "league/field_message.hpp"
 #include "league/followed_body.hpp"
@@ -25,7 +24,7 @@ namespace autoref::league {
 //
 // A robot that several cameras see stays with its camera, and changes to another without a jump
 // (followed_body.hpp). If it appears twice, the detection nearest to where it is expected is used,
-// unless another is clearly more confident. Of several balls, one is followed (ball_choice.hpp).
+// unless another is clearly more confident. Of several balls, one is followed (followed_body.hpp).
 // Ignores robots with a number outside the league's range, detections that are not finite or more
 // than 100 m away, and frames more than a million seconds after the first.
 class DetectionMerger {

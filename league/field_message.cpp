@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "league/units.hpp"
+#include "league/message_fields.hpp"
 #include "soccer/robot_shape.hpp"
 #include "soccer/units.hpp"
 

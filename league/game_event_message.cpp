@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "league/units.hpp"
+#include "league/message_fields.hpp"
 
 namespace autoref::league {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "league/messages/game_event.pb.h"
 #include "league/messages/referee.pb.h"
-#include "soccer/game_event.hpp"
+#include "soccer/rules/game_event.hpp"
 
 namespace autoref::league {
 

@@ -5,8 +5,9 @@
 #include <utility>
 
 #include "league/field_message.hpp"
-#include "league/frame_message.hpp"
-#include "soccer/published.hpp"
+#include "league/message_fields.hpp"
+#include "league/vision_message.hpp"
+#include "soccer/referee_signal.hpp"
 
 namespace autoref::league {
 namespace {
@@ -113,6 +114,24 @@ void GamePackets::send_signal(const RefereeSignal& signal, double time_s, Packet
   fill_referee(shown, teams_, time_s + times_.start_s, referee_);
   add_events();
   sink.on_referee(time_s, referee_);
+}
+
+GameLog::GameLog(const std::filesystem::path& path, const Field& field,
+                 std::vector<CameraPosition> cameras, PerSide<LoggedTeam> teams)
+    : file_(path), packets_(field, std::move(cameras), std::move(teams), {}) {}
+
+template <typename Message>
+void GameLog::write(double time_s, MessageKind kind, const Message& message) {
+  message.SerializeToString(&bytes_);
+  file_.write(to_ns(time_s), kind, bytes_);
+}
+
+void GameLog::on_vision(double time_s, const VisionPacket& packet) {
+  write(time_s, MessageKind::kVision2014, packet);
+}
+
+void GameLog::on_referee(double time_s, const RefereePacket& packet) {
+  write(time_s, MessageKind::kReferee2013, packet);
 }
 
 }  // namespace autoref::league

@@ -1,17 +1,21 @@
 // Turns a game into the packets of its cameras and its referee.
 #pragma once
 
+#include <filesystem>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "league/field_message.hpp"
 #include "league/game_event_message.hpp"
+#include "league/log_file.hpp"
 #include "league/messages/referee.pb.h"
 #include "league/messages/vision.pb.h"
 #include "league/referee_message.hpp"
 #include "soccer/field.hpp"
 #include "soccer/frame.hpp"
-#include "soccer/game_event.hpp"
 #include "soccer/referee_signal.hpp"
+#include "soccer/rules/game_event.hpp"
 
 namespace autoref::league {
 
@@ -33,7 +37,7 @@ struct PacketTimes {
 // Every camera sends one packet per frame, in addition to the geometry; the referee sends regularly
 // and whenever its signal changes. Its packets contain the game events since play was on last, or
 // the newest ones if they would exceed kLongestPacket. The packets show each team at its current
-// end (soccer/published.hpp).
+// end (soccer/referee_signal.hpp).
 class GamePackets {
  public:
   GamePackets(const Field& field, std::vector<CameraPosition> cameras, PerSide<LoggedTeam> teams,
@@ -83,6 +87,38 @@ class GamePackets {
   OtherDetections others_;  // in addition to the current frame
   double geometry_due_s_ = 0;
   double referee_due_s_ = 0;
+};
+
+// Writes a game as an SSL log: the packets of its cameras and its referee.
+
+// Times count from the game's first frame. The log contains the geometry about once a second, and
+// of the referee ten packets per second plus one whenever its signal changes.
+class GameLog final : PacketSink {
+ public:
+  // Creates or truncates the file. Throws LogError.
+  GameLog(const std::filesystem::path& path, const Field& field,
+          std::vector<CameraPosition> cameras, PerSide<LoggedTeam> teams);
+
+  // As those of GamePackets.
+  void note(Command command) { packets_.note(command); }
+  void note(GameEvent event) { packets_.note(std::move(event)); }
+  void note(const OtherDetections& others) { packets_.note(others); }
+
+  // Throws LogError.
+  void add(const Frame& frame, const RefereeSignal& signal) { packets_.add(frame, signal, *this); }
+
+  // Completes the file. Throws LogError.
+  void close() { file_.close(); }
+
+ private:
+  void on_vision(double time_s, const VisionPacket& packet) override;
+  void on_referee(double time_s, const RefereePacket& packet) override;
+  template <typename Message>
+  void write(double time_s, MessageKind kind, const Message& message);
+
+  LogWriter file_;
+  GamePackets packets_;
+  std::string bytes_;
 };
 
 }  // namespace autoref::league

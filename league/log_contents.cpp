@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "league/message_fields.hpp"
 #include "league/messages/tracker.pb.h"
 #include "league/messages/vision.pb.h"
-#include "league/partial_parse.hpp"
 #include "league/record_reader.hpp"
-#include "league/vision_2010.hpp"
+#include "league/vision_message.hpp"
 
 namespace autoref::league {
 namespace {

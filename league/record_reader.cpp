@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "league/partial_parse.hpp"
-#include "league/vision_2010.hpp"
+#include "league/message_fields.hpp"
+#include "league/vision_message.hpp"
 
 namespace autoref::league {
 namespace {

@@ -9,7 +9,6 @@
 #include <variant>
 
 #include "league/detection_merger.hpp"
-#include "league/followed_source.hpp"
 #include "league/log_contents.hpp"
 #include "league/log_file.hpp"
 #include "league/messages/referee.pb.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "league/units.hpp"
+#include "league/message_fields.hpp"
 
 namespace autoref::league {
 namespace {

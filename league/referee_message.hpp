@@ -16,7 +16,7 @@ struct LoggedTeam {
 };
 
 // Fills `packet`, sent at game time `time_s`. West is yellow; positions are published ones
-// (soccer/published.hpp).
+// (soccer/referee_signal.hpp).
 void fill_referee(const RefereeSignal& signal, const PerSide<LoggedTeam>& teams, double time_s,
                   RefereePacket& packet);
 

@@ -3,13 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 
 namespace autoref::league {
 namespace {
 
+constexpr double kSilence_s = 1;
+constexpr std::size_t kMostSources = 64;
+constexpr std::size_t kLongestSourceName = 64;  // bytes
+
 constexpr int kDetectsFlyingBalls = 1;  // a capability
-constexpr double kLeap_s = 1;           // larger steps of a tracker's clock are leaps
+constexpr double kTrackerLeap_s = 1;    // larger steps of a tracker's clock are leaps
 constexpr double kStep_s = 1e-3;        // the shortest time between frames after a leap
 constexpr double kLongestTrack_s = 1e6;
 constexpr double kFarthest_m = 100;
@@ -86,6 +91,22 @@ void fill_ball(const TrackedBall& ball, TrackerBall& message) {
 
 }  // namespace
 
+bool FollowedSource::follows(std::string_view name, double received_s) {
+  name = name.substr(0, kLongestSourceName);
+  const bool is_first = sources_.empty();
+  if (sources_.size() < kMostSources) sources_.emplace(name);
+  const bool is_other = is_first || name != name_;
+  if (is_other && !is_first && std::abs(received_s - heard_s_) <= kSilence_s) {
+    if (!has_ignored_) ignored_name_ = name;
+    has_ignored_ = true;
+    return false;
+  }
+  changes_ += is_other && !is_first ? 1 : 0;
+  name_ = name;
+  heard_s_ = received_s;
+  return true;
+}
+
 void fill_tracker(const Tracks& tracks, const TrackerSource& source, double unix_s,
                   TrackerPacket& packet) {
   packet.Clear();
@@ -107,7 +128,7 @@ double TrackFollower::time_of(double timestamp_s, double received_s) {
   const double elapsed_s = std::max(kStep_s, received_s - received_s_);
   if (frames_ == 0) {
     offset_s_ = -timestamp_s;
-  } else if (changes_ != source_.changes() || std::abs(step_s) > kLeap_s + elapsed_s) {
+  } else if (changes_ != source_.changes() || std::abs(step_s) > kTrackerLeap_s + elapsed_s) {
     offset_s_ = frame_.time_s + elapsed_s - timestamp_s;
   }
   changes_ = source_.changes();

@@ -2,14 +2,42 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <set>
 #include <string>
+#include <string_view>
 
-#include "league/followed_source.hpp"
 #include "league/messages/tracker.pb.h"
 #include "soccer/frame.hpp"
 #include "soccer/tracks.hpp"
 
 namespace autoref::league {
+
+// Which of several programs that send the same kind of packets is listened to.
+
+// The first one, until it has been silent for 1 s; then the next that sends.
+class FollowedSource {
+ public:
+  // Notes a packet of the program `name`, which arrived at `received_s`, on any clock. Returns
+  // whether that program is followed.
+  bool follows(std::string_view name, double received_s);
+
+  // The program followed, its name cut off after 64 bytes; empty before the first packet.
+  const std::string& name() const { return name_; }
+  int changes() const { return changes_; }  // how often another program was followed
+  int sources() const { return static_cast<int>(sources_.size()); }  // at most 64 are counted
+
+  // The first program that was ignored; empty if there is none.
+  const std::string& ignored_name() const { return ignored_name_; }
+
+ private:
+  std::set<std::string, std::less<>> sources_;
+  std::string name_;
+  std::string ignored_name_;
+  double heard_s_ = 0;
+  int changes_ = 0;
+  bool has_ignored_ = false;
+};
 
 // The program that sends tracker packets.
 struct TrackerSource {
@@ -23,7 +51,7 @@ struct TrackerSource {
 void fill_tracker(const Tracks& tracks, const TrackerSource& source, double unix_s,
                   TrackerPacket& packet);
 
-// Follows one of the trackers that send packets (followed_source.hpp). Of several balls, the most
+// Follows one of the trackers that send packets. Of several balls, the most
 // visible is used, and among equals the one nearest to the previous position. Ignores robots with a
 // number outside the league's range or without a team, and objects whose position is not finite or
 // more than 100 m away; such a velocity is 0.

@@ -7,7 +7,7 @@
 
 namespace autoref::live {
 
-// The tracks in the field's coordinates, if those differ from the program's (published.hpp).
+// The tracks in the field's coordinates, if those differ from the program's (referee_signal.hpp).
 Tracks turned(Tracks tracks);
 
 // A random UUID of version 4.

@@ -1,12 +1,85 @@
 // Collects the facts about a game (recorded_facts.hpp) from its frames and packets.
 #pragma once
 
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "game/loop/event_log.hpp"
 #include "league/log_contents.hpp"
-#include "logs/logged_noise.hpp"
+#include "league/messages/referee.pb.h"
 #include "logs/recorded_facts.hpp"
-#include "logs/recorded_game_events.hpp"
+#include "soccer/frame.hpp"
+#include "tracking/tracker.hpp"
 
 namespace autoref::logs {
+
+// The game events in a log's referee packets, each once.
+
+// A packet repeats its events for as long as the game controller keeps them. Each counts from the
+// packet that has it first. Events are the same if their ids are or, without ids, all else but
+// their origins. An event without id and time of creation that comes back later is another one.
+// Events of the log's first packet happened before and are left out; so are proposals, which the
+// game controller has not accepted.
+class RecordedGameEvents {
+ public:
+  static constexpr std::size_t kMostEvents = 10'000;
+
+  void take(double time_s, const league::RefereePacket& packet);
+
+  // In order of time, at most kMostEvents.
+  const std::vector<game::TimedGameEvent>& events() const { return events_; }
+
+ private:
+  void take_new(double time_s, const league::RefereePacket& packet);
+
+  bool is_first_ = true;
+  std::vector<std::string> current_;  // the last packet's events as bytes
+  std::set<std::string> shown_;       // keys of the last packet's events
+  std::set<std::string> known_;       // keys of all events that have an id or a time of creation
+  std::vector<game::TimedGameEvent> events_;
+};
+
+// Measures the noise of the vision that recorded a log.
+
+// Differences of the third order of four successive positions: nearly free of motion, since
+// accelerations change slowly compared with frames, and sqrt(20) times as noisy as a position. The
+// median absolute value ignores kicks and false detections.
+class LoggedNoise {
+ public:
+  // Frames must be in order of time.
+  void take(const Frame& frame);
+
+  // Standard deviations. Zero where there is hardly any noise, as in the logs of a simulator
+  // without it. nullopt if the log is too short or its frames are too irregular to tell.
+  std::optional<tracking::VisionNoise> noise() const;
+
+ private:
+  // The latest positions of one body.
+  class Track {
+   public:
+    // Returns the third difference if there have been four evenly spaced positions.
+    std::optional<Vec2> take(double time_s, const Vec2& position);
+
+   private:
+    struct Position {
+      double time_s = 0;
+      Vec2 at{0, 0};
+    };
+    std::vector<Position> latest_;
+  };
+
+  void take(const RobotObservation& robot, Side side, double time_s);
+
+  PerSide<std::array<Track, kMaxRobots>> robots_;
+  PerSide<std::array<Track, kMaxRobots>> headings_;
+  Track ball_;
+  std::vector<double> robot_m_;
+  std::vector<double> robot_rad_;
+  std::vector<double> ball_m_;
+};
 
 class FactFinder final : public league::LogVisitor {
  public:

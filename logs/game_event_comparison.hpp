@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include "game/loop/game_event_log.hpp"
+#include "game/loop/event_log.hpp"
 #include "io/json.hpp"
-#include "referee/configuration.hpp"
-#include "soccer/game_event.hpp"
+#include "referee/referee_configuration.hpp"
+#include "soccer/rules/game_event.hpp"
 
 namespace autoref::logs {
 

@@ -6,9 +6,22 @@
 #include <vector>
 
 #include "game/settings/game_settings.hpp"
+#include "league/log_contents.hpp"
 #include "logs/recorded_facts.hpp"
 
 namespace autoref::logs {
+
+// Guesses the rule book of a recorded game.
+struct GuessedRules {
+  std::string book;    // a name of find_rule_book()
+  std::string reason;  // what it was guessed from, for people
+};
+
+// Guesses from the size of the field, the shape of its defence areas and the date of the recording.
+// Until 2017 the areas were quarter circles; since 2018 they have been boxes, on fields of 12 m
+// (Division A) or 9 m. A log without a date (its times count from 0, as in those of this program)
+// on the single-size field gets the paper's rules.
+GuessedRules guessed_rules(const league::LogSummary& log);
 
 // The field according to the log's geometry; values that the geometry lacks come from the rule
 // book's field. Vision does not say whether the goals' side walls reach the wall: they do as in the

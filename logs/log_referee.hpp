@@ -1,17 +1,79 @@
 // Lets AutoRef referee a recorded game: alone, or beside the recorded referee.
 #pragma once
 
+#include <deque>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "game/loop/game_event_log.hpp"
+#include "game/loop/event_log.hpp"
+#include "league/log_contents.hpp"
 #include "logs/calls.hpp"
-#include "logs/record_referee.hpp"
+#include "logs/recorded_ends.hpp"
 #include "logs/recorded_facts.hpp"
 #include "referee/referee.hpp"
+#include "soccer/robot_command.hpp"
 
 namespace autoref::logs {
+
+// Lets AutoRef judge the frames of a real game, recorded or live: alone, or beside the referee
+// whose packets come with them.
+
+// Called with each decision.
+using DecisionWatch = std::function<void(const referee::Decision&)>;
+
+// When a referee packet takes effect: after the last frame captured before it, by the times in a
+// log, or after the frame that is being received as it arrives.
+enum class SignalOrder : std::uint8_t { kByTime, kByArrival };
+
+// Under Control::kHuman, AutoRef follows the other referee's signals. Each game has its own
+// configuration and referee; the last configuration is reused if there are more games. If the other
+// referee says that blue defends the goal at -x, frames are rotated, since AutoRef assumes that
+// yellow is west.
+class RecordReferee final : public league::LogVisitor {
+ public:
+  // `configurations` must not be empty. Throws std::invalid_argument if one is not valid for a
+  // referee.
+  RecordReferee(std::vector<referee::Configuration> configurations, const RecordedTeams& teams,
+                SignalOrder order, DecisionWatch watch);
+
+  void on_frame(const Frame& frame) override;
+  void on_referee(double time_s, const league::RefereePacket& packet) override;
+
+  const referee::Configuration& configuration() const { return configurations_[game_]; }
+  const referee::AutoRef& referee() const { return referee_; }
+  // The signal now in force, AutoRef's own or the one that it follows. Like the tracks, it counts
+  // yellow as west.
+  const RefereeSignal& signal() const { return signal_; }
+  // Whether frames are rotated.
+  bool is_turned() const { return ends_.yellow() == Side::kEast; }
+
+ private:
+  struct TimedSignal {
+    double time_s = 0;
+    RefereeSignal signal;
+  };
+
+  void say_ends();
+  void judge(const Frame& frame);
+  void note_keepers(const RefereeSignal& signal);
+
+  std::vector<referee::Configuration> configurations_;
+  PerSide<std::optional<int>> actual_keepers_;
+  SignalOrder order_;
+  DecisionWatch watch_;
+  PerSide<TeamRequests> requests_;
+  std::size_t game_ = 0;
+  NextGame next_game_;
+  bool is_next_game_ = false;
+  RecordedEnds ends_;
+  referee::AutoRef referee_;
+  RefereeSignal signal_;
+  double judged_s_ = 0;              // time of the last frame
+  std::deque<TimedSignal> signals_;  // given after the last frame judged
+};
 
 struct LogRefereeResult {
   Agreement agreement;      // between AutoRef's calls and those of the recorded referee
@@ -23,7 +85,7 @@ struct LogRefereeResult {
   referee::Control control = referee::Control::kAutoref;  // of the first game
 };
 
-// Judges every frame of the log in order (record_referee.hpp). The goals in the result are those of
+// Judges every frame of the log in order. The goals in the result are those of
 // the last game. Throws league::LogError, and
 // std::invalid_argument if a configuration is not valid for a referee. `configurations` must not be
 // empty.

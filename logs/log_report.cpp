@@ -12,7 +12,7 @@
 #include "io/table.hpp"
 #include "logs/game_event_comparison.hpp"
 #include "logs/log_page.hpp"
-#include "soccer/colour.hpp"
+#include "soccer/side.hpp"
 
 namespace autoref::logs {
 namespace {

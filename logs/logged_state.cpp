@@ -9,7 +9,7 @@
 #include "league/referee_message.hpp"
 #include "logs/recorded_ends.hpp"
 #include "logs/recorded_teams.hpp"
-#include "soccer/published.hpp"
+#include "soccer/referee_signal.hpp"
 #include "soccer/robot_shape.hpp"
 #include "tracking/tracker.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "game/loop/start_state.hpp"
+#include "game/loop/start_scene.hpp"
 #include "league/log_contents.hpp"
 #include "soccer/field.hpp"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "game/loop/game_event_log.hpp"
+#include "game/loop/event_log.hpp"
 #include "league/log_contents.hpp"
 #include "logs/recorded_teams.hpp"
 #include "soccer/referee_signal.hpp"
@@ -65,7 +65,7 @@ struct RecordedFacts {
   PerSide<int> robots;                              // maximum number in a frame
   bool has_ball = false;                            // in any frame
   std::vector<RecordedGame> games = {{}};           // at least one, at most kMostGames
-  std::optional<tracking::VisionNoise> noise;       // measured (logged_noise.hpp)
+  std::optional<tracking::VisionNoise> noise;       // measured (fact_finder.hpp)
   std::vector<game::TimedGameEvent> game_events;    // the recorded referee's
   RecordedTeams teams;                              // found out separately (recorded_teams.hpp)
   std::int64_t unknown_signals = 0;                 // packets with an unknown stage or command

@@ -6,7 +6,6 @@
 #include "league/log_contents.hpp"
 #include "league/referee_message.hpp"
 #include "logs/recorded_ends.hpp"
-#include "logs/yellow_end.hpp"
 
 namespace autoref::logs {
 namespace {

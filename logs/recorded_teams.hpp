@@ -24,7 +24,8 @@ struct GoalDuty {
 std::optional<int> actual_keeper(const GoalDuty& duty, int announced);
 
 struct RecordedTeams {
-  // The end that yellow defends when the log begins (yellow_end.hpp): west is -x. nullopt: unknown.
+  // The end that yellow defends when the log begins (recorded_ends.hpp): west is -x. nullopt:
+  // unknown.
   std::optional<Side> yellow_end;
   // Robots that keep the goals although others are announced; -1: unknown, nullopt: the announced.
   // A keeper that is never announced is taken to be robot 0.

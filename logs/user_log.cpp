@@ -14,9 +14,8 @@
 #include "io/errors.hpp"
 #include "io/files.hpp"
 #include "io/words.hpp"
-#include "logs/guessed_rules.hpp"
 #include "logs/log_game.hpp"
-#include "soccer/rule_book.hpp"
+#include "soccer/rules/rule_book.hpp"
 
 namespace autoref::logs {
 namespace {

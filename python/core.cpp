@@ -18,7 +18,7 @@
 #include "game/loop/event_log.hpp"
 #include "game/loop/game.hpp"
 #include "game/settings/fields.hpp"
-#include "game/settings/resolved.hpp"
+#include "game/settings/game_settings.hpp"
 #include "game/team_programs/program_games.hpp"
 #include "io/build_id.hpp"
 #include "io/checksum.hpp"

@@ -9,12 +9,35 @@
 #include <string_view>
 
 #include "referee/event.hpp"
-#include "referee/event_details.hpp"
+#include "referee/referee_configuration.hpp"
 #include "soccer/geometry.hpp"
 #include "soccer/referee_signal.hpp"
+#include "soccer/rules/rule_book.hpp"
 #include "soccer/side.hpp"
 
 namespace autoref::referee {
+
+// What a finding's league event needs beyond the finding itself.
+
+// Only what is known is set. Positions are in the referee's coordinates.
+struct EventDetails {
+  std::optional<RobotId> robot;  // the robot at fault, if it is not the finding's first one
+  std::optional<Vec2> robot_m;   // its position
+  std::optional<Vec2> ball_m;
+  std::optional<Vec2> kick_m;               // of a goal: where the ball was kicked
+  std::optional<Vec2> dribble_from_m;       // where the ball was when the robot gained it
+  std::optional<double> ball_top_m;         // greatest height of its top since the scorers' touch
+  std::optional<double> scorers_touched_s;  // time of that touch
+  std::optional<bool> is_chipped;           // of a kick
+  std::optional<int> robots;                // of the side concerned, on the field
+  std::optional<int> robots_allowed;        // of the same side
+  std::optional<double> speed_difference_mps;  // of colliding robots
+  std::optional<double> crash_angle_rad;       // between their velocities, at most pi
+  std::optional<double> waited_s;              // without progress
+  std::optional<double> to_target_m;           // from the ball to its designated position
+  std::optional<double> from_target_m;         // the same when the placement began
+  std::optional<double> own_robot_to_ball_m;   // of the placing team's nearest robot, between hulls
+};
 
 // What the confidence in a call depends on (machine/confidence.hpp).
 inline constexpr std::size_t kConfidenceFeatures = 5;
@@ -44,5 +67,43 @@ struct Finding {
   double confidence = 1;
   ConfidenceFeatures confidence_features{};  // what it was computed from
 };
+
+// Functions that the rules use to create their findings.
+
+// A finding with the event's fixed card and restart (event.hpp) and the rule's section, threshold
+// and unit (soccer/rules/rule_book.hpp).
+Finding finding_of(Event event, RuleId rule, const RuleBook& rules);
+
+// An offence by `robot` at `where_m`. If the event has no fixed restart, the opponents get a free
+// kick from there: direct if all kicks may score (`RuleBook::kicks_may_score`), otherwise indirect.
+Finding offence_of(Event event, RuleId rule, const Configuration& configuration, RobotId robot,
+                   const Vec2& where_m);
+
+// The same for an unknown robot of the side `offender`.
+Finding offence_of(Event event, RuleId rule, const Configuration& configuration, Side offender,
+                   const Vec2& where_m);
+
+// An offence by `robot` at `where_m` that only counts towards a card, and only if the rule book
+// counts fouls.
+Finding note_of(Event event, RuleId rule, const RuleBook& rules, RobotId robot,
+                const Vec2& where_m);
+
+// A foul by `robot`, located at `robot_m`, against an opponent at `where_m`. The opponents get a
+// direct free kick from there, or, under the Laws of 2014, a penalty kick if it happened inside the
+// offender's own defence area.
+Finding contact_foul_of(Event event, RuleId rule, const Configuration& configuration, RobotId robot,
+                        const Vec2& robot_m, const Vec2& where_m);
+
+// INDIRECT_FREE for `kicker` if the rule book has indirect free kicks, otherwise DIRECT_FREE.
+Command indirect_free_kick(const RuleBook& rules, Side kicker);
+
+// "yellow 3". Texts name sides by colour (soccer/side.hpp).
+std::string text_of(RobotId robot);
+
+// "367 mm"; "0 mm" if noise makes the distance between two touching bodies negative.
+std::string mm_text(double distance_m);
+
+// "83 mm from", or "302 mm inside" if the signed distance to the area is negative.
+std::string gap_text(double signed_distance_m);
 
 }  // namespace autoref::referee

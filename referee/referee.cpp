@@ -6,9 +6,8 @@
 
 #include "referee/machine/ball_in_play.hpp"
 #include "referee/machine/confidence.hpp"
-#include "referee/machine/decision_of.hpp"
-#include "referee/machine/official.hpp"
 #include "referee/person/beside_person.hpp"
+#include "referee/person/official.hpp"
 #include "referee/referee_input.hpp"
 #include "referee/rules/rule.hpp"
 #include "referee/touch/sight.hpp"

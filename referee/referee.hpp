@@ -18,13 +18,13 @@
 #include <optional>
 #include <span>
 
-#include "referee/beginning.hpp"
-#include "referee/configuration.hpp"
 #include "referee/decision.hpp"
+#include "referee/referee_configuration.hpp"
+#include "referee/state.hpp"
 #include "soccer/frame.hpp"
 #include "soccer/referee_signal.hpp"
+#include "soccer/robot_command.hpp"
 #include "soccer/side.hpp"
-#include "soccer/team_requests.hpp"
 #include "soccer/tracks.hpp"
 #include "tracking/tracker.hpp"
 

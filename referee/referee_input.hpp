@@ -3,12 +3,12 @@
 
 #include <optional>
 
-#include "referee/configuration.hpp"
 #include "referee/decision.hpp"
+#include "referee/referee_configuration.hpp"
 #include "soccer/frame.hpp"
 #include "soccer/geometry.hpp"
+#include "soccer/robot_command.hpp"
 #include "soccer/side.hpp"
-#include "soccer/team_requests.hpp"
 #include "soccer/tracks.hpp"
 
 namespace autoref::referee {

@@ -3,8 +3,11 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 
+#include "soccer/geometry.hpp"
 #include "soccer/named.hpp"
+#include "soccer/referee_signal.hpp"
 
 namespace autoref::referee {
 
@@ -53,5 +56,19 @@ class States {
 
 // Whether the ball may be played, though AutoRef may have called something.
 constexpr bool is_play(State state) { return state == State::kRun || state == State::kCalled; }
+
+// How a game begins, if not with the first kick-off: in the middle of the first half.
+
+// The half begins with the first frame, at 0:0. Who touched the ball before is unknown.
+struct Beginning {
+  // The pending restart: PREPARE_KICKOFF, PREPARE_PENALTY, DIRECT_FREE or INDIRECT_FREE of a side,
+  // or FORCE_START. nullopt: play is on.
+  std::optional<Command> restart = {};
+  // Where the ball is placed for the restart; unused if play is on.
+  Vec2 ball_m{0, 0};
+  // STOP comes first, and the restart follows as usual. Otherwise it is signalled at once; a
+  // kick-off and a penalty kick then still need the robots to be ready.
+  bool is_stopped = false;
+};
 
 }  // namespace autoref::referee

@@ -3,9 +3,47 @@
 #include <algorithm>
 #include <cmath>
 
+#include "soccer/robot_shape.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::sim {
+namespace {
+
+// Whether the point is over a goal's side wall where it goes on to the field's wall.
+bool is_over_goal_side(const Field& field, const Vec2& point_m) {
+  const double beside_m = std::abs(point_m.y()) - field.half_goal_m();
+  return field.goal_sides_reach_wall && std::abs(point_m.x()) > field.half_length_m() &&
+         beside_m >= 0.0 && beside_m <= field.goal_wall_thickness_m;
+}
+
+double bounced_vertical(const ContactParameters& contacts, const Ball& ball) {
+  return std::max(contacts.top_leaving_mps, -contacts.top_restitution * ball.vertical_mps());
+}
+
+// `velocity_mps`, with its component along `outwards` relative to the top raised to at least
+// `least_mps`.
+Vec2 leaving(const Vec2& velocity_mps, const Vec2& top_mps, const Vec2& outwards,
+             double least_mps) {
+  const double now = (velocity_mps - top_mps).dot(outwards);
+  return velocity_mps + std::max(0.0, least_mps - now) * outwards;
+}
+
+// Segment-circle intersection: the first fraction of the segment from `from_m` to `to_m` at which
+// the distance to the origin is `near_m`.
+std::optional<double> collision(const Vec2& from_m, const Vec2& to_m, double near_m) {
+  const Vec2 path_m = to_m - from_m;
+  const double towards = -from_m.dot(path_m);
+  const double spare = from_m.squaredNorm() - near_m * near_m;
+  if (towards <= 0.0) return std::nullopt;
+  if (spare <= 0.0) return 0.0;
+  const double length2 = path_m.squaredNorm();
+  const double root2 = towards * towards - length2 * spare;
+  if (root2 < 0.0) return std::nullopt;
+  const double share = (towards - std::sqrt(root2)) / length2;
+  return share <= 1.0 ? std::optional(share) : std::nullopt;
+}
+
+}  // namespace
 
 // With deceleration a, a ball without spin slides at v - a t while its surface speed grows as
 // inertia * a t; they meet at v * inertia / (1 + inertia), which must equal switch_ratio * v.
@@ -113,6 +151,77 @@ void Ball::collide(const Vec2& change_mps) {
 void Ball::bounce_in_air(double height_m, double vertical_mps) {
   height_m_ = height_m;
   vertical_mps_ = vertical_mps;
+}
+
+bool is_over_goal(const Field& field, const Vec2& point_m) {
+  const double x = std::abs(point_m.x()) - field.half_length_m();
+  return x >= 0.0 && x <= field.goal_depth_m + field.goal_wall_thickness_m &&
+         std::abs(point_m.y()) <= field.half_goal_m() + field.goal_wall_thickness_m;
+}
+
+bool is_in_goal(const Field& field, const Vec2& point_m) {
+  const double x = std::abs(point_m.x()) - field.half_length_m();
+  return x >= 0.0 && x <= field.goal_depth_m && std::abs(point_m.y()) <= field.half_goal_m();
+}
+
+std::optional<Vec2> bounced_off_top(const Field& field, const ContactParameters& contacts,
+                                    const Box2dBridge& bodies, int robots, double former_height_m,
+                                    Ball& ball) {
+  // The ball hits a top if its height crosses the top's within the step. A step is short, so its
+  // end approximates the position of the crossing.
+  const double height_m = ball.height_m();
+  const BodyState& body = bodies.ball();
+  const double net_m = field.goal_opening_height_m;
+  if (former_height_m < net_m && height_m >= net_m && is_in_goal(field, body.position_m)) {
+    ball.bounce_in_air(former_height_m, 0.0);
+    return body.velocity_mps;
+  }
+  if (former_height_m >= net_m && height_m < net_m && is_over_goal(field, body.position_m)) {
+    ball.bounce_in_air(net_m, bounced_vertical(contacts, ball));
+    return leaving(body.velocity_mps, {0.0, 0.0}, {std::copysign(1.0, body.position_m.x()), 0.0},
+                   contacts.top_leaving_mps);
+  }
+  if (former_height_m >= net_m && height_m < net_m && is_over_goal_side(field, body.position_m)) {
+    ball.bounce_in_air(net_m, bounced_vertical(contacts, ball));
+    return leaving(body.velocity_mps, {0.0, 0.0}, {0.0, std::copysign(1.0, body.position_m.y())},
+                   contacts.top_leaving_mps);
+  }
+  if (former_height_m < kRobotHeight_m || height_m >= kRobotHeight_m) return std::nullopt;
+  for (int i = 0; i < robots; ++i) {
+    if (!bodies.is_on(i)) continue;
+    const BodyState& robot = bodies.robot(i);
+    if (distance_to_hull(body.position_m, robot.position_m, robot.heading) >= 0.0) continue;
+    ball.bounce_in_air(kRobotHeight_m, bounced_vertical(contacts, ball));
+    return leaving(body.velocity_mps, robot.velocity_mps,
+                   direction_of(body.position_m - robot.position_m, robot.heading),
+                   contacts.top_leaving_mps);
+  }
+  return std::nullopt;
+}
+
+std::optional<BallState> bounced_off_bar(const Field& field, double restitution,
+                                         const BallState& former, const BallState& now) {
+  if (std::abs(now.position_m.y()) > field.half_goal_m()) return std::nullopt;
+  // Side view along the bar: x as on the field, then the height.
+  const Vec2 bar_m(
+      std::copysign(field.half_length_m() + field.goal_bar_radius_m, now.position_m.x()),
+      field.goal_opening_height_m + field.goal_bar_radius_m);
+  const auto from_bar_m = [&bar_m](const BallState& ball) {
+    return Vec2(Vec2(ball.position_m.x(), ball.height_m + kBallRadius_m) - bar_m);
+  };
+  const std::optional<double> share =
+      collision(from_bar_m(former), from_bar_m(now), kBallRadius_m + field.goal_bar_radius_m);
+  if (!share) return std::nullopt;
+  BallState met = now;
+  met.position_m = former.position_m + *share * (now.position_m - former.position_m);
+  met.height_m = former.height_m + *share * (now.height_m - former.height_m);
+  const Vec2 outwards = from_bar_m(met).normalized();
+  const double closing_mps = -Vec2(now.velocity_mps.x(), now.vertical_mps).dot(outwards);
+  if (closing_mps <= 0.0) return std::nullopt;
+  // Newton's law of restitution along the line of centres, without friction.
+  met.velocity_mps.x() += (1.0 + restitution) * closing_mps * outwards.x();
+  met.vertical_mps += (1.0 + restitution) * closing_mps * outwards.y();
+  return met;
 }
 
 }  // namespace autoref::sim

@@ -7,8 +7,13 @@
 // a ball that rebounds or is pushed.
 #pragma once
 
-#include "sim/configuration.hpp"
+#include <optional>
+#include <span>
+
+#include "sim/box2d_bridge.hpp"
+#include "sim/sim_configuration.hpp"
 #include "sim/world.hpp"
+#include "soccer/field.hpp"
 #include "soccer/geometry.hpp"
 
 namespace autoref::sim {
@@ -50,5 +55,29 @@ class Ball {
   bool is_rolling_ = true;
   bool has_landed_ = false;  // since the last kick
 };
+
+// What a flying ball may land on: robot tops and goal nets.
+
+// Whether the point is above a goal, including its walls.
+bool is_over_goal(const Field& field, const Vec2& point_m);
+// Whether the point is between a goal's walls, or on its line.
+bool is_in_goal(const Field& field, const Vec2& point_m);
+
+// Keeps a ball that has just flown from `former_height_m` from passing through a top. A ball that
+// lands on one bounces outwards, so that none stays up there; a ball rising inside a goal is
+// stopped by the net. Returns the ball's new velocity if it hit a top. `robots` is the bridge's
+// number of robots.
+std::optional<Vec2> bounced_off_top(const Field& field, const ContactParameters& contacts,
+                                    const Box2dBridge& bodies, int robots, double former_height_m,
+                                    Ball& ball);
+
+// The crossbar of a goal, which a flying ball may hit.
+
+// Collides a flying ball with the bar, which is round and runs from post to post above the goal's
+// opening (Laws 2014, law 1). The two given states are less than a frame apart. Returns the ball's
+// state at the point of contact, reflected along the line between the centres; nullopt if it misses
+// the bar. `restitution`: ratio of separation to closing speed.
+std::optional<BallState> bounced_off_bar(const Field& field, double restitution,
+                                         const BallState& former, const BallState& now);
 
 }  // namespace autoref::sim

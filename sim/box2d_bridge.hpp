@@ -15,7 +15,7 @@
 #include <memory>
 #include <span>
 
-#include "sim/configuration.hpp"
+#include "sim/sim_configuration.hpp"
 #include "soccer/field.hpp"
 #include "soccer/geometry.hpp"
 #include "soccer/robot_shape.hpp"

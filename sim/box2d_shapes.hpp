@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "sim/configuration.hpp"
+#include "sim/sim_configuration.hpp"
 #include "soccer/field.hpp"
 #include "soccer/geometry.hpp"
 

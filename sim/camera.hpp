@@ -6,14 +6,40 @@
 #include <optional>
 #include <span>
 
-#include "sim/camera_errors.hpp"
-#include "sim/configuration.hpp"
+#include "sim/sim_configuration.hpp"
 #include "sim/world.hpp"
 #include "soccer/field.hpp"
 #include "soccer/frame.hpp"
+#include "soccer/geometry.hpp"
 #include "soccer/random.hpp"
 
 namespace autoref::sim {
+
+// Systematic errors of the cameras' calibration.
+
+// A constant offset plus a warp of one period over the field's length and width, each with half of
+// the mean square. Drawn once, so that no place on the field is favoured over many games.
+// Neighbouring cameras have opposite errors.
+class CameraErrors {
+ public:
+  // Draws no number if the parameters are 0.
+  CameraErrors(const VisionParameters& parameters, const Field& field, RandomStream& chance);
+
+  bool are_zero() const { return error_m_ == 0.0 && error_rad_ == 0.0; }
+
+  // The error of a camera (index as in camera_positions) at a point of the field.
+  Vec2 position_m(int camera, const Vec2& at_m) const;
+  double heading_rad(int camera, const Vec2& at_m) const;
+
+ private:
+  double error_m_;
+  double error_rad_;
+  Vec2 waves_per_m_;  // rad/m along x and y
+  Vec2 offset_m_{0, 0};
+  double offset_rad_ = 0.0;
+  Vec2 phases_rad_{0, 0};
+  double heading_phase_rad_ = 0.0;
+};
 
 using CameraPositions = boost::container::static_vector<CameraPosition, 4>;
 
@@ -30,7 +56,7 @@ bool hides_ball(const RobotState& robot, const Vec2& ball_m, double height_m,
 // camera_overlap_m beyond. Robots and the ball are seen by the nearest camera. Values are rounded
 // to the precision of a league vision packet (float millimetres and radians), so that replaying a
 // recorded game gives the same result as the live one. Of several balls, the one nearest to the
-// previous frame's is chosen; a reader of logs is more careful (league/ball_choice.hpp).
+// previous frame's is chosen; a reader of logs is more careful (league/followed_body.hpp).
 class Camera {
  public:
   // `seed` selects the random stream for noise and missed detections.

@@ -4,7 +4,7 @@
 #include <boost/container/static_vector.hpp>
 
 #include "sim/box2d_bridge.hpp"
-#include "sim/configuration.hpp"
+#include "sim/sim_configuration.hpp"
 #include "soccer/field.hpp"
 #include "soccer/geometry.hpp"
 

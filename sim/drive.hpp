@@ -4,7 +4,7 @@
 #include <array>
 
 #include "sim/box2d_bridge.hpp"
-#include "sim/configuration.hpp"
+#include "sim/sim_configuration.hpp"
 #include "soccer/geometry.hpp"
 #include "soccer/random.hpp"
 #include "soccer/robot_command.hpp"

@@ -1,17 +1,42 @@
-// A robot's kicker, straight and chip.
+// The robot's kicker and dribbler.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
 #include "sim/box2d_bridge.hpp"
-#include "sim/configuration.hpp"
+#include "sim/sim_configuration.hpp"
 #include "soccer/geometry.hpp"
 #include "soccer/random.hpp"
 #include "soccer/robot_command.hpp"
+#include "soccer/robot_shape.hpp"
 #include "soccer/trigonometry.hpp"
 
 namespace autoref::sim {
+
+// Whether a ball at `ball_m`, with its lowest point at `height_m`, is in the robot's dribbler zone:
+// its surface within `reach_m` of the plate, its centre within the zone's width, and low enough for
+// a roller at the height of the centre of a ball on the carpet.
+template <typename Robot>  // BodyState or RobotState
+bool is_in_dribbler_zone(const Robot& robot, const Vec2& ball_m, double height_m, double reach_m) {
+  if (height_m > kBallRadius_m) return false;
+  const Vec2 local_m = to_local(ball_m - robot.position_m, robot.heading);
+  return local_m.x() > kFrontDistance_m &&
+         local_m.x() <= kFrontDistance_m + kBallRadius_m + reach_m &&
+         std::abs(local_m.y()) <= kDribblerZoneWidth_m / 2.0;
+}
+
+// The force in newtons, in field coordinates, of a running dribbler on a ball in its dribbler zone
+// during the next `duration_s`; zero if the ball is out of reach. Its magnitude is at most force_n.
+//
+// An ordinary dribbler pulls the ball towards the plate's centre and damps its motion relative to
+// the plate, so hard turns and sideways jerks lose it. A holding one cancels all relative motion at
+// once and centres the ball at centring_mps at most, so the ball never gets faster than the plate
+// by more than that.
+Vec2 dribbler_force_n(const DribblerParameters& parameters, const BodyState& robot,
+                      const BodyState& ball, double ball_mass_kg, double ball_height_m,
+                      double duration_s);
 
 // The ball's velocity over ground after a kick: along the heading, that of the kick; across it, the
 // ball's own, since the plate pushes it only forwards.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/robot_tops.hpp"
+#include "sim/ball.hpp"
 #include "soccer/robot_shape.hpp"
 
 namespace autoref::sim {

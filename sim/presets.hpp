@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/sim_configuration.hpp"
+
 namespace autoref::sim {
 
 template <typename Presets>
@@ -38,5 +40,43 @@ std::optional<std::string> name_of_preset(const Presets& presets, Is is_it) {
   }
   return std::nullopt;
 }
+
+// The ball models of the league's simulators, for comparing results with theirs.
+
+// Sets the parameters of the two-phase model and of the bounces to the preset's; leaves the others
+// (rest_mps, rolls_below_hop_m, net_mps2) unchanged. Throws std::invalid_argument, listing the
+// known presets, if the name is unknown.
+void apply_ball_preset(std::string_view name, BallParameters& ball);
+
+// The preset with exactly these parameters; nullopt if there is none.
+std::optional<std::string> ball_preset_of(const BallParameters& ball);
+
+std::vector<std::string> ball_preset_names();
+
+// Vision and radio presets, for comparing results with other simulators.
+
+// Sets vision, frame rate, radio losses and latency to the preset's; leaves the rest unchanged.
+// Throws std::invalid_argument, listing the known presets, if the name is unknown.
+void apply_camera_preset(std::string_view name, Configuration& configuration);
+
+// The preset with exactly these parameters; nullopt if there is none.
+std::optional<std::string> camera_preset_of(const Configuration& configuration);
+
+std::vector<std::string> camera_preset_names();
+
+// Presets of dribblers and kickers.
+
+// Each sets all parameters to the preset's, and throws std::invalid_argument, listing the known
+// presets, if the name is unknown. Dribblers: `default` loses the ball in hard motion, `perfect`
+// keeps it in any motion of its robot. Both: `rc2026` is as measured in games of 2026.
+void apply_dribbler_preset(std::string_view name, DribblerParameters& dribbler);
+void apply_kicker_preset(std::string_view name, KickerParameters& kicker);
+
+// The preset with exactly these parameters; nullopt if there is none.
+std::optional<std::string> dribbler_preset_of(const DribblerParameters& dribbler);
+std::optional<std::string> kicker_preset_of(const KickerParameters& kicker);
+
+std::vector<std::string> dribbler_preset_names();
+std::vector<std::string> kicker_preset_names();
 
 }  // namespace autoref::sim

@@ -12,7 +12,7 @@
 #include <optional>
 #include <span>
 
-#include "sim/configuration.hpp"
+#include "sim/sim_configuration.hpp"
 #include "soccer/field.hpp"
 #include "soccer/referee_signal.hpp"
 #include "soccer/robot_command.hpp"

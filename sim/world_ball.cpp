@@ -2,9 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/bar.hpp"
-#include "sim/dribbler.hpp"
-#include "sim/robot_tops.hpp"
+#include "sim/ball.hpp"
+#include "sim/kicker.hpp"
 #include "sim/world_impl.hpp"
 #include "soccer/robot_shape.hpp"
 

@@ -3,11 +3,30 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "soccer/geometry.hpp"
 #include "soccer/side.hpp"
 
 namespace autoref {
+
+// What a robot can do.
+
+// What one of a team's robots can do, including its handicap. The defaults are the paper's robots.
+struct Abilities {
+  double speed_mps = 3.0;  // paper, section 3: up to 3 m/s
+  double acceleration_mps2 = 3.0;
+  double braking_mps2 = 5.0;
+  double kick_mps = 8.0;  // paper, section 3
+  double chip_mps = 5.5;
+};
+
+// The same for robots in general: what teams assume of them, and the simulator's defaults.
+inline constexpr Abilities kUsualAbilities;
+inline constexpr double kUsualTurning_radps2 = 40;  // angular acceleration
+// Standard deviations of a kick: of its direction, and of its speed as a fraction.
+inline constexpr double kUsualKickError_deg = 1.5;
+inline constexpr double kUsualKickSpeedError = 0.025;
 
 // One robot's commands. Velocities are in the robot's own frame: x forward, y to its left.
 struct RobotCommand {
@@ -36,5 +55,12 @@ inline RobotCommand transmitted(const RobotCommand& c) {
 
 // Commands of a side, by robot number. A robot without a new command stands still.
 using TeamCommands = std::array<RobotCommand, kMaxRobots>;
+
+// What a team may request from the referee.
+struct TeamRequests {
+  int keeper = 0;             // number of the robot that acts as keeper; -1: unknown
+  std::optional<int> leaves;  // the robot to remove first after a card
+  bool timeout = false;       // requested as soon as play is stopped, for as long as it is set
+};
 
 }  // namespace autoref

@@ -7,13 +7,14 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <string_view>
 
 #include "soccer/named.hpp"
 
 namespace autoref {
 
 // West defends the goal at -x and wears yellow; east defends the goal at +x and wears blue. This
-// holds in every half, whatever the teams' ends on the field (published.hpp).
+// holds in every half, whatever the teams' ends on the field (referee_signal.hpp).
 enum class Side : std::uint8_t { kWest, kEast };
 
 inline constexpr std::array<Side, 2> kSides = {Side::kWest, Side::kEast};
@@ -44,5 +45,10 @@ struct RobotId {
   int number = 0;
   auto operator<=>(const RobotId&) const = default;  // NOLINT(modernize-use-nullptr): no pointer
 };
+
+// The colours of the sides.
+
+// "yellow" for west, "blue" for east.
+constexpr std::string_view colour_of(Side side) { return side == Side::kWest ? "yellow" : "blue"; }
 
 }  // namespace autoref

@@ -22,6 +22,10 @@ double atan_series(double x) {
   return x + x * s * (low + s4 * (middle + s4 * high));
 }
 
+constexpr double kLargest = 700;
+constexpr double kLn2 = 0.693147180559945309;
+constexpr int kTerms = 14;  // of the series; the next is below 1e-18
+
 }  // namespace
 
 // Within the first octant, the angle is that of x and y, or what it has more than pi/8 of it.
@@ -43,6 +47,16 @@ double atan2_exact(double y, double x) {
 double wrap_angle(double angle_rad) {
   if (angle_rad >= -kPi && angle_rad <= kPi) return angle_rad;
   return angle_rad - 2.0 * kPi * trigonometry::to_integer(angle_rad / (2.0 * kPi));
+}
+
+double exponential(double x) {
+  const double limited = std::clamp(x, -kLargest, kLargest);
+  // e^x = 2^doublings e^rest with |rest| <= ln(2) / 2.
+  const double doublings = std::floor(limited / kLn2 + 0.5);
+  const double rest = limited - doublings * kLn2;
+  double sum = 1;
+  for (int k = kTerms; k > 0; --k) sum = 1 + sum * rest / k;
+  return std::ldexp(sum, static_cast<int>(doublings));
 }
 
 }  // namespace autoref

@@ -75,4 +75,10 @@ double atan2_exact(double y, double x);
 // `angle_rad` shifted by a multiple of 2 pi into [-pi, pi].
 double wrap_angle(double angle_rad);
 
+// The exponential function with bit-identical results on every machine; see trigonometry.hpp for
+// why the C library's differ.
+
+// e^x, within 1e-12 of it relatively for |x| <= 700; beyond, that of the nearest such x.
+double exponential(double x);
+
 }  // namespace autoref

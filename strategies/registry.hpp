@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "strategies/strategy.hpp"
-#include "strategies/tunable.hpp"
 
 namespace autoref::strategies {
 

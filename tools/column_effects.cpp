@@ -18,7 +18,6 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/statistics/holm.hpp"
 #include "experiments/statistics/paired_difference.hpp"
 #include "experiments/statistics/sample.hpp"
 #include "io/csv.hpp"

@@ -17,7 +17,7 @@
 #include "game/loop/game.hpp"
 #include "referee/touch/hypothesis_tracker.hpp"
 #include "referee/touch/online_touch_detector.hpp"
-#include "sim/camera_presets.hpp"
+#include "sim/presets.hpp"
 #include "soccer/robot_shape.hpp"
 #include "soccer/trigonometry.hpp"
 

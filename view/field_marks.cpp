@@ -1,7 +1,7 @@
 #include "view/field_marks.hpp"
 
 #include "league/field_message.hpp"
-#include "league/units.hpp"
+#include "league/message_fields.hpp"
 
 namespace autoref::view {
 namespace {

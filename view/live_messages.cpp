@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "io/json.hpp"
-#include "view/base64.hpp"
-#include "view/game_json.hpp"
+#include "view/packed_column.hpp"
+#include "view/page.hpp"
 
 namespace autoref::view {
 namespace {

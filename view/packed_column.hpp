@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
 
 namespace autoref::view {
 
@@ -28,5 +29,9 @@ class PackedColumn {
 
 // The nearest number that a column can store, other than kNothing.
 std::int16_t packed(double number);
+
+// Base64 encoding (RFC 4648, section 4).
+
+std::string base64_of(std::string_view bytes);
 
 }  // namespace autoref::view

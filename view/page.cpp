@@ -2,10 +2,13 @@
 
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <vector>
 
 #include "io/json.hpp"
-#include "view/base64.hpp"
-#include "view/game_json.hpp"
+#include "soccer/referee_signal.hpp"
+#include "soccer/robot_shape.hpp"
+#include "view/field_marks.hpp"
+#include "view/packed_column.hpp"
 #include "view/page_parts.hpp"
 
 namespace autoref::view {
@@ -60,6 +63,93 @@ std::string joined(std::string_view first, std::string_view second) {
   return std::string(first).append(second);
 }
 
+// Distances checked by the rules, the same in the Laws of 2014 and in the 2026 rules.
+constexpr double kToBallAtRestarts_m = 0.5;
+constexpr double kAttackerToArea_m = 0.2;
+
+// Converts to millimetres, rounded to a tenth.
+io::Json mm_json(double metres) { return io::rounded(metres * 1000, 1); }
+
+io::Json position_json(const Vec2& position_m) {
+  return io::Json::array({mm_json(position_m.x()), mm_json(position_m.y())});
+}
+
+template <typename T, typename Make>
+io::Json list_json(const T& values, const Make& json_of) {
+  io::Json list = io::Json::array();
+  for (const auto& value : values) list.push_back(json_of(value));
+  return list;
+}
+
+io::Json outline_json(const Outline& outline) {
+  const auto line_json = [](const MarkLine& line) {
+    return io::Json::array({position_json(line.from_m), position_json(line.to_m)});
+  };
+  const auto arc_json = [](const MarkArc& arc) -> io::Json {
+    return {{"centre_mm", position_json(arc.centre_m)},
+            {"radius_mm", mm_json(arc.radius_m)},
+            {"from_rad", arc.from_rad},
+            {"to_rad", arc.to_rad}};
+  };
+  return {{"lines", list_json(outline.lines, line_json)},
+          {"arcs", list_json(outline.arcs, arc_json)}};
+}
+
+io::Json field_json(const Field& field) {
+  const auto penalty_mark = [&](Side side) { return position_json(field.penalty_mark_at(side)); };
+  const auto goal = [&](Side side) { return list_json(goal_walls_m(field, side), position_json); };
+  const auto near_area = [&](Side side) {
+    return outline_json(around_defence_area(field, side, kAttackerToArea_m));
+  };
+  return {{"halfLength_mm", mm_json(field.half_length_m())},
+          {"halfWidth_mm", mm_json(field.half_width_m())},
+          {"wall_mm", position_json({field.wall_x_m(), field.wall_y_m()})},
+          {"lineWidth_mm", mm_json(field.line_width_m)},
+          {"marks", outline_json(field_lines(field))},
+          {"penaltyMarks", list_json(kSides, penalty_mark)},
+          {"goals", list_json(kSides, goal)},
+          {"nearAreas", list_json(kSides, near_area)},
+          {"toBall_mm", mm_json(kToBallAtRestarts_m)}};
+}
+
+// Shape constants of ball and robots, the same for all games.
+io::Json shapes_json() {
+  return {{"ballRadius_mm", mm_json(kBallRadius_m)},
+          {"robotRadius_mm", mm_json(kRobotRadius_m)},
+          {"robotFront_mm", mm_json(kFrontDistance_m)}};
+}
+
+io::Json signal_json(const RecordedSignal& recorded) {
+  const RefereeSignal& signal = recorded.signal;
+  return {{"time_s", recorded.time_s},
+          {"command", name_of(signal.command)},
+          {"counter", signal.command_counter},
+          {"stage", name_of(signal.stage)},
+          {"goals", signal.goals.values},
+          {"shootoutGoals", signal.shootout_goals.values},
+          {"yellowCards", signal.yellow_cards.values},
+          {"redCards", signal.red_cards.values},
+          {"yellowDefends", end_of_yellow(signal.blue_on_positive_half)},
+          {"target_mm", signal.placement ? position_json(signal.placement->target_m) : io::Json()},
+          {"next", signal.next_command ? io::Json(name_of(*signal.next_command)) : io::Json()}};
+}
+
+io::Json clock_json(const ClockMark& mark) { return io::Json::array({mark.time_s, mark.left_s}); }
+
+io::Json robot_json(RobotId robot) {
+  return io::Json::array({robot.side == Side::kWest ? 0 : 1, robot.number});
+}
+
+io::Json fact_json(const PageFact& fact) { return io::Json::array({fact.what, fact.value}); }
+
+io::Json compared_json(const ComparedCall& call) {
+  return {{"time_s", call.time_s},
+          {"recorded", call.recorded},
+          {"autoref", call.autoref},
+          {"other", call.other},
+          {"autoref_s", call.autoref_s ? io::Json(*call.autoref_s) : io::Json()}};
+}
+
 }  // namespace
 
 std::string page_of(const PageContent& content) {
@@ -107,6 +197,24 @@ std::string run_page(std::string_view title) {
 std::string live_page() {
   return page_with({"null", "", "; connect-src 'self'", joined(page_style(), page_live_style()),
                     joined(page_script(), page_live_script())});
+}
+
+void fill_recording(const GameRecording& recording, io::Json& json) {
+  json["frames"] = recording.frames();
+  json["robots"] = list_json(recording.robots(), robot_json);
+  json["signals"] = list_json(recording.signals(), signal_json);
+  json["clock"] = list_json(recording.clock(), clock_json);
+  json["decisions"] = list_json(recording.decisions(), page_json);
+}
+
+io::Json game_json(const PageContent& content) {
+  io::Json json = {{"teams", content.names.values},
+                   {"field", field_json(content.field)},
+                   {"shapes", shapes_json()}};
+  fill_recording(content.recording, json);
+  json["compared"] = content.compared ? list_json(*content.compared, compared_json) : io::Json();
+  json["facts"] = list_json(content.facts, fact_json);
+  return json;
 }
 
 }  // namespace autoref::view

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/json.hpp"
 #include "soccer/field.hpp"
 #include "soccer/side.hpp"
 #include "view/game_recording.hpp"
@@ -48,5 +49,13 @@ std::string run_page(std::string_view title);
 
 // The text with the characters replaced that HTML would interpret.
 std::string html_text(std::string_view text);
+
+// A game as JSON, as the page's script reads it (view/page/recording.js).
+
+// Everything but the packed frames (GameRecording::bytes()).
+io::Json game_json(const PageContent& content);
+
+// Adds what the recording contains: the number of frames, robots, signals, clock and decisions.
+void fill_recording(const GameRecording& recording, io::Json& json);
 
 }  // namespace autoref::view

@@ -1,8 +1,16 @@
+// The verb that prints the manual's reference pages, and its pages of verbs and teams.
 #include "app/description/reference_pages.hpp"
 
 #include <fmt/format.h>
-
+#include <CLI/CLI.hpp>
+#include <memory>
 #include <stdexcept>
+
+#include "app/command_line.hpp"
+#include "app/one_of.hpp"
+#include "io/errors.hpp"
+#include "soccer/parameters.hpp"
+#include "strategies/registry.hpp"
 
 namespace autoref::app {
 namespace {
@@ -30,6 +38,41 @@ std::string row_text(const std::vector<std::string>& cells) {
   std::string row = "|";
   for (const std::string& cell : cells) row += fmt::format(" {} |", cell_text(cell));
   return row + "\n";
+}
+
+std::string option_text(const DescribedOption& option) {
+  std::string text;
+  for (const std::string& name : option.names) text += (text.empty() ? "" : ", ") + code_span(name);
+  return option.value.empty() ? text : text + " " + option.value;
+}
+
+std::string options_table(const DescribedVerb& verb) {
+  std::vector<std::vector<std::string>> rows = {{"option", "meaning"}};
+  for (const DescribedOption& option : verb.options)
+    rows.push_back({option_text(option), option.description});
+  return reference_table(rows);
+}
+
+std::string verb_section(const DescribedVerb& verb, const std::string& before) {
+  const std::string name = before + " " + verb.name;
+  std::string text = fmt::format("## {}\n\n{}\n\n", name, verb.description);
+  text += options_table(verb);
+  if (!verb.footer.empty()) text += fmt::format("```\n{}\n```\n\n", verb.footer);
+  for (const DescribedVerb& nested : verb.verbs) text += verb_section(nested, name);
+  return text;
+}
+
+std::string parameters_table(const strategies::Entry& team) {
+  if (team.params.empty()) return "This team has no parameters.\n\n";
+  std::vector<std::vector<std::string>> rows = {{"parameter", "default", "range", "meaning"}};
+  for (const strategies::Tunable& tunable : team.params) {
+    const std::string_view unit = unit_of(tunable.name);
+    rows.push_back({code_span(std::string(tunable.name)),
+                    fmt::format("{}{}{}", tunable.standard, unit.empty() ? "" : " ", unit),
+                    fmt::format("{} to {}", tunable.range.low, tunable.range.high),
+                    std::string(tunable.about)});
+  }
+  return reference_table(rows);
 }
 
 }  // namespace
@@ -63,6 +106,41 @@ std::string reference_page(const std::string& name, const DescribedVerb& program
   if (name == "teams") return team_parameters_page();
   if (name == "scenario-files") return scenario_files_page();
   throw std::invalid_argument(fmt::format("there is no reference page '{}'", name));
+}
+
+void add_reference_verb(CLI::App& app, Chosen& chosen) {
+  CLI::App* verb = app.add_subcommand("reference", "Print a page of the manual's reference.");
+  auto page = std::make_shared<std::string>();
+  verb->add_option("PAGE", *page,
+                   fmt::format("One of {}.", fmt::join(reference_page_names(), ", ")))
+      ->required()
+      ->check(one_of(reference_page_names()));
+  verb->footer("Example:\n  autoref reference settings > docs/reference/settings.md");
+  verb->callback([&app, page, &chosen] {
+    chosen = [&app, page] {
+      fmt::print("{}", reference_page(*page, described(app)));
+      return static_cast<int>(io::kDone);
+    };
+  });
+}
+
+std::string verbs_page(const DescribedVerb& program) {
+  std::string page = reference_head("Verbs and options", "verbs") + program.description + "\n\n" +
+                     options_table(program) + fmt::format("```\n{}\n```\n\n", program.footer);
+  for (const DescribedVerb& verb : program.verbs) page += verb_section(verb, program.name);
+  page.pop_back();
+  return page;
+}
+
+std::string team_parameters_page() {
+  std::string page = reference_head("Teams and their parameters", "teams") +
+                     "The teams that are compiled in. `--set a.params.NAME=NUMBER` sets a "
+                     "parameter of team a; in a scenario it is "
+                     "`a: { strategy: basic, params: { NAME: NUMBER } }`.\n\n";
+  for (const strategies::Entry& team : strategies::all_strategies())
+    page += fmt::format("## {}\n\n{}\n\n", team.name, team.about) + parameters_table(team);
+  page.pop_back();
+  return page;
 }
 
 }  // namespace autoref::app

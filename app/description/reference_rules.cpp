@@ -3,8 +3,7 @@
 
 #include "app/description/reference_pages.hpp"
 #include "soccer/parameters.hpp"
-#include "soccer/rule_book.hpp"
-#include "soccer/rule_table.hpp"
+#include "soccer/rules/rule_book.hpp"
 
 namespace autoref::app {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "experiments/report/build_reports.hpp"
+#include "experiments/report/folder_report.hpp"
 #include "experiments/report/report.hpp"
 #include "io/files.hpp"
 #include "io/terminal.hpp"

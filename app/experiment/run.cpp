@@ -8,7 +8,7 @@
 #include "app/experiment/shown_run.hpp"
 #include "app/one_of.hpp"
 #include "experiments/report/folder_report.hpp"
-#include "experiments/run/program_files.hpp"
+#include "experiments/run/program_versions.hpp"
 #include "experiments/run/run_experiment.hpp"
 #include "io/build_id.hpp"
 #include "io/errors.hpp"

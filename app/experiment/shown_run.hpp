@@ -1,15 +1,37 @@
-// An experiment on the network (--web), while its games are played.
+// A run shown in the browser, with the games that it has started.
 #pragma once
 
+#include <map>
+#include <mutex>
 #include <optional>
 #include <string>
 
-#include "app/experiment/started_games.hpp"
 #include "app/web_flags.hpp"
 #include "experiments/run/run_experiment.hpp"
+#include "experiments/schedule/schedule.hpp"
 #include "live/web/web_run.hpp"
 
 namespace autoref::app {
+
+// Workers play the games in processes of their own. Since a game repeats bit by bit, its page comes
+// from playing it once more here. May be used by several threads.
+class StartedGames {
+ public:
+  // Takes the game. Games of programs and the network are not taken, since those need not repeat;
+  // returns whether it was taken.
+  bool add(const experiments::ScheduledGame& game);
+  void forget(const std::string& id);
+
+  // Plays the game to its end, which takes about a second per 20 minutes, and returns its page;
+  // nullopt if it was not taken or has been forgotten, or if it cannot be played.
+  std::optional<std::string> page(const std::string& id) const;
+
+ private:
+  std::optional<experiments::ScheduledGame> game_named(const std::string& id) const;
+
+  mutable std::mutex mutex_;
+  std::map<std::string, experiments::ScheduledGame> games_;  // by id
+};
 
 class ShownRun {
  public:

@@ -8,7 +8,6 @@
 
 #include "app/command_line.hpp"
 #include "experiments/statistics/sample.hpp"
-#include "game/loop/fixed_games.hpp"
 #include "game/loop/game.hpp"
 #include "game/loop/state_hash.hpp"
 #include "io/errors.hpp"

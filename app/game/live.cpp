@@ -6,13 +6,12 @@
 
 #include "app/command_line.hpp"
 #include "app/game/play_one.hpp"
-#include "app/game/speed.hpp"
 #include "app/scenario_argument.hpp"
 #include "game/settings/assignments.hpp"
-#include "game/settings/resolved.hpp"
+#include "game/settings/game_settings.hpp"
 #include "io/errors.hpp"
 #include "live/simulator/live_game.hpp"
-#include "soccer/colour.hpp"
+#include "soccer/side.hpp"
 
 namespace autoref::app {
 namespace {

@@ -1,13 +1,17 @@
-// Records a game for its page.
+// Records a game as a page, and shows it in the browser while it is played.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
-#include "game/loop/configuration.hpp"
+#include "app/web_flags.hpp"
+#include "game/loop/game_configuration.hpp"
 #include "game/loop/game_record.hpp"
 #include "game/loop/observer.hpp"
+#include "live/web/live_page.hpp"
 #include "view/game_recording.hpp"
-#include "view/recorded_decision.hpp"
+#include "view/page.hpp"
 
 namespace autoref::app {
 
@@ -24,6 +28,38 @@ class PageRecorder final : public game::Observer {
 
  private:
   view::GameRecording recording_;
+};
+
+// Which game and which program a page shows.
+std::vector<view::PageFact> facts_of(const game::GameConfiguration& game);
+
+// Shows a simulated game.
+class WebObserver final : public game::Observer {
+ public:
+  explicit WebObserver(live::WebView& view) : view_(&view) {}
+
+  void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World& world) override;
+  void on_decision(const referee::Decision& decision) override;
+
+ private:
+  live::WebView* view_;
+};
+
+class ShownGame {
+ public:
+  // Shows the game at `web`, and says so on stderr; nowhere if its address is empty. Throws
+  // InputError naming --web or --web-host.
+  ShownGame(const game::GameConfiguration& game, const WebFlags& web);
+
+  // Null if the game is shown nowhere.
+  game::Observer* observer() { return web_ ? &*web_ : nullptr; }
+
+  // Says that the game is over, and leaves some time for the message to arrive.
+  void end();
+
+ private:
+  std::optional<live::WebView> view_;
+  std::optional<WebObserver> web_;
 };
 
 }  // namespace autoref::app

@@ -1,28 +1,27 @@
 #include "app/game/play_one.hpp"
 
 #include <fmt/format.h>
-
+#include <sys/stat.h>
 #include <chrono>
 #include <csignal>
 #include <optional>
 #include <utility>
 
 #include "app/game/page_recorder.hpp"
-#include "app/game/shown_game.hpp"
-#include "app/game/speed.hpp"
-#include "app/line_output.hpp"
 #include "app/output_file.hpp"
 #include "experiments/results/game_report.hpp"
 #include "game/loop/event_log.hpp"
-#include "game/loop/game_event.hpp"
+#include "game/loop/game_configuration.hpp"
+#include "game/loop/game_event_fields.hpp"
 #include "game/team_programs/program_games.hpp"
 #include "io/build_id.hpp"
 #include "io/errors.hpp"
 #include "io/table.hpp"
 #include "io/terminal.hpp"
-#include "league/game_log.hpp"
+#include "io/words.hpp"
+#include "league/game_packets.hpp"
+#include "league/simulator/simulator_command.hpp"
 #include "live/frame_pacer.hpp"
-#include "logs/logged_cameras.hpp"
 
 namespace autoref::app {
 namespace {
@@ -100,7 +99,7 @@ league::LoggedTeam logged_team_on(const game::GameConfiguration& game, Side side
 void open_log(std::optional<league::GameLog>& log, const game::GameConfiguration& game,
               const std::string& path) {
   if (path.empty()) return;
-  log.emplace(path, game.field, logs::logged_cameras(game),
+  log.emplace(path, game.field, game::logged_cameras(game),
               PerSide<league::LoggedTeam>{
                   {logged_team_on(game, Side::kWest), logged_team_on(game, Side::kEast)}});
 }
@@ -142,6 +141,34 @@ game::GameRecord played(const game::GameConfiguration& configuration,
 }
 
 }  // namespace
+
+LineOutput::LineOutput(const char* flag, const std::string& path) : path_(path) {
+  open_output(file_, flag, path);
+  struct stat status {};
+  is_regular_ = file_ && fstat(file_->descriptor(), &status) == 0 && S_ISREG(status.st_mode);
+}
+
+void LineOutput::add(std::string_view line) {
+  waiting_.append(line).append(1, '\n');
+  if (!is_regular_ || waiting_.size() <= kMostWaiting_bytes) return;
+  io::write_all(file_->descriptor(), waiting_, path_);
+  waiting_.clear();
+}
+
+void LineOutput::commit() {
+  if (file_) file_->commit(waiting_);
+}
+
+double speed_factor_in(const std::string& text, std::string_view others) {
+  const std::optional<double> factor = io::number_in(text);
+  if (factor && *factor >= league::kSlowestSimulation && *factor <= league::kFastestSimulation)
+    return *factor;
+  const char* separator = others.find(" or ") == std::string_view::npos ? " or " : ", ";
+  throw io::InputError(
+      {"--speed"}, "",
+      fmt::format("expected a factor from {} to {}{}{}, found '{}'", league::kSlowestSimulation,
+                  league::kFastestSimulation, separator, others, text));
+}
 
 // A signal handler may do very little, so it only sets a flag, which is read here. The exception
 // unwinds the stack, which removes pending files.

@@ -2,22 +2,62 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/web_flags.hpp"
 #include "game/loop/game.hpp"
 #include "game/team_programs/program_games.hpp"
+#include "io/files.hpp"
 
 namespace autoref::app {
+
+// An output file that grows line by line.
+
+// Lines go to the disk in pieces, so that a long game needs no more memory than a short one; the
+// file appears under its name at commit(). What is not a regular file (a pipe, for example) gets
+// all lines at commit(), since its reader must not delay the game.
+class LineOutput {
+ public:
+  static constexpr std::size_t kMostWaiting_bytes = 64 * 1024;  // of a regular file
+
+  // Opens nothing if the path is empty. Throws InputError naming `flag`.
+  LineOutput(const char* flag, const std::string& path);
+
+  bool is_open() const { return file_.has_value(); }
+
+  // Adds a line, given without its end. The file must be open. Throws InputOutputError.
+  void add(std::string_view line);
+
+  // Does nothing if no file is open. Throws InputOutputError.
+  void commit();
+
+  std::size_t waiting_bytes() const { return waiting_.size(); }  // not written yet
+
+ private:
+  std::string path_;
+  std::optional<io::PendingFile> file_;
+  bool is_regular_ = false;
+  std::string waiting_;
+};
+
+// The flag --speed.
+
+// The factor of real time in `text`, from 0.01 to 1000. Throws InputError otherwise, which also
+// names the other values that --speed takes, such as "max or lockstep".
+double speed_factor_in(const std::string& text, std::string_view others);
 
 // Outputs of a game, as chosen by flags.
 struct GameOutput {
   std::string events;       // output file for the referee's decisions; empty: none
   std::string game_events;  // output file for them as game events; empty: none
-  std::string log;  // output file for vision and referee packets (league/game_log.hpp); empty: none
+  std::string
+      log;  // output file for vision and referee packets (league/game_packets.hpp); empty: none
   std::string view;    // output file for the page that shows the game (view/page.hpp); empty: none
   std::string record;  // output file for the commands of teams that are programs; empty: none
   WebFlags web;        // where to show the game on the network

@@ -10,10 +10,10 @@
 #include "app/output_file.hpp"
 #include "io/build_id.hpp"
 #include "io/errors.hpp"
-#include "logs/log_recorder.hpp"
+#include "logs/log_page.hpp"
 #include "logs/user_log.hpp"
+#include "view/game_recording.hpp"
 #include "view/page.hpp"
-#include "view/recorded_decision.hpp"
 
 namespace autoref::app {
 namespace {

@@ -6,7 +6,6 @@
 
 #include "game/settings/fields.hpp"
 #include "io/errors.hpp"
-#include "logs/guessed_rules.hpp"
 #include "logs/log_game.hpp"
 
 namespace autoref::app {

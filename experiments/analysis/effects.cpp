@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "experiments/analysis/interval_columns.hpp"
-#include "experiments/statistics/holm.hpp"
-#include "experiments/statistics/mean_interval.hpp"
+#include "experiments/analysis/groups.hpp"
+#include "experiments/statistics/interval.hpp"
+#include "experiments/statistics/paired_difference.hpp"
 #include "experiments/statistics/sample.hpp"
 #include "io/table_columns.hpp"
 

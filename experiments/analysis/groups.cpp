@@ -1,12 +1,11 @@
 #include "experiments/analysis/groups.hpp"
 
 #include <fmt/format.h>
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "experiments/results/scores.hpp"
-#include "experiments/statistics/mean_interval.hpp"
+#include "experiments/results/game_row.hpp"
+#include "experiments/statistics/interval.hpp"
 #include "experiments/statistics/sample.hpp"
 
 namespace autoref::experiments {
@@ -56,6 +55,13 @@ io::TableColumns<Group> sample_columns(const std::string& name,
 }
 
 }  // namespace
+
+std::string share_text(int part, int whole) {
+  const std::optional<Interval> interval = proportion_interval(part, whole);
+  if (!interval) return "-";
+  return fmt::format("{:.0f} % [{:.0f}, {:.0f}]", 100.0 * part / whole, 100 * interval->low,
+                     100 * interval->high);
+}
 
 std::vector<Group> grouped(const std::vector<std::vector<std::string>>& values,
                            const std::function<std::vector<std::string>(const GameRow&)>& values_of,

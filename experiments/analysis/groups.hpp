@@ -1,14 +1,15 @@
 // Scores of an experiment's games, grouped by a sweep's values or by matchup.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
-#include "experiments/analysis/interval_columns.hpp"
-#include "experiments/analysis/result_shares.hpp"
 #include "experiments/results/game_row.hpp"
 #include "experiments/statistics/interval.hpp"
 #include "experiments/statistics/paired_difference.hpp"
@@ -20,6 +21,65 @@
 
 namespace autoref::experiments {
 
+// Columns for the bounds of a 95 % confidence interval.
+
+// The interval's bounds; both nullopt without an interval.
+inline std::pair<std::optional<double>, std::optional<double>> bounds_of(
+    const std::optional<Interval>& interval) {
+  if (!interval) return {};
+  return {interval->low, interval->high};
+}
+
+// The columns low95 and high95, with a prefix such as "diff_".
+template <typename Row>
+io::TableColumns<Row> interval_columns(
+    const std::string& prefix, const std::function<std::optional<Interval>(const Row&)>& interval) {
+  return {
+      {prefix + "low95", [interval](const Row& row) { return bounds_of(interval(row)).first; }},
+      {prefix + "high95", [interval](const Row& row) { return bounds_of(interval(row)).second; }}};
+}
+
+// Fractions of games won, drawn and lost, with confidence intervals.
+
+// Numbers of games won, drawn and lost.
+using ResultCounts = std::array<int, 3>;
+
+// A number of games, and the number of all games.
+struct ResultShare {
+  int part = 0;
+  int whole = 0;
+
+  std::optional<double> fraction() const {
+    return whole == 0 ? std::nullopt : std::optional(static_cast<double>(part) / whole);
+  }
+  std::optional<Interval> interval() const { return proportion_interval(part, whole); }
+};
+
+// The columns for the shares of some columns of whole numbers in their sum: for each of them its
+// fraction and that fraction's 95 % interval, such as "wins_a_share", "wins_a_low95" and
+// "wins_a_high95". The intervals are those of proportion_interval(), which assumes independent
+// games. Without games, these cells are empty.
+template <typename Row>
+io::TableColumns<Row> share_columns(const io::TableColumns<Row>& counts) {
+  io::TableColumns<Row> columns;
+  for (const io::TableColumn<Row>& count : counts) {
+    const auto share = [count, counts](const Row& row) {
+      ResultShare of_count{std::get<int>(count.value(row))};
+      for (const io::TableColumn<Row>& any : counts)
+        of_count.whole += std::get<int>(any.value(row));
+      return of_count;
+    };
+    const auto fraction = [share](const Row& row) { return share(row).fraction(); };
+    const auto interval = [share](const Row& row) { return share(row).interval(); };
+    columns = io::joined(columns, io::TableColumns<Row>{{count.name + "_share", fraction}},
+                         interval_columns<Row>(count.name + "_", interval));
+  }
+  return columns;
+}
+
+// "63 % [52, 73]": the fraction with its 95 % interval; "-" if `whole` is 0.
+std::string share_text(int part, int whole);
+
 // Games with the same values. Void games count only in `void_games`.
 struct Group {
   std::vector<std::string> values;
@@ -30,7 +90,7 @@ struct Group {
   DifferenceByPair pair_differences;
   std::map<int, std::vector<RatedGame>> games_by_pair;  // by pair number, without void games
   int void_games = 0;
-  // By lead_of_a() (scores.hpp).
+  // By lead_of_a() (game_row.hpp).
   int wins_a = 0;
   int draws = 0;
   int wins_b = 0;
@@ -56,8 +116,7 @@ std::vector<double> values_of(const DifferenceByPair& differences);
 // cells.
 io::TableColumns<Group> summary_columns();
 
-// Columns for the results: team a's wins, draws and losses, and their fractions of all games
-// (result_shares.hpp).
+// Columns for the results: team a's wins, draws and losses, and their fractions of all games.
 io::TableColumns<Group> result_columns();
 
 // [{"values": ["1.0"], "games": 24, "void_games": 0, "mean_a": 4.54, "mean_b": 3.33,

@@ -5,9 +5,11 @@
 #include <vector>
 
 #include "experiments/analysis/groups.hpp"
-#include "experiments/analysis/result_shares.hpp"
-#include "experiments/schedule/named_teams.hpp"
+#include "experiments/schedule/matchup_schedule.hpp"
 #include "experiments/statistics/ratings.hpp"
+#include "io/json.hpp"
+#include "io/table.hpp"
+#include "io/table_columns.hpp"
 
 namespace autoref::experiments {
 
@@ -30,9 +32,9 @@ struct Standing {
   std::vector<double> differences;       // per game: goals for minus goals against
   std::vector<double> pair_differences;  // mean over the two legs; no pairs with a void leg
   bool is_rated = false;                 // whether the two ratings are valid
-  Rating
-      goals;  // in goals per game above the average team (experiments/statistics/goal_rating.hpp)
-  Rating strength;  // Bradley-Terry (experiments/statistics/bradley_terry.hpp)
+  Rating goals;                          // in goals per game above the average team
+                                         // (experiments/statistics/penalised_likelihood.hpp)
+  Rating strength;  // Bradley-Terry (experiments/statistics/penalised_likelihood.hpp)
 
   int games() const { return wins + draws + losses; }
   int points() const { return kPointsOfWin * wins + draws + bye_points; }
@@ -51,5 +53,42 @@ std::vector<Standing> standings_of_challengers(const std::vector<Group>& matchup
 
 // Whether the teams have ratings; either all of them do or none.
 bool are_rated(const std::vector<Standing>& standings);
+
+// A round robin's results as CSV files, as JSON and as text tables.
+
+// A matchup's columns: its teams, summary_columns(), then team a's wins, draws and losses with
+// their fractions.
+io::TableColumns<Group> matchup_columns();
+
+// summary.csv: one row per matchup.
+std::string matchups_csv(const std::vector<Group>& matchups);
+
+// standings.csv: one row per team, best first, with games, goals, points (3 for a win, 1 for a
+// draw), goal difference per game with its 95 % interval over all pairs, both ratings with
+// intervals (-inf or inf for an open end), and the fractions of wins, draws and losses. Missing
+// values are empty cells.
+std::string standings_csv(const std::vector<Standing>& standings);
+
+// [{"team": "cobalt", "points": 20, "games": 8, "wins": 6, "draws": 2, "losses": 0,
+//   "goals_for": 18, "goals_against": 0}, ...], best team first, with columns of standings.csv.
+io::Json json_of(const std::vector<Standing>& standings);
+
+// The text tables; the first row is the header.
+std::vector<io::Cells> matchups_rows(const std::vector<Group>& matchups);
+std::vector<io::Cells> standings_rows(const std::vector<Standing>& standings);
+
+// Heads of the last columns of standings_rows(): both ratings, or the difference if the teams are
+// not rated.
+inline constexpr const char* kGoalRatingHead = "rating in goals [95 %]";
+inline constexpr const char* kStrengthHead = "Bradley-Terry [95 %]";
+inline constexpr const char* kGoalDifferenceHead = "goal difference [95 %]";
+
+// Alignment of their columns.
+inline const std::vector<io::Align> kMatchupsColumns = {io::Align::kLeft, io::Align::kLeft};
+inline const std::vector<io::Align> kStandingsColumns = {io::Align::kRight, io::Align::kLeft};
+
+// The same as lines of text.
+io::TextTable matchups_table(const std::vector<Group>& matchups);
+io::TextTable standings_table(const std::vector<Standing>& standings);
 
 }  // namespace autoref::experiments

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "experiments/schedule/schedule.hpp"
-#include "experiments/statistics/mean_interval.hpp"
+#include "experiments/statistics/interval.hpp"
 #include "experiments/statistics/paired_difference.hpp"
 #include "experiments/statistics/sample.hpp"
 #include "io/table.hpp"

@@ -9,10 +9,10 @@
 #include <string_view>
 
 #include "experiments/export/sqlite_file.hpp"
-#include "experiments/kinds/effective.hpp"
-#include "experiments/run/program_files.hpp"
+#include "experiments/kinds/scenario_reader.hpp"
+#include "experiments/run/program_versions.hpp"
 #include "game/loop/event_log.hpp"
-#include "game/settings/resolved.hpp"
+#include "game/settings/game_settings.hpp"
 #include "io/checksum.hpp"
 #include "io/csv.hpp"
 #include "io/errors.hpp"
@@ -20,7 +20,6 @@
 #include "io/json.hpp"
 #include "io/processes/progress.hpp"
 #include "io/processes/workers.hpp"
-#include "io/working_folder.hpp"
 
 namespace autoref::experiments {
 namespace {

@@ -9,7 +9,7 @@
 #include "experiments/reading/named_teams_reader.hpp"
 #include "experiments/reading/settings_text.hpp"
 #include "experiments/reading/top_reader.hpp"
-#include "io/yaml_scalar.hpp"
+#include "io/yaml_text.hpp"
 
 namespace autoref::experiments {
 namespace {

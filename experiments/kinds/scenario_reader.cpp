@@ -1,17 +1,18 @@
 #include "experiments/kinds/scenario_reader.hpp"
 
 #include <fmt/format.h>
-
 #include <memory>
 
 #include "experiments/kinds/all_kinds.hpp"
-#include "experiments/reading/base_reader.hpp"
+#include "experiments/reading/settings_text.hpp"
 #include "experiments/reading/top_reader.hpp"
+#include "game/settings/fields.hpp"
 #include "game/settings/settings_reader.hpp"
 #include "game/settings/yaml.hpp"
 #include "io/errors.hpp"
 #include "io/files.hpp"
 #include "io/words.hpp"
+#include "io/yaml_text.hpp"
 
 namespace autoref::experiments {
 namespace {
@@ -79,6 +80,17 @@ class ScenarioReader {
   TopReader top_;
 };
 
+std::string body_of(const Scenario& scenario) {
+  Scenario copy = scenario;
+  if (auto* game = std::get_if<game::GameSettings>(&copy.content))
+    return text_of(game::settings_of(*game));
+  std::string text;
+  for (const Key& key : copy.experiment().keys()) {
+    if (key.text) text += key.text();
+  }
+  return text;
+}
+
 }  // namespace
 
 Scenario read_scenario_text(const std::string& text, const std::string& file_name,
@@ -89,6 +101,18 @@ Scenario read_scenario_text(const std::string& text, const std::string& file_nam
 
 Scenario read_scenario(const std::filesystem::path& file, const game::Assignments& assignments) {
   return read_scenario_text(io::read_user_file(file), file.string(), assignments);
+}
+
+std::string effective_text(const Scenario& scenario) {
+  std::string text = fmt::format("schema: 1\nkind: {}\nabout: {}\n", kind_of(scenario),
+                                 io::quoted_scalar(scenario.about)) +
+                     body_of(scenario);
+  if (text.size() <= io::YamlBounds{}.bytes) return text;
+  throw io::InputError(
+      {}, "",
+      fmt::format("the scenario has {} bytes with every setting spelt out, but at most "
+                  "{} can be read back; use fewer teams",
+                  text.size(), io::YamlBounds{}.bytes));
 }
 
 }  // namespace autoref::experiments

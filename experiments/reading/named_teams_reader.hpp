@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "experiments/schedule/named_teams.hpp"
+#include "experiments/schedule/matchup_schedule.hpp"
 #include "game/settings/assignments.hpp"
 #include "game/settings/settings_reader.hpp"
 #include "game/settings/yaml.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "experiments/schedule/factor.hpp"
-#include "experiments/schedule/named_teams.hpp"
+#include "experiments/schedule/matchup_schedule.hpp"
 #include "game/settings/fields.hpp"
 
 namespace autoref::experiments {

@@ -49,4 +49,20 @@ std::string interval_rows_script(std::string_view name, const std::vector<std::s
 // Cuts a UTF-8 text to `letters` characters; the last is an ellipsis if something was cut.
 std::string shortened(const std::string& text, std::size_t letters);
 
+// Runs gnuplot to draw a plot.
+
+// Drawing takes longer only if something is wrong.
+inline constexpr double kLongestDrawing_s = 30;
+
+struct Drawing {
+  std::string svg;          // empty if drawing failed
+  std::string trouble;      // why it failed, in one line
+  bool is_missing = false;  // gnuplot is not installed
+};
+
+// Draws in a temporary folder, with gnuplot's defaults instead of the user's settings, so the
+// result is the same for everybody. gnuplot is searched for in PATH, started without a shell, and
+// killed after `longest_s`.
+Drawing draw(const Plot& plot, double longest_s = kLongestDrawing_s);
+
 }  // namespace autoref::experiments

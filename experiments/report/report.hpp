@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "experiments/report/document.hpp"
-#include "experiments/report/gnuplot.hpp"
+#include "experiments/report/plot.hpp"
 #include "experiments/run/result_folder.hpp"
 
 namespace autoref::experiments {

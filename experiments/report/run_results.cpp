@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "experiments/analysis/standings_report.hpp"
+#include "experiments/analysis/standings.hpp"
 #include "experiments/report/document.hpp"
 #include "experiments/report/sections.hpp"
 

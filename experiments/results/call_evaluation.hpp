@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "soccer/side.hpp"
@@ -50,5 +51,13 @@ struct CallEvaluation {
   std::array<LastTouchTally, 2> contested_touch;
   std::vector<std::string> calls_in_stop;  // made during a stop: "goal at 12.350 s"
 };
+
+// A judged game's evaluation as the text of a cell in its row.
+
+// One line. Times and distances have four decimals.
+std::string text_of(const CallEvaluation& evaluation);
+
+// Returns nullopt if the text is not an evaluation.
+std::optional<CallEvaluation> evaluation_in(std::string_view text);
 
 }  // namespace autoref::experiments

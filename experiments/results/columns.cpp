@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "experiments/results/evaluation_text.hpp"
+#include "experiments/results/call_evaluation.hpp"
 #include "game/play_counts/play_counts.hpp"
 #include "io/checksum.hpp"
 #include "io/words.hpp"

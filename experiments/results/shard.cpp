@@ -19,8 +19,6 @@
 #include "io/csv.hpp"
 #include "io/errors.hpp"
 #include "io/files.hpp"
-#include "io/regular_file.hpp"
-#include "io/same_file.hpp"
 
 namespace autoref::experiments {
 namespace {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "experiments/results/scores.hpp"
+#include "experiments/results/game_row.hpp"
 #include "game/settings/fields.hpp"
 #include "io/errors.hpp"
 #include "io/processes/workers.hpp"

@@ -10,8 +10,8 @@
 #include <numeric>
 #include <queue>
 
-#include "experiments/run/program_files.hpp"
-#include "game/settings/resolved.hpp"
+#include "experiments/run/program_versions.hpp"
+#include "game/settings/game_settings.hpp"
 #include "io/errors.hpp"
 #include "io/json.hpp"
 #include "io/processes/progress.hpp"

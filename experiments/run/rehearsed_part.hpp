@@ -4,8 +4,8 @@
 #include <array>
 #include <string>
 
-#include "game/loop/configuration.hpp"
-#include "game/loop/team_maker.hpp"
+#include "game/loop/game_configuration.hpp"
+#include "game/loop/team_controller.hpp"
 
 namespace autoref::experiments {
 

@@ -2,29 +2,47 @@
 
 #include <fmt/format.h>
 #include <poll.h>
-
+#include <unistd.h>
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <fstream>
 #include <optional>
 #include <stdexcept>
+#include <string>
 
-#include "experiments/kinds/effective.hpp"
-#include "experiments/results/scores.hpp"
+#include "experiments/kinds/scenario_reader.hpp"
+#include "experiments/results/game_row.hpp"
 #include "experiments/results/shard.hpp"
 #include "experiments/run/program_versions.hpp"
 #include "experiments/run/result_folder.hpp"
 #include "experiments/run/run_games.hpp"
-#include "game/settings/resolved.hpp"
+#include "game/settings/game_settings.hpp"
 #include "io/csv.hpp"
 #include "io/errors.hpp"
 #include "io/files.hpp"
-#include "io/host.hpp"
 #include "io/processes/progress.hpp"
 #include "io/processes/worker_process.hpp"
 #include "io/processes/workers.hpp"
 
 namespace autoref::experiments {
 namespace {
+
+// The machine's network name, or "unknown".
+std::string host_name() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
+}
+
+// The processor's model name as Linux reports it; "unknown" on other systems.
+std::string cpu_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "unknown";
+}
 
 using Clock = std::chrono::steady_clock;
 
@@ -317,8 +335,8 @@ class ExperimentRun {
   const Outcomes outcomes_;
   RunGames games_;  // their schedule is unchanged while workers play
   ProgramWatch programs_{scenario_};
-  const std::string host_ = io::host_name();
-  const std::string cpu_ = io::cpu_name();
+  const std::string host_ = host_name();
+  const std::string cpu_ = cpu_name();
   std::optional<Shard> shard_;  // locked during run()
   Clock::time_point next_look_;
   Clock::time_point next_sync_;   // before then, rows are written, but not synced

@@ -16,12 +16,19 @@
 #include <vector>
 
 #include "experiments/kinds/scenario.hpp"
+#include "experiments/results/game_row.hpp"
 #include "experiments/results/shard.hpp"
-#include "experiments/run/outcomes.hpp"
 #include "game/loop/game.hpp"
 #include "io/processes/progress.hpp"
 
 namespace autoref::experiments {
+
+// How a run plays its games and displays its results so far.
+struct Outcomes {
+  // Plays the game in a worker and fills the row's record (and evaluation). May throw.
+  std::function<void(const game::GameConfiguration& game, GameRow& row)> play;
+  std::function<io::ProgressView(const RowsById& rows)> view;  // of the results so far
+};
 
 struct ExperimentOptions {
   std::filesystem::path folder;

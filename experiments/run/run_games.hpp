@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <set>
 #include <string>
@@ -16,6 +17,20 @@
 #include "io/processes/progress.hpp"
 
 namespace autoref::experiments {
+
+// Compares an experiment with the folder it continues in.
+
+// The scenario of the last run in a folder; nullopt if unknown.
+std::optional<Scenario> scenario_of_folder(const std::filesystem::path& folder);
+
+// Throws InputError, with advice on how to continue, if the folder's games have a different seed.
+void refuse_other_seed(const Scenario& here, const Scenario& there,
+                       const std::filesystem::path& folder);
+
+// "the folder had 6 pairs, now 12; its games count, and only the new ones are played"; empty if the
+// number has not changed. `beyond` is the number of rows whose games are not in the scenario, or
+// not known to be yet.
+std::string note_on_pairs(const Scenario& here, const Scenario& there, int beyond);
 
 // Knows which games there are and which of them have rows, from this run, earlier ones and other
 // shards. Plays and writes nothing; the run (run_experiment()) asks it what to play next.

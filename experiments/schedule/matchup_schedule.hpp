@@ -1,6 +1,7 @@
-// Schedules the games of experiments between named teams.
+// Teams with names, and the schedule of their matchups.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -8,14 +9,43 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/schedule/named_teams.hpp"
 #include "experiments/schedule/schedule.hpp"
+#include "game/settings/game_settings.hpp"
 
 namespace autoref::experiments {
 
+using Teams = std::map<std::string, game::TeamSettings>;  // by name, as in result rows
+
+// Settings shared by all experiments between named teams.
+struct NamedTeams {
+  game::GameSettings base;  // its teams, seed, a_plays and first_kickoff are ignored
+  Teams teams;
+  std::uint64_t seed = 1;  // master seed of the experiment
+};
+
+// The range of team counts that an experiment accepts.
+struct TeamCount {
+  std::size_t least = 2;
+  std::size_t most = SIZE_MAX;
+};
+
+// The names of two teams that play each other.
+struct Matchup {
+  std::string team_a;
+  std::string team_b;
+  bool operator==(const Matchup&) const = default;
+};
+
+// "bold~zone".
+std::string matchup_name(const Matchup& matchup);
+
+// Throws std::invalid_argument unless the name consists of letters, digits, - and _, without "-p",
+// which marks the pair in game ids.
+void check_team_name(std::string_view name);
+
 // The games of matchups in playing order, with `order` as the order of the matchups within a pair
 // number. The two legs of a pair are adjacent, and each pair number is played in all matchups
-// before the next. With an order of playing_order.hpp the teams take turns: at any time, they have
+// before the next. With an order of schedule.hpp the teams take turns: at any time, they have
 // played equally many games, except for one pair and the running games. Ids look like
 // "bold~zone-p0007-2".
 //

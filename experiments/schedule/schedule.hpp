@@ -1,14 +1,55 @@
 // The games of an experiment, and helpers that the schedules of all kinds share.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "experiments/schedule/shared_settings.hpp"
+#include "game/settings/game_settings.hpp"
 
 namespace autoref::experiments {
+
+// The settings of one of many games, most of which it shares with the others.
+
+// What differs between the games of two teams: their sides, the first kick-off and the seed.
+struct LegSettings {
+  Side a_plays = Side::kWest;
+  Side first_kickoff = Side::kWest;
+  std::uint64_t seed = 42;
+};
+
+// An experiment has up to 100,000 games, but few different settings: those of a game take 4.5 kB
+// and more, these about 0.1 kB. Copies share their parts.
+class SharedSettings {
+ public:
+  // The settings as they are. Which of them were given explicitly is forgotten, since presets have
+  // been applied.
+  explicit SharedSettings(game::GameSettings game);
+
+  // The same game with other teams, another leg, or the start of a scene as it is with team a in
+  // the west: it is turned if that team plays in the east.
+  SharedSettings between(std::shared_ptr<const game::TeamSettings> a,
+                         std::shared_ptr<const game::TeamSettings> b) const;
+  SharedSettings with(const LegSettings& leg) const;
+  SharedSettings starting_from(std::shared_ptr<const game::StartState> start) const;
+
+  const LegSettings& leg() const { return leg_; }
+  const game::TeamSettings& a() const { return *a_; }
+  const game::TeamSettings& b() const { return *b_; }
+
+  // All settings of the game.
+  game::GameSettings whole() const;
+
+ private:
+  std::shared_ptr<const game::GameSettings> base_;
+  std::shared_ptr<const game::TeamSettings> a_;
+  std::shared_ptr<const game::TeamSettings> b_;
+  std::shared_ptr<const game::StartState> start_;  // of team a in the west; null: the base's
+  LegSettings leg_;
+};
 
 inline constexpr int kMostPairs = 9999;  // pairs of legs
 
@@ -54,5 +95,24 @@ void refuse_too_many(double games, std::string_view key = "pairs");
 // not depend on the factors' values: games with different values but the same pair number share
 // their random numbers, so they can be compared in pairs.
 std::uint64_t seed_of(std::uint64_t master_seed, int pair, int leg);
+
+// In which order the matchups or combinations of values of an experiment are played, so that every
+// team and every value has been played about as often at any time.
+
+// The matchups of a round robin as indices into matchups_of(RoundRobin). In every beginning of the
+// order, the teams' numbers of matchups differ by at most one.
+//
+// An even number of teams plays in the rounds of the circle method: one team stays in its place,
+// the others move around a circle, and in each round every team plays once. With an odd number, a
+// team would sit out each round and fall behind; there, the matchups are Walecki's Hamiltonian
+// cycles through all teams (B. Alspach, "The wonderful Walecki construction", Bulletin of the ICA
+// 52, 2008), in each of which every team plays twice: first every other matchup along the cycle,
+// then the rest.
+std::vector<std::size_t> round_robin_order(std::size_t teams);
+
+// The combinations of several lists' values as indices into all combinations in which the last list
+// changes fastest. `sizes` are the lists' lengths, at least 1. In every beginning of the order, the
+// numbers of combinations with each value of a list differ by at most one.
+std::vector<std::size_t> combinations_order(const std::vector<std::size_t>& sizes);
 
 }  // namespace autoref::experiments

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "experiments/schedule/schedule.hpp"
-#include "game/settings/setting_error.hpp"
+#include "game/settings/setting_value.hpp"
 
 namespace autoref::experiments {
 namespace {

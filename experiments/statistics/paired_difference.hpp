@@ -13,6 +13,15 @@
 
 namespace autoref::experiments {
 
+// Correction for multiple comparisons: the more tests are made, the more of them look significant
+// by chance.
+
+// Holm's step-down correction (Holm, A simple sequentially rejective multiple test procedure,
+// Scand. J. Stat. 6, 1979). Returns the adjusted p values in the order of `p`. Rejecting hypotheses
+// with an adjusted p value of at most 0.05 makes any false rejection in at most 5 % of experiments,
+// however the tests depend on each other.
+std::vector<double> holm(std::span<const double> p);
+
 // Mean goal difference over the two legs of each pair, by pair number.
 using DifferenceByPair = std::map<int, double>;
 

@@ -1,9 +1,10 @@
 #include "experiments/statistics/penalised_likelihood.hpp"
 
+#include <Eigen/Cholesky>
 #include <cmath>
 #include <limits>
 
-#include "experiments/statistics/linked_groups.hpp"
+#include "experiments/statistics/rated_games.hpp"
 
 namespace autoref::experiments {
 namespace {
@@ -137,6 +138,22 @@ LikelihoodPoint PenalisedLikelihood::maximum() const {
     if (step.size() == 0 || step.cwiseAbs().maxCoeff() < kSmallStep) break;
   }
   return best;
+}
+
+Eigen::VectorXd bradley_terry(std::size_t teams, std::span<const MatchupTotals> totals) {
+  return PenalisedLikelihood(teams, totals).maximum().strengths;
+}
+
+Eigen::VectorXd goal_rating(std::size_t teams, std::span<const MatchupTotals> totals) {
+  Eigen::MatrixXd equations = group_means(linked_groups(teams, totals));
+  Eigen::VectorXd differences = Eigen::VectorXd::Zero(teams);
+  for (const MatchupTotals& matchup : totals) {
+    if (!(matchup.games > 0)) continue;
+    add_to_normal_equations(equations, matchup, matchup.games);
+    differences(matchup.a) += matchup.difference;
+    differences(matchup.b) -= matchup.difference;
+  }
+  return equations.llt().solve(differences);
 }
 
 }  // namespace autoref::experiments

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kLegs = 2;
 constexpr int kFewestPairs = 2;
-constexpr int kMostPairs = kMostScheduledGames / kLegs;
+constexpr int kMostPairsOfSample = kMostScheduledGames / kLegs;
 
 // Two pairs suffice to detect an effect of this many standard deviations. For much larger effects,
 // Boost's noncentral t distribution fails.
@@ -44,9 +44,9 @@ std::optional<int> games_needed(const DifferenceSought& sought, double power) {
   int too_few = kFewestPairs - 1;
   int enough = kFewestPairs;
   while (!is_enough(enough)) {
-    if (enough == kMostPairs) return std::nullopt;
+    if (enough == kMostPairsOfSample) return std::nullopt;
     too_few = enough;
-    enough = std::min(2 * enough, kMostPairs);
+    enough = std::min(2 * enough, kMostPairsOfSample);
   }
   while (enough - too_few > 1) {
     const int middle = too_few + (enough - too_few) / 2;

@@ -1,9 +1,31 @@
 // A sequential test, which stops as soon as the games so far decide it.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
 
+#include "experiments/statistics/interval.hpp"
+
 namespace autoref::experiments {
+
+// An interval of a mean that may be looked at after every value.
+
+// A 95 % confidence sequence of the mean: in 95 % of experiments, the intervals after the second
+// value, the third and so on contain the true mean all at once. So the interval remains valid if
+// the values themselves decide when to stop, as in a sequential test; Student's does not.
+//
+// It contains the means that a mixture of t tests does not reject. With t the statistic of n values
+// for a mean, nu = n - 1, and the effect size (mean over standard deviation) distributed as
+// N(0, g) under the alternative, the likelihood ratio of scale-invariant data is
+//
+//     (1 + n g)^(-1/2) [(1 + t^2 / nu) / (1 + t^2 / (nu (1 + n g)))]^(n / 2)
+//
+// and a mean is rejected where this exceeds 1 / 0.05 (Lai, On confidence sequences, Ann. Stat. 4,
+// 1976; Ville's inequality). Exact for normal values. About 1.3 to 1.7 times as wide as Student's.
+//
+// Returns nullopt for fewer than two values, if all are equal, and while the interval is unbounded.
+std::optional<Interval> anytime_interval(std::span<const double> sample);
 
 // Two hypotheses about the mean goal difference of a game, and the permitted error rates. The unit
 // is the pair of legs: a pair's value is the mean goal difference of its two games.
@@ -67,5 +89,29 @@ struct SequentialState {
 // Requires that d0 and d1 differ, that alpha and beta are positive with a sum below 1, and that
 // 2 <= min_pairs <= max_pairs.
 SequentialState decided_by(const SequentialTest& test, std::span<const double> pair_differences);
+
+// A sequential test with three outcomes: better, worse, or neither shown.
+enum class ThreeWayVerdict : std::uint8_t {
+  kGoOn,       // more pairs are needed
+  kBetter,     // the mean is nearer to delta than to 0
+  kWorse,      // the mean is nearer to -delta than to 0
+  kNotShown,   // the mean is nearer to 0 than to either
+  kUndecided,  // max_pairs were not enough
+};
+
+struct ThreeWayState {
+  ThreeWayVerdict verdict = ThreeWayVerdict::kGoOn;
+  int pairs = 0;  // that decided it; later ones do not count
+};
+
+// Two sequential tests of the same pairs side by side: one of a mean of 0 against `delta`, the
+// other of 0 against -`delta`; Sobel and Wald, A sequential decision procedure for choosing one of
+// three hypotheses concerning the unknown mean of a normal distribution, Ann. Math. Stat. 20
+// (1949). The first of them that rejects 0 decides; "not shown" needs both to accept it. If the
+// mean is 0, "better" and "worse" each have a probability of at most alpha; if it is delta,
+// "better" has at least 1 - beta (approximately, as for a single test).
+//
+// `test.d0` must be 0; `test.d1` is delta, above 0.
+ThreeWayState compared(const SequentialTest& test, std::span<const double> pair_differences);
 
 }  // namespace autoref::experiments

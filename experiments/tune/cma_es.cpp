@@ -9,7 +9,7 @@
 #include <limits>
 #include <numeric>
 
-#include "experiments/tune/axes.hpp"
+#include "experiments/tune/optimiser.hpp"
 #include "soccer/random.hpp"
 
 namespace autoref::experiments {

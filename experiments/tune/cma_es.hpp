@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "experiments/tune/optimiser.hpp"
-#include "experiments/tune/tail_mean.hpp"
 
 namespace autoref::experiments {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "experiments/tune/axes.hpp"
 #include "experiments/tune/cma_es.hpp"
 #include "experiments/tune/spsa.hpp"
 

@@ -3,7 +3,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "experiments/tune/axes.hpp"
+#include "experiments/tune/optimiser.hpp"
 #include "soccer/random.hpp"
 
 namespace autoref::experiments {

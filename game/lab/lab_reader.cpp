@@ -5,9 +5,8 @@
 
 #include "game/lab/lab.hpp"
 #include "game/settings/mapping.hpp"
-#include "game/settings/robot_changes.hpp"
 #include "game/settings/robot_types.hpp"
-#include "game/settings/setting_error.hpp"
+#include "game/settings/setting_value.hpp"
 #include "game/settings/settings_reader.hpp"
 #include "game/settings/yaml.hpp"
 #include "io/files.hpp"
@@ -22,8 +21,8 @@ using Entries = std::vector<YamlEntry>;
 
 const std::vector<std::string> kTop = {"schema", "kind", "about", "duration_s", "field",
                                        "sim",    "seed", "ball",  "robots"};
-const std::vector<std::string> kBall = {"x_m",    "y_m",    "height_m", "vx_mps",
-                                        "vy_mps", "vz_mps", "rolls"};
+const std::vector<std::string> kBallKeys = {"x_m",    "y_m",    "height_m", "vx_mps",
+                                            "vy_mps", "vz_mps", "rolls"};
 const std::vector<std::string> kRobot = {"side",   "type",   "x_m",        "y_m",     "heading_deg",
                                          "vx_mps", "vy_mps", "turn_radps", "commands"};
 const std::vector<std::string> kCommand = {"at_s",       "over_s",   "forward_mps", "left_mps",
@@ -93,7 +92,7 @@ class LabReader {
   }
 
   void read_ball(const YamlEntry& entry) {
-    const Mapping from(file_, entry, "ball", kBall);
+    const Mapping from(file_, entry, "ball", kBallKeys);
     sim::BallState& ball = scene_.ball;
     ball.is_rolling = false;
     read_position(from, ball.position_m);

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string_view>
+#include <utility>
 
-#include "game/loop/configuration.hpp"
-#include "soccer/colour.hpp"
-#include "soccer/published.hpp"
+#include "game/loop/game_configuration.hpp"
+#include "game/loop/game_event_fields.hpp"
+#include "soccer/referee_signal.hpp"
+#include "soccer/side.hpp"
 
 namespace autoref::game {
 namespace {
@@ -209,6 +212,17 @@ io::Json decision_object(const Decision& decision, const PerSide<EventTeam>& tea
 
 std::string decision_json(const Decision& decision, const PerSide<EventTeam>& teams) {
   return io::json_text(decision_object(decision, teams));
+}
+
+void GameEventLog::on_decision(const referee::Decision& decision) {
+  std::optional<GameEvent> event = game_event_of(decision, start_unix_s_);
+  if (event) events_.push_back({decision.time_s, *std::move(event)});
+}
+
+std::string game_event_lines(const std::vector<TimedGameEvent>& events) {
+  std::string lines;
+  for (const TimedGameEvent& timed : events) lines += game_event_json(timed.event) + "\n";
+  return lines;
 }
 
 }  // namespace autoref::game

@@ -4,9 +4,12 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "game/loop/game.hpp"
 #include "io/json.hpp"
+#include "referee/decision.hpp"
+#include "soccer/rules/game_event.hpp"
 
 namespace autoref::game {
 
@@ -27,7 +30,8 @@ inline constexpr const char* kText = "TEXT";
 }  // namespace column_type
 
 // A field of a decision, in event logs and in databases. Sides are identified by their colours,
-// "yellow" and "blue", as in the commands. Positions are published ones (soccer/published.hpp).
+// "yellow" and "blue", as in the commands. Positions are published ones
+// (soccer/referee_signal.hpp).
 struct DecisionField {
   const char* path;  // in a line of the event log (RFC 6901)
   const char* type;  // of its column in a database
@@ -39,7 +43,7 @@ struct DecisionField {
 };
 
 // All fields, in the order of a line's keys and of a database's columns. What event logs and
-// databases contain follows from this list; pages choose from it (view/recorded_decision.hpp).
+// databases contain follows from this list; pages choose from it (view/game_recording.hpp).
 std::span<const DecisionField> decision_fields();
 
 // The name of the field's column: by default its path, with underscores. Empty without a column.
@@ -64,5 +68,29 @@ class EventLog final : public Observer {
   PerSide<EventTeam> teams_;
   std::string text_;
 };
+
+// Collects the league's events for a referee's decisions.
+struct TimedGameEvent {
+  double time_s = 0;  // since the start of the game or log
+  GameEvent event;
+};
+
+class GameEventLog {
+ public:
+  // `start_unix_s` is the Unix time of the game's time 0.
+  explicit GameEventLog(double start_unix_s = 0) : start_unix_s_(start_unix_s) {}
+
+  void on_decision(const referee::Decision& decision);
+
+  // Decisions for which the league has no event are left out.
+  const std::vector<TimedGameEvent>& events() const { return events_; }
+
+ private:
+  double start_unix_s_ = 0;
+  std::vector<TimedGameEvent> events_;
+};
+
+// The events as JSON (game_event.hpp), one per line.
+std::string game_event_lines(const std::vector<TimedGameEvent>& events);
 
 }  // namespace autoref::game

@@ -15,7 +15,7 @@
 #include "game/loop/team_controller.hpp"
 #include "game/play_counts/play_statistics.hpp"
 #include "sim/camera.hpp"
-#include "soccer/situation.hpp"
+#include "soccer/team_view.hpp"
 #include "soccer/tracks.hpp"
 #include "tracking/tracker.hpp"
 

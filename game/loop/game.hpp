@@ -4,10 +4,10 @@
 #include <memory>
 #include <span>
 
-#include "game/loop/configuration.hpp"
+#include "game/loop/game_configuration.hpp"
 #include "game/loop/game_record.hpp"
 #include "game/loop/observer.hpp"
-#include "game/loop/team_maker.hpp"
+#include "game/loop/team_controller.hpp"
 #include "referee/decision.hpp"
 #include "sim/world.hpp"
 #include "soccer/frame.hpp"

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "game/loop/scene.hpp"
+#include "game/loop/start_scene.hpp"
 #include "game/play_counts/play_counts.hpp"
 #include "referee/decision.hpp"
 #include "soccer/named.hpp"

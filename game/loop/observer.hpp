@@ -11,7 +11,6 @@
 #include "soccer/frame.hpp"
 #include "soccer/referee_signal.hpp"
 #include "soccer/robot_command.hpp"
-#include "soccer/team_requests.hpp"
 
 namespace autoref::game {
 

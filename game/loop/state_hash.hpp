@@ -1,9 +1,11 @@
-// A hash of the course of a game, equal for two games only if they are identical bit for bit.
+// The hash of a game's states, and the fixed games whose hashes show whether two builds play alike.
 #pragma once
 
 #include <bit>
 #include <cstdint>
+#include <string>
 
+#include "game/loop/game_configuration.hpp"
 #include "referee/decision.hpp"
 #include "sim/world.hpp"
 #include "soccer/random.hpp"
@@ -46,5 +48,22 @@ class StateHash {
   static constexpr std::uint64_t kPrime = 0x9fb21c651e98df25ULL;  // odd, with well-mixed bits
   std::uint64_t hash_ = 0;
 };
+
+// Number of different games; their seeds count from 1.
+inline constexpr int kFixedGames = 5;
+
+inline std::uint64_t fixed_seed(int round) {
+  return 1 + static_cast<std::uint64_t>(round % kFixedGames);
+}
+
+// A full game of the default configuration, of a registered team against itself; after the last
+// fixed game, the first one follows.
+inline GameConfiguration fixed_game(int round,
+                                    const std::string& team = TeamConfiguration{}.strategy) {
+  GameConfiguration game;
+  game.a.strategy = game.b.strategy = team;
+  game.seed = fixed_seed(round);
+  return game;
+}
 
 }  // namespace autoref::game

@@ -6,8 +6,8 @@
 #include "sim/world.hpp"
 #include "soccer/field.hpp"
 #include "soccer/referee_signal.hpp"
+#include "soccer/robot_command.hpp"
 #include "soccer/side.hpp"
-#include "soccer/team_requests.hpp"
 
 namespace autoref::game {
 

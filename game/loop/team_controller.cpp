@@ -1,16 +1,18 @@
 #include "game/loop/team_controller.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <stdexcept>
 
 #include "io/errors.hpp"
+#include "sim/kicker.hpp"
 #include "sim/world.hpp"
-#include "soccer/abilities.hpp"
 #include "soccer/random.hpp"
+#include "soccer/robot_command.hpp"
 #include "soccer/units.hpp"
+#include "strategies/registry.hpp"
 
 namespace autoref::game {
 namespace {
@@ -89,6 +91,32 @@ std::unique_ptr<strategies::Strategy> make_team_on(const GameConfiguration& c, S
 }
 
 }  // namespace
+
+std::unique_ptr<strategies::Strategy> make_registered_team(const TeamConfiguration& team,
+                                                           const strategies::TeamContext& context) {
+  if (team.on_network)
+    throw std::invalid_argument("a team on the network plays only in autoref live");
+  const strategies::Entry* entry = strategies::find_strategy(team.strategy);
+  if (entry == nullptr)
+    throw std::invalid_argument(fmt::format("unknown strategy '{}'", team.strategy));
+  return entry->make(context);
+}
+
+Sensors::Sensors(const GameConfiguration& configuration, Side side)
+    : side_(side),
+      robots_(team_on(configuration, side).robots),
+      delayed_(sim::split_latency(configuration.sim).frames) {}
+
+void Sensors::update(const Frame& frame, const sim::WorldState& world) {
+  latest_.detections = side_ == Side::kWest ? frame : mirrored(frame);
+  latest_.ball_in_dribbler_zone.reset();
+  for (const sim::RobotState& robot : world.robots[side_]) {
+    const auto number = static_cast<std::size_t>(robot.number);
+    latest_.ball_in_dribbler_zone[number] = sim::is_in_dribbler_zone(
+        robot, world.ball.position_m, world.ball.height_m, robots_[number].kicker.reach_m);
+  }
+  delayed_.push(latest_);
+}
 
 TeamController::TeamController(const GameConfiguration& configuration, Side side,
                                const TeamMaker& make_team)

@@ -1,21 +1,50 @@
 // Runs one side's strategy in a simulated game.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
-#include "game/loop/configuration.hpp"
-#include "game/loop/sensors.hpp"
-#include "game/loop/team_maker.hpp"
+#include "game/loop/delay_line.hpp"
+#include "game/loop/game_configuration.hpp"
+#include "sim/world.hpp"
+#include "soccer/frame.hpp"
 #include "soccer/referee_signal.hpp"
+#include "soccer/robot_command.hpp"
 #include "soccer/side.hpp"
-#include "soccer/situation.hpp"
-#include "soccer/team_requests.hpp"
 #include "soccer/team_view.hpp"
 #include "soccer/tracks.hpp"
+#include "strategies/strategy.hpp"
 
 namespace autoref::game {
+
+// Creates a game's teams.
+
+// Creates a team. Throws std::invalid_argument if there is no such team.
+using TeamMaker = std::function<std::unique_ptr<strategies::Strategy>(
+    const TeamConfiguration& team, const strategies::TeamContext& context)>;
+
+// The team that its strategy names (strategies/registry.hpp).
+std::unique_ptr<strategies::Strategy> make_registered_team(const TeamConfiguration& team,
+                                                           const strategies::TeamContext& context);
+
+// What one side's cameras and robots report, as late as the side's view.
+class Sensors {
+ public:
+  Sensors(const GameConfiguration& configuration, Side side);
+
+  // Call once per frame, with the world that the camera saw.
+  void update(const Frame& frame, const sim::WorldState& world);
+
+  const strategies::SensorReadings& readings() const { return delayed_.oldest(); }
+
+ private:
+  Side side_;
+  sim::TeamSpec::Robots robots_;
+  DelayLine<strategies::SensorReadings> delayed_;
+  strategies::SensorReadings latest_;
+};
 
 // Owns a side's strategy and its view of the game. The game supplies delayed tracks; any fault of
 // the strategy ends the game.

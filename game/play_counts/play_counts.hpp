@@ -9,7 +9,7 @@
 // stops. If the kicker touches the ball first (later than kSameKick_s), it has only pushed the ball
 // ahead, and the kick does not count. Kicks by both teams in the same sub-step do not count either.
 // A kick's path is the straight line along which the ball would roll or fly if nobody touched it
-// (ball_trajectory.hpp).
+// (kick_away.hpp).
 #pragma once
 
 #include <array>

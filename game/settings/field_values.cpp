@@ -6,13 +6,11 @@
 
 #include "game/settings/command_text.hpp"
 #include "game/settings/fields.hpp"
-#include "game/settings/resolved.hpp"
-#include "game/settings/robot_changes.hpp"
+#include "game/settings/game_settings.hpp"
+#include "game/settings/robot_types.hpp"
 #include "io/words.hpp"
-#include "io/yaml_scalar.hpp"
-#include "sim/ball_presets.hpp"
-#include "sim/camera_presets.hpp"
-#include "sim/robot_presets.hpp"
+#include "io/yaml_text.hpp"
+#include "sim/presets.hpp"
 
 namespace autoref::game {
 namespace {

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include "game/settings/settings_branch.hpp"
-#include "sim/ball_presets.hpp"
-#include "sim/camera_presets.hpp"
-#include "sim/robot_presets.hpp"
-#include "soccer/rule_table.hpp"
+#include "game/settings/mapping.hpp"
+#include "sim/presets.hpp"
+#include "soccer/rules/rule_book.hpp"
 #include "strategies/registry.hpp"
 
 namespace autoref::game {

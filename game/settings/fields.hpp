@@ -24,17 +24,17 @@ struct BothFactors {
   double* acceleration = nullptr;
 };
 
-// `preset`: selects the parameters of a known ball by name (sim/ball_presets.hpp).
+// `preset`: selects the parameters of a known ball by name (sim/presets.hpp).
 struct BallPreset {
   sim::BallParameters* ball = nullptr;
 };
 
-// `camera`: selects the vision and radio of a known league by name (sim/camera_presets.hpp).
+// `camera`: selects the vision and radio of a known league by name (sim/presets.hpp).
 struct CameraPreset {
   sim::Configuration* sim = nullptr;
 };
 
-// `preset`: selects the parameters of a known dribbler or kicker by name (sim/robot_presets.hpp).
+// `preset`: selects the parameters of a known dribbler or kicker by name (sim/presets.hpp).
 struct DribblerPreset {
   sim::DribblerParameters* dribbler = nullptr;
 };
@@ -234,7 +234,7 @@ void set_value_at(GameSettings& game, std::string_view path, const SettingValue&
 std::string value_at(const GameSettings& game, std::string_view path);
 
 // Checks conditions across settings: a team's parameters belong to its strategy and are in range,
-// goals fit the field. Throws SettingError (setting_error.hpp).
+// goals fit the field. Throws SettingError (setting_value.hpp).
 void check_game(const GameSettings& game);
 
 // check_game() for a single team of the game. `path` is the path of the team's settings, such as

@@ -1,6 +1,6 @@
 // A game as the user configured it: rule book and robot types by name, and the settings given
 // explicitly. Filled from files and `--set`, written to effective.yaml, and identified by its hash.
-// resolved() (resolved.hpp) turns it into the configuration that is played.
+// resolved() turns it into the configuration that is played.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 #include <set>
 #include <string>
 
-#include "game/loop/configuration.hpp"
+#include "game/loop/game_configuration.hpp"
 #include "game/settings/setting_value.hpp"
-#include "referee/match.hpp"
-#include "sim/configuration.hpp"
+#include "referee/referee_configuration.hpp"
+#include "sim/sim_configuration.hpp"
 #include "soccer/field.hpp"
-#include "soccer/rule_book.hpp"
+#include "soccer/rules/rule_book.hpp"
 #include "soccer/side.hpp"
 
 namespace autoref::game {
@@ -75,5 +75,17 @@ struct GameSettings {
   // Full paths of the settings given explicitly; presets do not change them.
   std::set<std::string> given;
 };
+
+// Turns settings into the configuration that is played.
+
+// Applies the rule book of that name: rules, field, number of robots and length of a half. Throws
+// std::invalid_argument for an unknown name.
+void choose_rules(const std::string& book, GameSettings& game);
+
+// The game that the settings describe: the rule book with its switched rules, and each robot with
+// the overrides of its type, its team and its number. Looks up names but does not check values;
+// check_game() (fields.hpp) does. Throws std::invalid_argument for unknown laws of a team, and
+// SettingError for an unknown robot type or for a player number that the team does not have.
+GameConfiguration resolved(const GameSettings& settings);
 
 }  // namespace autoref::game

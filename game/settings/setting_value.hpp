@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <stdexcept>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -15,5 +18,29 @@ using SettingValue = std::variant<double, int, std::uint64_t, std::string>;
 std::string spelt(const SettingValue& value);
 std::vector<std::string> spelt(const std::vector<SettingValue>& values);
 std::vector<std::vector<std::string>> spelt(const std::vector<std::vector<SettingValue>>& rows);
+
+// An error about a setting, identified by its path.
+
+// Settings that may be valid individually but contradict each other. what() is the message; path()
+// lets a reader look up the setting's location in its file.
+class SettingError : public std::invalid_argument {
+ public:
+  // what() is the path followed by `text`, such as ": must differ from d0" or " is 0; it must be
+  // positive".
+  SettingError(std::string path, std::string text)
+      : std::invalid_argument(path + text), path_(std::move(path)), text_(std::move(text)) {}
+
+  // The same error with `branch` prepended to the path.
+  SettingError below(std::string_view branch) const {
+    return {std::string(branch) + "." + path_, text_};
+  }
+
+  // The setting to correct, or its branch.
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+  std::string text_;
+};
 
 }  // namespace autoref::game

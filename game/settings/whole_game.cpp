@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "game/settings/fields.hpp"
-#include "game/settings/robot_changes.hpp"
-#include "game/settings/setting_error.hpp"
+#include "game/settings/robot_types.hpp"
+#include "game/settings/setting_value.hpp"
 #include "io/checksum.hpp"
 #include "io/words.hpp"
 #include "soccer/parameters.hpp"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <yaml-cpp/yaml.h>
-
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -34,7 +33,7 @@ const YamlEntry* find_entry(const std::vector<YamlEntry>& entries, std::string_v
 class YamlFile {
  public:
   // Throws InputError for invalid YAML, for anything but exactly one document, and for text that
-  // exceeds the limits on size, depth and aliases (yaml_bounds.hpp).
+  // exceeds the limits on size, depth and aliases (yaml_text.hpp).
   YamlFile(const std::string& text, std::string name);
 
   // The entries of the document itself.

@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "io/errors.hpp"
-#include "io/regular_file.hpp"
+#include "io/files.hpp"
 
 namespace autoref::game {
 namespace {

@@ -25,11 +25,9 @@
 #include <optional>
 #include <string>
 
-#include "game/team_programs/changed_robot.hpp"
 #include "game/team_programs/world_change.hpp"
 #include "io/files.hpp"
 #include "soccer/robot_command.hpp"
-#include "soccer/team_requests.hpp"
 
 namespace autoref::game {
 

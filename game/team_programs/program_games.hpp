@@ -5,10 +5,10 @@
 #include <memory>
 #include <optional>
 
-#include "game/loop/configuration.hpp"
+#include "game/loop/game_configuration.hpp"
 #include "game/loop/game_record.hpp"
 #include "game/loop/observer.hpp"
-#include "game/loop/team_maker.hpp"
+#include "game/loop/team_controller.hpp"
 #include "game/team_programs/commands_file.hpp"
 #include "game/team_programs/program_spec.hpp"
 

@@ -9,7 +9,6 @@
 
 #include "game/team_programs/program_spec.hpp"
 #include "game/team_programs/program_stderr.hpp"
-#include "game/team_programs/program_user.hpp"
 #include "game/team_programs/supervisor.hpp"
 
 namespace autoref::game {

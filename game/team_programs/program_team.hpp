@@ -7,7 +7,7 @@
 
 #include "game/team_programs/program_process.hpp"
 #include "league/team/greeting.hpp"
-#include "league/team/output_decoder.hpp"
+#include "league/team/team_codec.hpp"
 #include "strategies/strategy.hpp"
 
 namespace autoref::game {

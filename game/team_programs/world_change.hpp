@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "game/loop/game.hpp"
+#include "game/loop/game_configuration.hpp"
 #include "sim/world.hpp"
 #include "soccer/side.hpp"
 
@@ -23,5 +24,26 @@ using WorldChange = std::variant<sim::BallState, PlacedRobot, RemovedRobot>;
 // Changes the world between two steps. A robot that is off the field returns to it if there is room
 // where it is placed; otherwise nothing changes.
 void apply(const WorldChange& change, Game& game);
+
+// A robot whose limits a program on the network has set before the game.
+struct ChangedRobot {
+  RobotId robot;
+  double mass_kg = 0;
+  double speed_mps = 0;
+  double acceleration_mps2 = 0;
+  double braking_mps2 = 0;
+  double wheel_acceleration_mps2 = 0;
+  double angular_speed_radps = 0;
+  double angular_acceleration_radps2 = 0;
+  double kick_limit_mps = 0;
+  double chip_limit_mps = 0;
+};
+
+// The robot as it is.
+ChangedRobot unchanged(RobotId robot, const GameConfiguration& game);
+
+// Sets the robot's limits. Throws std::invalid_argument, and changes nothing, if a number is out of
+// range or the robot does not exist.
+void apply(const ChangedRobot& changed, GameConfiguration& game);
 
 }  // namespace autoref::game

@@ -1,9 +1,7 @@
 // Fouls of a robot in contact with the ball: double touch, dribbling, holding.
 #include <algorithm>
 
-#include "judge/truth/crossing.hpp"
 #include "judge/truth/ground_truth_rules.hpp"
-#include "judge/truth/keepers_ball.hpp"
 #include "judge/truth/outline.hpp"
 #include "soccer/units.hpp"
 

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "judge/truth/ground_truth_rules.hpp"
-#include "judge/truth/team_foul.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::judge::ground_truth {

@@ -1,7 +1,6 @@
 // Robots too close to the ball or the defence area before a restart is taken (2026 rules).
 #include "judge/truth/ground_truth_rules.hpp"
 #include "judge/truth/outline.hpp"
-#include "judge/truth/team_foul.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::judge::ground_truth {

@@ -1,6 +1,9 @@
 // Distances of a robot's hull, computed from sampled points of its outline.
 #pragma once
 
+#include <optional>
+
+#include "judge/truth/scene.hpp"
 #include "sim/world.hpp"
 #include "soccer/field.hpp"
 #include "soccer/side.hpp"
@@ -25,5 +28,30 @@ double hull_to_ball_m(const sim::RobotState& robot, const sim::BallState& ball);
 // Returns whether two robots are in contact, treated as discs, as in the simulated physics. They
 // may be slightly apart in some frames of a lasting contact.
 bool are_in_contact(const sim::RobotState& a, const sim::RobotState& b);
+
+// Where and when the true ball completely crossed a boundary of the field.
+struct Crossing {
+  bool over_goal_line = false;  // otherwise over a touch line
+  bool into_goal = false;       // between the posts and below the bar
+  Side end = Side::kWest;       // side whose goal line or half of the touch line was crossed
+  Vec2 point_m{0, 0};           // of the ball's centre
+  double height_m = 0;          // of its lowest point
+  double share = 0;             // of the step from the previous state, 0 to 1
+};
+
+// Distance of the ball's far edge to the field's outer lines from inside; negative once the ball is
+// completely out.
+double inside_m(const Field& field, const Vec2& ball_m);
+
+// Returns nullopt unless the ball is completely out at `now` and was not at `before`. Assumes a
+// straight path in between.
+std::optional<Crossing> find_crossing(const Field& field, const sim::BallState& before,
+                                      const sim::BallState& now);
+
+// Whose keeper has the ball.
+
+// Whether only the keeper of `side` may keep the ball. Laws 2014: the ball is inside its defence
+// area, in contact with it. 2026: the ball is inside the area, for whatever reason.
+bool is_keepers_ball(const Scene& scene, Side side);
 
 }  // namespace autoref::judge::ground_truth

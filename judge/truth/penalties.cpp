@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include "judge/truth/crossing.hpp"
 #include "judge/truth/ground_truth_rules.hpp"
 #include "judge/truth/outline.hpp"
 #include "soccer/units.hpp"

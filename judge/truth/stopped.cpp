@@ -1,13 +1,100 @@
-// Offences while play is stopped, under the Laws of 2014.
+// Offences while play is stopped, under the Laws of 2014 and under the 2026 rules.
+#include <algorithm>
+#include <map>
 #include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
 
-#include "judge/truth/grace_timer.hpp"
 #include "judge/truth/ground_truth_rules.hpp"
 #include "judge/truth/outline.hpp"
+#include "judge/truth/scene.hpp"
+#include "soccer/robot_shape.hpp"
+#include "soccer/side.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::judge::ground_truth {
 namespace {
+
+// Detects one kind of offence, at most once per robot and phase. Each restart or stop starts a
+// phase.
+class GraceTimer {
+ public:
+  GraceTimer(std::string_view name, double margin) : name_(name), margin_(margin) {}
+
+  // Call for every robot in every frame in which the rule applies. `excess` is how far the robot is
+  // beyond the threshold, in the unit of the margin; it commits an offence if it stays beyond for
+  // longer than `grace_s`. Each command starts a phase.
+  void watch(const Scene& scene, RobotId id, const sim::RobotState& robot, double excess,
+             double grace_s, TrueEvents& all);
+
+ private:
+  // Start of the current offence, and the phase in which it was reported.
+  struct Watch {
+    std::optional<double> since_s;
+    int reported = -1;
+    bool is_over(double time_s, bool offends, double grace_s, int spell);
+  };
+  struct Watches {
+    int spell = -1;  // current phase
+    Watch nearly;
+    Watch truly;
+    Watch clearly;
+  };
+
+  std::string_view name_;
+  double margin_;
+  PerSide<std::map<int, Watches>> watches_;  // by number
+};
+
+// Returns true in the frame in which the grace period ends.
+bool GraceTimer::Watch::is_over(double time_s, bool offends, double grace_s, int spell) {
+  if (!offends) {
+    since_s.reset();
+    return false;
+  }
+  if (!since_s) since_s = time_s;
+  if (reported == spell || time_s - *since_s < grace_s) return false;
+  reported = spell;
+  return true;
+}
+
+void GraceTimer::watch(const Scene& scene, RobotId id, const sim::RobotState& robot, double excess,
+                       double grace_s, TrueEvents& all) {
+  const int spell = scene.play.count;
+  grace_s -= scene.frame_s / 2;  // half a frame of tolerance, since time is quantised to frames
+  // Three timers per robot, for the limit and for the limit shifted by the margin either way: a
+  // true event is borderline if the strict one has not expired, and there is a near miss if only
+  // the lenient one has.
+  Watches& watches = watches_[id.side][id.number];
+  if (watches.spell != spell) watches = {spell, {}, {}, {}};
+  TrueEvent is_due{name_, scene.time_s, id.side, id, robot.position_m};
+  watches.clearly.is_over(scene.time_s, excess > margin_, grace_s, spell);
+  if (watches.truly.is_over(scene.time_s, excess > 0, grace_s, spell)) {
+    is_due.is_borderline = watches.clearly.reported != spell;
+    all.push_back(is_due);
+  } else if (watches.nearly.is_over(scene.time_s, excess > -margin_, grace_s, spell) &&
+             watches.truly.reported != spell) {
+    is_due.standing = Standing::kNearMiss;
+    all.push_back(is_due);
+  }
+}
+
+// Measures how long each robot has continuously met a condition.
+class Lasting {
+ public:
+  // Call for every robot in every frame. Returns how long `does` has been true, or a negative value
+  // if it is false.
+  double lasts_s(RobotId id, bool does, double time_s) {
+    if (does) return time_s - since_s_.try_emplace(id, time_s).first->second;
+    since_s_.erase(id);
+    return -1.0;
+  }
+  void clear() { since_s_.clear(); }
+
+ private:
+  std::map<RobotId, double> since_s_;
+};
 
 // The ball's radius: the rules leave open whether distances end at its centre or its surface.
 constexpr double kStopMargin_m = 25_mm;
@@ -58,9 +145,138 @@ class StopDistance final : public GroundTruthRule {
   GraceTimer near_{"stop_distance", kStopMargin_m};
 };
 
+constexpr double kFastMargin_mps = 0.1_mps;
+constexpr double kFastFor_s = 0.1;  // the rules leave open whether a shorter peak counts
+constexpr double kLaneMargin_m = 25_mm;
+
+// Selects robots that violate a rule for long enough to be at fault or nearly at fault.
+class LongEnough {
+ public:
+  explicit LongEnough(double margin) : margin_(margin) {}
+
+  void consider(const Scene& scene, RobotId id, const sim::RobotState& robot, double excess,
+                double for_s, WorstRobot& worst) {
+    for_s -= scene.frame_s / 2;  // half a frame of tolerance, since time is quantised to frames
+    const bool is_at_fault = truly_.lasts_s(id, excess > 0, scene.time_s) >= for_s;
+    if (nearly_.lasts_s(id, excess > -margin_, scene.time_s) < for_s) return;
+    worst.consider(id, robot, is_at_fault ? excess : std::min(excess, -margin_ / 2));
+  }
+  void clear() {
+    truly_.clear();
+    nearly_.clear();
+  }
+
+ private:
+  double margin_;
+  Lasting truly_;
+  Lasting nearly_;
+};
+
+// "Robot Stop Speed": after the grace period at the start of the stop, not during ball placement;
+// each robot once per stop.
+class StopSpeed2026 final : public GroundTruthRule {
+ public:
+  void watch(const Scene& scene, TrueEvents& all) override {
+    const Play& play = scene.play;
+    const bool has_grace = scene.time_s - play.stop_began_s <= scene.rules.stop_grace_s;
+    if (!play.is_stop || has_grace || scene.is_ball_being_placed()) {
+      fast_for_.clear();
+      return;
+    }
+    if (play.stop_count != stop_) counted_.clear();
+    stop_ = play.stop_count;
+    for (const Side side : kSides) {
+      const WorstRobot worst = fastest(scene, side);
+      if (fast_.watch(scene, side, worst, all)) counted_.insert(*worst.robot);
+    }
+  }
+
+ private:
+  WorstRobot fastest(const Scene& scene, Side side) {
+    WorstRobot worst;
+    for_each_robot(scene.now, side, [&](RobotId id, const sim::RobotState& robot) {
+      if (counted_.contains(id)) return;
+      const double excess_mps = robot.velocity_mps.norm() - scene.rules.stop_speed_mps;
+      fast_for_.consider(scene, id, robot, excess_mps, kFastFor_s, worst);
+    });
+    return worst;
+  }
+
+  int stop_ = -1;
+  std::set<RobotId> counted_;  // in this stop
+  LongEnough fast_for_{kFastMargin_mps};
+  TeamFoul fast_{"bot_too_fast_in_stop", kFastMargin_mps};
+};
+
+// "Ball Placement Interference": counts once per placement. Every further one extends the time of a
+// team that places the ball; it is an event only then. It is a foul of "the non-placing team", and
+// "the referee has to place the ball for all kickoffs and all penalty kicks": never before those.
+class PlacementInterference final : public GroundTruthRule {
+ public:
+  void watch(const Scene& scene, TrueEvents& all) override {
+    const std::optional<Side> placer = placer_of(scene);
+    if (!scene.is_ball_being_placed() || !placer) {
+      near_for_.clear();
+      return;
+    }
+    begin(scene);
+    const Side side = opponent_of(*placer);
+    WorstRobot worst;
+    for_each_robot(scene.now, side, [&](RobotId id, const sim::RobotState& robot) {
+      const double excess_m = scene.rules.placement_clearance_m - hull_to_lane_m(scene, robot);
+      near_for_.consider(scene, id, robot, excess_m, scene.rules.placement_grace_s, worst);
+    });
+    if (is_counted_ && !scene.play.placer) return;
+    if (!near_.watch(scene, side, worst, all)) return;
+    all.back().is_counted = !is_counted_;
+    is_counted_ = true;
+  }
+
+ private:
+  // The simulator places the ball in place of the side that takes the free kick.
+  static std::optional<Side> placer_of(const Scene& scene) {
+    if (scene.play.placer) return scene.play.placer;
+    const std::optional<Command>& next = scene.signal.next_command;
+    if (!next) return std::nullopt;
+    const bool is_free_kick =
+        next->kind == CommandKind::kDirectFree || next->kind == CommandKind::kIndirectFree;
+    return is_free_kick ? std::optional(next->side) : std::nullopt;
+  }
+
+  // A new stop, a team's order or another target starts a new placement.
+  void begin(const Scene& scene) {
+    const Vec2& target_m = scene.signal.placement->target_m;
+    const int stop = scene.play.placer ? -scene.play.count : scene.play.stop_count;
+    if (stop == stop_ && target_m == target_m_) return;
+    stop_ = stop;
+    target_m_ = target_m;
+    is_counted_ = false;
+    near_for_.clear();
+  }
+
+  static double hull_to_lane_m(const Scene& scene, const sim::RobotState& robot) {
+    const Vec2 nearest_m = nearest_on_segment(robot.position_m, scene.now.ball.position_m,
+                                              scene.signal.placement->target_m);
+    return distance_to_hull(nearest_m, robot.position_m, robot.heading);
+  }
+
+  int stop_ = 0;  // number of the stop, or of the order to place the ball, negative
+  Vec2 target_m_{0, 0};
+  bool is_counted_ = false;
+  LongEnough near_for_{kLaneMargin_m};
+  TeamFoul near_{"bot_interfered_placement", kLaneMargin_m};
+};
+
 }  // namespace
 
 std::unique_ptr<GroundTruthRule> bot_too_fast_in_stop() { return std::make_unique<StopSpeed>(); }
 std::unique_ptr<GroundTruthRule> stop_distance() { return std::make_unique<StopDistance>(); }
+
+std::unique_ptr<GroundTruthRule> bot_too_fast_in_stop_2026() {
+  return std::make_unique<StopSpeed2026>();
+}
+std::unique_ptr<GroundTruthRule> bot_interfered_placement() {
+  return std::make_unique<PlacementInterference>();
+}
 
 }  // namespace autoref::judge::ground_truth

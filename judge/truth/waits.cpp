@@ -3,7 +3,7 @@
 #include <deque>
 
 #include "judge/truth/ground_truth_rules.hpp"
-#include "judge/truth/keepers_ball.hpp"
+#include "judge/truth/outline.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::judge::ground_truth {

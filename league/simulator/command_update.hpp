@@ -1,14 +1,19 @@
-// Commands of robots as programs send them over the network: changes of what a robot does.
+// What a packet for a simulator asks for: changes of robots' commands, and teleports; and what is
+// wrong with it.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
+#include "league/messages/simulation.pb.h"
 #include "soccer/geometry.hpp"
 #include "soccer/robot_command.hpp"
+#include "soccer/side.hpp"
 
 namespace autoref::league {
 
@@ -70,5 +75,52 @@ struct CommandPacket {
   std::vector<CommandUpdate> updates;
   std::vector<PacketError> errors;
 };
+
+// In the frame of vision. What is not set stays as it is.
+struct BallTeleport {
+  std::optional<double> x_m;
+  std::optional<double> y_m;
+  std::optional<double> height_m;
+  std::optional<double> vx_mps;
+  std::optional<double> vy_mps;
+  std::optional<double> vertical_mps;
+  bool rolls = false;  // the ball rolls at once, without sliding first
+};
+
+struct RobotTeleport {
+  RobotId robot;  // west is yellow
+  std::optional<double> x_m;
+  std::optional<double> y_m;
+  std::optional<double> heading_rad;
+  std::optional<double> vx_mps;
+  std::optional<double> vy_mps;
+  std::optional<double> angular_radps;
+  std::optional<bool> is_present;  // whether the robot is on the field
+};
+
+using Teleport = std::variant<BallTeleport, RobotTeleport>;
+
+inline constexpr std::size_t kMostErrors = 16;
+inline constexpr std::size_t kMostUpdates = 64;  // of a packet
+
+// The code for a packet that is not a message of its port.
+inline constexpr const char* kNotAMessage = "PACKET";
+
+// Whether it was one.
+inline bool is_readable(const CommandPacket& packet) {
+  for (const PacketError& error : packet.errors)
+    if (error.code == kNotAMessage) return false;
+  return true;
+}
+
+// Further errors than the first kMostErrors are dropped.
+inline void add_error(std::vector<PacketError>& errors, std::string code, std::string message) {
+  if (errors.size() < kMostErrors) errors.push_back({std::move(code), std::move(message)});
+}
+
+inline void fill_error(const PacketError& error, simulation::SimulatorError& message) {
+  message.set_code(error.code);
+  message.set_message(error.message);
+}
 
 }  // namespace autoref::league

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "league/partial_parse.hpp"
-#include "league/simulator/packet_errors.hpp"
+#include "league/message_fields.hpp"
+#include "league/simulator/command_update.hpp"
 #include "league/simulator/robot_control.hpp"
 #include "soccer/trigonometry.hpp"
 #include "soccer/units.hpp"

@@ -8,7 +8,6 @@
 
 #include "league/messages/grsim.pb.h"
 #include "league/simulator/command_update.hpp"
-#include "league/simulator/teleport.hpp"
 #include "soccer/side.hpp"
 
 namespace autoref::league {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "league/partial_parse.hpp"
-#include "league/simulator/packet_errors.hpp"
+#include "league/message_fields.hpp"
+#include "league/simulator/command_update.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::league {

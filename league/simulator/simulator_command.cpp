@@ -6,10 +6,9 @@
 #include <stdexcept>
 
 #include "league/field_message.hpp"
-#include "league/partial_parse.hpp"
-#include "league/simulator/packet_errors.hpp"
-#include "league/units.hpp"
-#include "soccer/colour.hpp"
+#include "league/message_fields.hpp"
+#include "league/simulator/command_update.hpp"
+#include "soccer/side.hpp"
 
 namespace autoref::league {
 namespace {

@@ -7,7 +7,6 @@
 
 #include "league/messages/simulation.pb.h"
 #include "league/simulator/command_update.hpp"
-#include "league/simulator/teleport.hpp"
 #include "soccer/field.hpp"
 #include "soccer/side.hpp"
 

@@ -5,9 +5,9 @@
 #include <google/protobuf/io/coded_stream.h>
 #include <google/protobuf/wire_format_lite.h>
 
+#include "league/message_fields.hpp"
 #include "league/messages/simulation.pb.h"
-#include "league/partial_parse.hpp"
-#include "league/simulator/packet_errors.hpp"
+#include "league/simulator/command_update.hpp"
 #include "league/simulator/robot_control.hpp"
 
 namespace autoref::league {

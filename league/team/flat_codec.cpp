@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cstring>
 
-#include "league/team/codecs.hpp"
 #include "league/team/flat_records.hpp"
 #include "league/team/output_builder.hpp"
-#include "league/team/rule_numbers.hpp"
+#include "league/team/team_codec.hpp"
 #include "league/team/team_fault.hpp"
+#include "league/team/team_messages.hpp"
 
 namespace autoref::league {
 namespace {

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "league/team/excerpt.hpp"
 #include "league/team/team_fault.hpp"
 
 namespace autoref::league {

@@ -2,11 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "league/team/codecs.hpp"
 #include "league/team/json_output.hpp"
-#include "league/team/json_text.hpp"
-#include "league/team/rule_numbers.hpp"
+#include "league/team/team_codec.hpp"
 #include "league/team/team_fault.hpp"
+#include "league/team/team_messages.hpp"
 
 namespace autoref::league {
 namespace {

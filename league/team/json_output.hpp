@@ -1,11 +1,43 @@
 // Reading of outputs in JSON.
 #pragma once
 
+#include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "league/team/team_messages.hpp"
 
 namespace autoref::league {
+
+// Fast writing of flat JSON, for messages that are sent once per frame.
+
+// Appends JSON to a text. Members of an object and elements of an array are separated by commas;
+// names and texts must not need to be escaped.
+class JsonText {
+ public:
+  explicit JsonText(std::string& text) : text_(&text) {}
+
+  // In an array, the name is empty.
+  JsonText& open(char bracket, std::string_view name = {});
+  JsonText& close(char bracket);
+
+  // Doubles have the fewest digits, at most 17, from which the same value is read; and a point or
+  // an exponent, so that no reader takes them for an integer, which has no -0.
+  JsonText& member(std::string_view name, double value);
+  JsonText& member(std::string_view name, std::int64_t value);
+  JsonText& member(std::string_view name, int value) {
+    return member(name, static_cast<std::int64_t>(value));
+  }
+  JsonText& member(std::string_view name, bool value);
+  JsonText& member(std::string_view name, std::string_view value);
+  JsonText& null(std::string_view name);
+
+ private:
+  void begin(std::string_view name);
+
+  std::string* text_;
+  bool is_first_ = true;
+};
 
 // Replaces `output` by the content of a line, given without its end. Throws TeamFault if the line
 // is invalid, contains unknown members or a member twice.

@@ -1,20 +1,116 @@
 #include <fmt/format.h>
-
+#include <algorithm>
 #include <array>
+#include <string>
+#include <vector>
 
+#include "league/camera_clocks.hpp"
+#include "league/field_message.hpp"
 #include "league/messages/league_input.pb.h"
 #include "league/messages/referee.pb.h"
+#include "league/messages/vision.pb.h"
 #include "league/referee_message.hpp"
 #include "league/simulator/robot_control.hpp"
-#include "league/team/codecs.hpp"
 #include "league/team/delimited.hpp"
 #include "league/team/league_signal.hpp"
-#include "league/team/league_vision.hpp"
 #include "league/team/output_builder.hpp"
+#include "league/team/team_codec.hpp"
 #include "league/team/team_fault.hpp"
+#include "league/team/team_messages.hpp"
+#include "league/vision_message.hpp"
+#include "soccer/field.hpp"
+#include "soccer/frame.hpp"
 
 namespace autoref::league {
 namespace {
+
+// Serializes frames as the packets of their cameras. A camera gets a number once it has seen a ball
+// whose height vision does not know; until one has, there is one camera above the field's centre.
+class LeagueVision {
+ public:
+  explicit LeagueVision(const Field& field);
+
+  // An SSL_WrapperPacket with the geometry.
+  const std::string& geometry() const { return geometry_; }
+
+  // One packet per camera, after the geometry if it is due: once per second and with new cameras.
+  // Valid until the next call.
+  const std::vector<std::string>& packets_of(const Frame& frame);
+
+ private:
+  void note_camera(const Frame& frame);
+  void write_geometry();
+
+  Field field_;
+  std::vector<CameraPosition> cameras_{CameraPosition{}};
+  bool has_seen_a_camera_ = false;
+  std::vector<VisionPacket> messages_;
+  std::vector<std::string> packets_;
+  std::string geometry_;
+  double geometry_due_s_ = 0;
+};
+
+constexpr double kGeometryOfTeamsEvery_s = 1.0;
+
+Frame seen_by_a_perfect_camera(const TeamView& view) {
+  Frame frame;
+  const auto add = [&frame](const TrackedRobots& robots, Side side) {
+    for (const TrackedRobot& robot : robots)
+      frame.robots[side].push_back({robot.number, robot.position_m, robot.heading});
+  };
+  add(view.own, Side::kWest);
+  add(view.opponents, Side::kEast);
+  frame.ball.emplace();
+  frame.ball->position_m = view.ball.position_m;
+  frame.ball->height_m = view.ball.is_height_known ? view.ball.height_m : 0;
+  return frame;
+}
+
+// The detections of a team's frame in field coordinates. Without detections, they are what a
+// perfect camera would see: the tracked positions, and the ball's height if it is known.
+Frame field_frame_of(const TeamFrame& frame, Side side) {
+  Frame seen = frame.detections ? *frame.detections : seen_by_a_perfect_camera(frame.view);
+  seen.number = frame.view.frame;
+  seen.time_s = frame.view.time_s;
+  return side == Side::kWest ? seen : mirrored(seen);
+}
+
+LeagueVision::LeagueVision(const Field& field) : field_(field) { write_geometry(); }
+
+void LeagueVision::write_geometry() {
+  VisionPacket packet;
+  fill_geometry(field_, cameras_, *packet.mutable_geometry());
+  packet.set_source(kOtherSource);
+  packet.SerializeToString(&geometry_);
+}
+
+void LeagueVision::note_camera(const Frame& frame) {
+  if (!frame.ball || frame.ball->height_m) return;
+  const CameraPosition& camera = frame.ball->seen_from;
+  const auto is_camera = [&camera](const CameraPosition& other) {
+    return other.position_m == camera.position_m && other.height_m == camera.height_m;
+  };
+  const bool is_known = std::any_of(cameras_.begin(), cameras_.end(), is_camera);
+  if (has_seen_a_camera_ && (is_known || cameras_.size() == CameraClocks::kMaxCameras)) return;
+  if (!has_seen_a_camera_) cameras_.clear();
+  has_seen_a_camera_ = true;
+  cameras_.push_back(camera);
+  write_geometry();
+  geometry_due_s_ = frame.time_s;
+}
+
+const std::vector<std::string>& LeagueVision::packets_of(const Frame& frame) {
+  note_camera(frame);
+  const bool is_due = frame.time_s >= geometry_due_s_;
+  messages_.resize(cameras_.size());
+  fill_detections(frame, cameras_, messages_);
+  packets_.resize(cameras_.size() + (is_due ? 1 : 0));
+  if (is_due) packets_.front() = geometry_;
+  for (std::size_t i = 0; i < messages_.size(); ++i)
+    messages_[i].SerializeToString(&packets_[i + (is_due ? 1 : 0)]);
+  if (is_due) geometry_due_s_ = frame.time_s + kGeometryOfTeamsEvery_s;
+  return packets_;
+}
 
 // Headings of a team's robots in the frame of vision, by number.
 using Headings = std::array<Vec2, kMaxRobots>;

@@ -1,10 +1,9 @@
 #include "league/team/team_codec.hpp"
 
 #include <fmt/format.h>
-
 #include <stdexcept>
 
-#include "league/team/codecs.hpp"
+#include "league/team/team_fault.hpp"
 
 namespace autoref::league {
 namespace {
@@ -33,6 +32,21 @@ std::unique_ptr<TeamCodec> make_team_codec(TeamEncoding encoding) {
 void check_names(const TeamStart& start) {
   check_name(start.rules.name, kLongestName);
   for (const auto& [name, value] : start.params) check_name(name, kLongestName);
+}
+
+OutputDecoder::Result OutputDecoder::next(TeamOutput& output) {
+  if (!fault_.empty()) return Result::kFault;
+  try {
+    const std::optional<MessageExtent> message = codec_->find_message(bytes_);
+    if (!message) return Result::kNeedsMore;
+    codec_->read(std::string_view(bytes_).substr(message->begin, message->size), output);
+    bytes_.erase(0, message->end);
+    return Result::kOutput;
+  } catch (const TeamFault& fault) {
+    fault_ = fault.what();
+    bytes_.clear();
+    return Result::kFault;
+  }
 }
 
 }  // namespace autoref::league

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,5 +44,42 @@ class TeamCodec {
 };
 
 std::unique_ptr<TeamCodec> make_team_codec(TeamEncoding encoding);
+
+// The codec of each encoding, for make_team_codec().
+
+std::unique_ptr<TeamCodec> make_flat_codec();
+std::unique_ptr<TeamCodec> make_json_codec();
+std::unique_ptr<TeamCodec> make_league_codec();
+
+// Throws std::invalid_argument if a name in `start` is too long to be sent.
+void check_names(const TeamStart& start);
+
+// Decoding of a program's output as it arrives.
+
+// Collects the bytes of a program's output after its greeting, and takes its messages from them.
+// The codec must outlive it.
+class OutputDecoder {
+ public:
+  enum class Result : std::uint8_t { kNeedsMore, kOutput, kFault };
+
+  explicit OutputDecoder(TeamCodec& codec) : codec_(&codec) {}
+
+  void add(std::string_view bytes) { bytes_.append(bytes); }
+
+  // Takes the next message. Only after kOutput, `output` is that message. After a fault every
+  // further call returns kFault.
+  Result next(TeamOutput& output);
+
+  // What is wrong with the output; empty unless next() has returned kFault.
+  const std::string& fault() const { return fault_; }
+
+  // Bytes that belong to no message taken so far: a program that only answers leaves none.
+  std::size_t bytes_left() const { return bytes_.size(); }
+
+ private:
+  TeamCodec* codec_;
+  std::string bytes_;
+  std::string fault_;
+};
 
 }  // namespace autoref::league

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace autoref::league {
 
@@ -11,5 +12,11 @@ class TeamFault : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+// Quoting of a program's output in messages.
+
+// `bytes` in quotation marks, cut after 40 bytes; those that are not printable ASCII are written as
+// \xHH.
+std::string excerpt_of(std::string_view bytes);
 
 }  // namespace autoref::league

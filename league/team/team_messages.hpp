@@ -7,17 +7,17 @@
 #include <boost/container/static_vector.hpp>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
-#include "soccer/abilities.hpp"
 #include "soccer/field.hpp"
 #include "soccer/frame.hpp"
 #include "soccer/robot_command.hpp"
-#include "soccer/rule_book.hpp"
+#include "soccer/rules/rule_book.hpp"
 #include "soccer/side.hpp"
-#include "soccer/team_requests.hpp"
 #include "soccer/team_view.hpp"
 
 namespace autoref::league {
@@ -61,5 +61,19 @@ struct TeamOutput {
   TeamRequests requests;
   std::string text;  // for the log; any bytes, at most kLongestOutputText
 };
+
+// A rule book as numbers with names, for programs that do not know this project's rules.
+
+// Calls `visit` with the name and value of every number of the rule book, in a fixed order. Names
+// are RuleBook's members; yes or no is 1 or 0. Then "edition" (0 paper, 1 Laws of 2014, 2 rules of
+// 2026), and for each rule "in_force." and its name, 1 or 0.
+void visit_rule_numbers(const RuleBook& rules,
+                        const std::function<void(std::string_view name, double value)>& visit);
+
+// What a START contains: the numbers of the rule book, then what its record of the field has no
+// room for: "field.goal_line_run_off_m", from the goal lines to the wall, and
+// "field.goal_sides_reach_wall", 1 or 0. Last, for each rule, "obeyed." and its name, 1 or 0.
+void visit_start_numbers(const TeamStart& start,
+                         const std::function<void(std::string_view name, double value)>& visit);
 
 }  // namespace autoref::league

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "game/loop/game.hpp"
-#include "game/loop/game_event.hpp"
+#include "game/loop/game_configuration.hpp"
+#include "game/loop/game_event_fields.hpp"
 #include "io/errors.hpp"
 #include "league/field_message.hpp"
 #include "league/referee_message.hpp"
@@ -18,8 +19,7 @@
 #include "live/controller/controller_operator.hpp"
 #include "live/controller/placement_watch.hpp"
 #include "live/published_tracks.hpp"
-#include "logs/logged_cameras.hpp"
-#include "soccer/published.hpp"
+#include "soccer/referee_signal.hpp"
 
 namespace autoref::live {
 namespace {
@@ -56,7 +56,7 @@ class ControlledGame::Impl final : public game::Observer {
         operator_(game) {
     if (game.match.knockout)
       throw io::InputError({"--game-controller"}, "", "games with extra time are not supported");
-    league::fill_geometry(game.field, logs::logged_cameras(game), geometry_);
+    league::fill_geometry(game.field, game::logged_cameras(game), geometry_);
   }
 
   game::GameRecord play(game::Observers observers, game::GamePrograms& programs) {

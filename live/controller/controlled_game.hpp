@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "game/loop/configuration.hpp"
+#include "game/loop/game_configuration.hpp"
 #include "game/loop/game_record.hpp"
 #include "game/loop/observer.hpp"
 #include "game/team_programs/program_games.hpp"

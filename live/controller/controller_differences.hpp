@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "game/loop/game_event_log.hpp"
+#include "game/loop/event_log.hpp"
 #include "league/messages/referee.pb.h"
 #include "referee/decision.hpp"
 #include "soccer/referee_signal.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "game/loop/game_event.hpp"
+#include "game/loop/game_event_fields.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::live {

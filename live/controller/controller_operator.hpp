@@ -5,12 +5,12 @@
 #include <optional>
 #include <string>
 
-#include "game/loop/configuration.hpp"
+#include "game/loop/game_configuration.hpp"
 #include "league/messages/game_controller.pb.h"
 #include "referee/decision.hpp"
 #include "soccer/referee_signal.hpp"
+#include "soccer/robot_command.hpp"
 #include "soccer/side.hpp"
-#include "soccer/team_requests.hpp"
 #include "soccer/tracks.hpp"
 
 namespace autoref::live {

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "soccer/game_event.hpp"
+#include "soccer/rules/game_event.hpp"
 
 namespace autoref::live {
 

@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "soccer/game_event.hpp"
 #include "soccer/referee_signal.hpp"
+#include "soccer/rules/game_event.hpp"
 #include "soccer/tracks.hpp"
 
 namespace autoref::live {

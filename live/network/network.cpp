@@ -1,6 +1,5 @@
 #include "live/network/network.hpp"
 
-#include "live/network/group_socket.hpp"
 #include "live/network/network_context.hpp"
 
 #include <arpa/inet.h>

@@ -1,12 +1,12 @@
 // The Asio context of a NetworkThread, for the few files that use Asio.
 #pragma once
 
-#include <utility>  // Boost 1.74 needs it before Asio
-
 #include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/udp.hpp>
 #include <csignal>
 #include <thread>
+#include <utility>  // Boost 1.74 needs it before Asio
 
 #include "live/network/network.hpp"
 
@@ -36,5 +36,13 @@ class NetworkThread::Context {
   boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work_{io.get_executor()};
   std::thread thread_;
 };
+
+// Opens sockets for multicast groups and ports, for the few files that use Asio.
+
+// Opens and binds the socket, and joins the group, unless that is an address for all hosts of a
+// network. Throws InputError if the port is in use or an
+// address is wrong.
+void open_for_group(boost::asio::ip::udp::socket& socket, const DatagramReceiver::Place& place,
+                    int receive_buffer_bytes);
 
 }  // namespace autoref::live

@@ -1,18 +1,28 @@
 #include "live/network/stream_server.hpp"
 
-#include "live/network/stream_connection.hpp"
-
 #include <fmt/format.h>
-
 #include <algorithm>
+#include <array>
+#include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <boost/asio/write.hpp>
+#include <chrono>
+#include <functional>
 #include <future>
+#include <memory>
 #include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "io/errors.hpp"
+#include "league/team/delimited.hpp"
+#include "league/team/team_fault.hpp"
+#include "live/network/network.hpp"
+#include "live/network/network_context.hpp"
 
 namespace autoref::live {
 namespace {
@@ -38,6 +48,119 @@ bool is_equal(const Address& one, const Address& other) {
 }
 
 }  // namespace
+
+// Reads messages and writes responses. All functions are called in the network's thread.
+class StreamConnection : public std::enable_shared_from_this<StreamConnection> {
+ public:
+  enum class End { kClosed, kInvalid, kUnread };
+  using Clock = std::chrono::steady_clock;
+
+  // Returns the response; nullopt: none at once.
+  using OnMessage = DatagramReceiver::Handler;
+  // Called once, just before the connection is closed, unless close() is.
+  using OnEnd = std::function<void(const StreamConnection& connection, End why)>;
+
+  StreamConnection(boost::asio::ip::tcp::socket socket, OnMessage on_message, OnEnd on_end);
+
+  void start() { read(); }
+  void send(std::string_view message);
+  void close();
+
+  const Address& peer() const { return peer_; }
+  // When the last message came, or the connection was made.
+  Clock::time_point last_heard() const { return last_heard_; }
+
+ private:
+  static constexpr std::size_t kChunk = 1 << 14;
+
+  void read();
+  void take_messages();
+  void write();
+  void end(End why);
+
+  boost::asio::ip::tcp::socket socket_;
+  OnMessage on_message_;
+  OnEnd on_end_;
+  Address peer_;
+  Clock::time_point last_heard_ = Clock::now();
+  std::array<char, kChunk> chunk_{};
+  std::string received_;  // not yet a whole message
+  std::string waiting_;   // to be written
+  std::string written_;   // being written
+  bool is_writing_ = false;
+  bool is_open_ = true;
+};
+
+StreamConnection::StreamConnection(tcp::socket socket, OnMessage on_message, OnEnd on_end)
+    : socket_(std::move(socket)), on_message_(std::move(on_message)), on_end_(std::move(on_end)) {
+  error_code error;
+  socket_.set_option(tcp::no_delay(true), error);
+  socket_.set_option(boost::asio::socket_base::keep_alive(true), error);
+  const tcp::endpoint peer = socket_.remote_endpoint(error);
+  if (!error) peer_ = {peer.address().to_string(), peer.port()};
+}
+
+void StreamConnection::read() {
+  socket_.async_read_some(boost::asio::buffer(chunk_),
+                          [self = shared_from_this()](const error_code& error, std::size_t size) {
+                            if (!self->is_open_) return;
+                            if (error) return self->end(End::kClosed);
+                            self->received_.append(self->chunk_.data(), size);
+                            self->take_messages();
+                            if (self->is_open_) self->read();
+                          });
+}
+
+// What remains is less than a message, so that memory is bounded.
+void StreamConnection::take_messages() {
+  std::string_view rest = received_;
+  try {
+    while (const std::optional<league::MessageExtent> extent = league::find_delimited(rest)) {
+      last_heard_ = Clock::now();
+      const auto response = on_message_(rest.substr(extent->begin, extent->size), peer_);
+      rest.remove_prefix(extent->end);
+      if (response) send(*response);
+      if (!is_open_) return;
+    }
+  } catch (const league::TeamFault&) {
+    return end(End::kInvalid);
+  }
+  received_.erase(0, received_.size() - rest.size());
+}
+
+void StreamConnection::send(std::string_view message) {
+  if (!is_open_) return;
+  if (waiting_.size() + written_.size() + message.size() > kMostUnread) return end(End::kUnread);
+  league::append_delimited(message, waiting_);
+  if (!is_writing_) write();
+}
+
+void StreamConnection::write() {
+  written_.swap(waiting_);
+  is_writing_ = true;
+  boost::asio::async_write(socket_, boost::asio::buffer(written_),
+                           [self = shared_from_this()](const error_code& error, std::size_t) {
+                             self->is_writing_ = false;
+                             self->written_.clear();
+                             if (!self->is_open_) return;
+                             if (error) return self->end(End::kClosed);
+                             if (!self->waiting_.empty()) self->write();
+                           });
+}
+
+void StreamConnection::end(End why) {
+  if (!is_open_) return;
+  is_open_ = false;
+  const auto self = shared_from_this();
+  on_end_(*this, why);
+  close();
+}
+
+void StreamConnection::close() {
+  is_open_ = false;
+  error_code error;
+  socket_.close(error);
+}
 
 // Kept alive by the asynchronous operations, so that they can end after their owner.
 class StreamServer::Impl : public std::enable_shared_from_this<StreamServer::Impl> {

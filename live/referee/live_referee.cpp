@@ -1,16 +1,26 @@
 #include "live/referee/live_referee.hpp"
 
 #include <chrono>
+#include <optional>
+#include <string>
+#include <variant>
 #include <vector>
 
+#include "game/loop/game_event_fields.hpp"
+#include "league/log_contents.hpp"
 #include "league/record_reader.hpp"
-#include "live/referee/live_judge.hpp"
+#include "live/controller/placement_watch.hpp"
 #include "live/referee/referee_outputs.hpp"
+#include "live/referee/vision_quality.hpp"
 #include "logs/fact_finder.hpp"
-#include "logs/yellow_end.hpp"
+#include "logs/log_referee.hpp"
+#include "logs/recorded_ends.hpp"
+#include "soccer/referee_signal.hpp"
 
 namespace autoref::live {
 namespace {
+
+constexpr std::chrono::milliseconds kIdleEvery{50};
 
 using Clock = RecordSource::Clock;
 
@@ -52,6 +62,147 @@ class EndFinder final : public league::LogVisitor {
 };
 
 }  // namespace
+
+// Passes everything on to the first and then to the second.
+class BothVisitors final : public league::LogVisitor {
+ public:
+  BothVisitors(league::LogVisitor& first, league::LogVisitor& second)
+      : first_(first), second_(second) {}
+
+  void on_frame(const Frame& frame) override {
+    first_.on_frame(frame);
+    second_.on_frame(frame);
+  }
+  void on_tracks(const Frame& frame, const Tracks& tracks) override {
+    first_.on_tracks(frame, tracks);
+    second_.on_tracks(frame, tracks);
+  }
+  void on_vision(double time_s, const league::VisionPacket& packet) override {
+    first_.on_vision(time_s, packet);
+    second_.on_vision(time_s, packet);
+  }
+  void on_referee(double time_s, const league::RefereePacket& packet) override {
+    first_.on_referee(time_s, packet);
+    second_.on_referee(time_s, packet);
+  }
+
+ private:
+  league::LogVisitor& first_;
+  league::LogVisitor& second_;
+};
+
+// A packet of the network.
+struct LiveMessage {
+  league::ParsedMessage message;
+  double time_s = 0;  // since the first packet
+  std::string host;   // of the sender
+};
+
+class LiveJudge final : league::LogVisitor {
+ public:
+  // `watch` and `outputs` must outlive the object.
+  LiveJudge(const referee::Configuration& configuration, const logs::RecordedFacts& facts,
+            bool frames_are_tracked, const LiveRefereeWatch& watch, RefereeOutputs& outputs);
+
+  void take(const LiveMessage& live);
+
+  // Call it often: sends what is due, and calls on_idle every 50 ms.
+  void idle();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void on_frame(const Frame& frame) override;  // after the referee has judged it
+  void on_vision(double time_s, const league::VisionPacket& packet) override;
+  void on_referee(double time_s, const league::RefereePacket& packet) override;
+  void report(const referee::Decision& decision);
+  void report(const GameEvent& event);
+  double frame_time_s(Clock::time_point now) const;
+
+  const LiveRefereeWatch& watch_;
+  RefereeOutputs& outputs_;
+  logs::RecordReferee referee_;
+  BothVisitors both_;
+  league::RecordReader reader_;
+  VisionQuality quality_;
+  PlacementWatch placement_;
+  LiveRefereeStatus status_;
+  Clock::time_point judged_ = Clock::now();
+  Clock::time_point idle_due_{};
+};
+
+LiveJudge::LiveJudge(const referee::Configuration& configuration, const logs::RecordedFacts& facts,
+                     bool frames_are_tracked, const LiveRefereeWatch& watch,
+                     RefereeOutputs& outputs)
+    : watch_(watch),
+      outputs_(outputs),
+      referee_({configuration}, facts.teams, logs::SignalOrder::kByArrival,
+               [this](const referee::Decision& decision) { report(decision); }),
+      both_(referee_, *this),
+      reader_(both_, frames_are_tracked) {
+  status_.names = facts.names;
+}
+
+void LiveJudge::take(const LiveMessage& live) {
+  const league::Taken taken = reader_.take(live.message, live.time_s, live.host);
+  if (std::holds_alternative<league::RefereePacket>(live.message.packet) &&
+      taken == league::Taken::kUsed)
+    outputs_.note_referee(live.host);
+}
+
+void LiveJudge::idle() {
+  const auto now = Clock::now();
+  outputs_.send_signal(referee_.signal(), frame_time_s(now));
+  if (now < idle_due_) return;
+  idle_due_ = now + kIdleEvery;
+  status_.signal = referee_.signal();
+  status_.vision = quality_.report();
+  status_.faults = reader_.faults();
+  status_.controller = outputs_.controller_status();
+  if (watch_.on_idle) watch_.on_idle(status_);
+}
+
+void LiveJudge::on_frame(const Frame& frame) {
+  quality_.take(frame);
+  status_.time_s = frame.time_s;
+  ++status_.frames;
+  judged_ = Clock::now();
+  outputs_.set_start(reader_.merger().clocks().start_capture_s());
+  const Tracks& tracks = referee_.referee().tracks();
+  outputs_.send_tracks(tracks, referee_.is_turned());
+  outputs_.send_signal(referee_.signal(), frame.time_s);
+  if (referee_.configuration().control == referee::Control::kHuman) {
+    if (const auto placed = placement_.update(referee_.signal(), tracks)) report(*placed);
+  }
+  if (watch_.on_frame) watch_.on_frame(frame, published(referee_.signal()));
+}
+
+void LiveJudge::on_vision(double time_s, const league::VisionPacket& packet) {
+  quality_.take(time_s, packet);
+}
+
+void LiveJudge::on_referee(double /*time_s*/, const league::RefereePacket& packet) {
+  status_.has_referee = true;
+  status_.names = {{packet.yellow().name(), packet.blue().name()}};
+}
+
+void LiveJudge::report(const referee::Decision& decision) {
+  const std::optional<GameEvent> event =
+      game::game_event_of(decision, reader_.merger().clocks().start_capture_s().value_or(0));
+  outputs_.note(decision);
+  if (watch_.on_decision) watch_.on_decision(decision);
+  if (event) report(*event);
+}
+
+void LiveJudge::report(const GameEvent& event) {
+  outputs_.report(event);
+  if (watch_.on_game_event) watch_.on_game_event(event);
+}
+
+// The time on the frames' clock, also while no frames arrive.
+double LiveJudge::frame_time_s(Clock::time_point now) const {
+  return status_.time_s + std::chrono::duration<double>(now - judged_).count();
+}
 
 class LiveReferee::Impl {
  public:

@@ -13,11 +13,11 @@
 #include "live/referee/record_source.hpp"
 #include "live/referee/vision_quality.hpp"
 #include "logs/recorded_facts.hpp"
-#include "referee/configuration.hpp"
 #include "referee/decision.hpp"
+#include "referee/referee_configuration.hpp"
 #include "soccer/frame.hpp"
-#include "soccer/game_event.hpp"
 #include "soccer/referee_signal.hpp"
+#include "soccer/rules/game_event.hpp"
 
 namespace autoref::live {
 

@@ -11,7 +11,7 @@
 #include <boost/asio/ip/udp.hpp>
 #include <cstring>
 
-#include "live/network/group_socket.hpp"
+#include "live/network/network_context.hpp"
 
 namespace autoref::live {
 namespace {

@@ -1,7 +1,7 @@
-// What a live referee sends: referee packets if it commands the game, tracks, and game events to
-// the league's game controller.
+// What a live referee sends, and the status that it prints.
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <string>
 
@@ -10,10 +10,11 @@
 #include "league/tracker_message.hpp"
 #include "live/controller/controller_client.hpp"
 #include "live/network/network.hpp"
+#include "live/referee/live_referee.hpp"
 #include "referee/decision.hpp"
 #include "soccer/field.hpp"
-#include "soccer/game_event.hpp"
 #include "soccer/referee_signal.hpp"
+#include "soccer/rules/game_event.hpp"
 #include "soccer/tracks.hpp"
 
 namespace autoref::live {
@@ -67,5 +68,19 @@ class RefereeOutputs final : league::PacketSink {
   league::TrackerPacket tracker_packet_;
   std::string bytes_;
 };
+
+// "12:34.5  ball_left_field yellow: ..." Empty for decisions that only follow somebody's commands.
+std::string call_line(const referee::Decision& decision);
+
+// "stage FIRST_HALF, STOP, yellow 1 : 0 blue".
+std::string state_line(const LiveRefereeStatus& status);
+
+// "registered; 12 events accepted, 1 rejected ...".
+std::string controller_line(const ControllerStatus& controller);
+
+// The whole view, one piece of text with line breaks, at most `columns` wide. `calls` are the last
+// ones, the newest last.
+std::string status_text(const LiveRefereeStatus& status, const std::deque<std::string>& calls,
+                        std::size_t columns);
 
 }  // namespace autoref::live

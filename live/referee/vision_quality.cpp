@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "league/camera_clocks.hpp"
-#include "league/units.hpp"
+#include "league/message_fields.hpp"
 
 namespace autoref::live {
 namespace {

@@ -7,11 +7,13 @@
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include "league/simulator/command_update.hpp"
 #include "soccer/robot_command.hpp"
 #include "soccer/side.hpp"
+#include "strategies/strategy.hpp"
 
 namespace autoref::live {
 
@@ -57,6 +59,27 @@ class CommandSlots {
   bool is_waiting_ = false;
   PerSide<std::array<Slot, kMaxRobots>> slots_;
   PerSide<std::int64_t> packets_;
+};
+
+// A team that is commanded over the network.
+
+// What a team on the network does in the next step.
+struct NetworkInput {
+  TeamCommands commands{};
+  std::string fault;  // empty: none
+};
+
+// Plays its input, which the game's loop sets before each step.
+class NetworkTeam final : public strategies::Strategy {
+ public:
+  explicit NetworkTeam(const NetworkInput& input) : input_(&input) {}
+  void decide(const TeamView& /*view*/, TeamCommands& commands) override {
+    if (!input_->fault.empty()) throw strategies::StrategyFault(input_->fault);
+    commands = input_->commands;
+  }
+
+ private:
+  const NetworkInput* input_;
 };
 
 }  // namespace autoref::live

@@ -1,10 +1,10 @@
 #include "live/simulator/game_publisher.hpp"
 
-#include "game/loop/game_event.hpp"
+#include "game/loop/game_configuration.hpp"
+#include "game/loop/game_event_fields.hpp"
 #include "live/published_tracks.hpp"
-#include "logs/logged_cameras.hpp"
-#include "soccer/published.hpp"
 #include "soccer/random.hpp"
+#include "soccer/referee_signal.hpp"
 
 namespace autoref::live {
 namespace {
@@ -38,7 +38,7 @@ GamePublisher::GamePublisher(const game::GameConfiguration& game, const LiveOpti
       start_unix_s_(start_unix_s),
       rate_hz_(game.sim.frame_rate_hz),
       latency_frames_(sim::split_latency(game.sim).frames),
-      packets_(game.field, logs::logged_cameras(game), published_teams(game),
+      packets_(game.field, game::logged_cameras(game), published_teams(game),
                {1.0, kRefereeEvery_s, start_unix_s}),
       source_{tracker_uuid(options.speed.pace == Pace::kLockStep), "AutoRef",
               game.sim.vision.reports_height},

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "game/loop/configuration.hpp"
 #include "game/loop/delay_line.hpp"
+#include "game/loop/game_configuration.hpp"
 #include "game/loop/observer.hpp"
 #include "league/game_packets.hpp"
 #include "league/messages/tracker.pb.h"

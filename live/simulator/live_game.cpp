@@ -9,14 +9,12 @@
 
 #include "game/loop/game.hpp"
 #include "io/errors.hpp"
-#include "live/prompt_thread.hpp"
+#include "live/frame_pacer.hpp"
 #include "live/simulator/command_slots.hpp"
 #include "live/simulator/game_publisher.hpp"
-#include "live/simulator/network_team.hpp"
 #include "live/simulator/robot_reports.hpp"
 #include "live/simulator/robot_updates.hpp"
-#include "live/simulator/world_changes.hpp"
-#include "soccer/published.hpp"
+#include "soccer/referee_signal.hpp"
 
 namespace autoref::live {
 namespace {

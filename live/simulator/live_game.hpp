@@ -6,7 +6,7 @@
 #include <functional>
 #include <memory>
 
-#include "game/loop/configuration.hpp"
+#include "game/loop/game_configuration.hpp"
 #include "game/loop/game_record.hpp"
 #include "game/loop/observer.hpp"
 #include "game/team_programs/program_games.hpp"

@@ -1,6 +1,6 @@
 #include "live/simulator/robot_reports.hpp"
 
-#include "sim/dribbler_zone.hpp"
+#include "sim/kicker.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::live {

@@ -4,7 +4,7 @@
 #include <array>
 #include <bitset>
 
-#include "game/loop/configuration.hpp"
+#include "game/loop/game_configuration.hpp"
 #include "league/simulator/grsim_packet.hpp"
 #include "live/simulator/command_slots.hpp"
 #include "sim/world.hpp"

@@ -3,11 +3,15 @@
 
 #include <bitset>
 #include <mutex>
+#include <optional>
 #include <vector>
 
-#include "game/loop/configuration.hpp"
-#include "game/team_programs/changed_robot.hpp"
+#include "game/loop/game_configuration.hpp"
+#include "game/team_programs/world_change.hpp"
+#include "league/simulator/command_update.hpp"
 #include "league/simulator/simulator_command.hpp"
+#include "sim/world.hpp"
+#include "soccer/field.hpp"
 
 namespace autoref::live {
 
@@ -32,5 +36,13 @@ class RobotUpdates {
   PerSide<std::bitset<kMaxRobots>> is_changed_;
   bool is_closed_ = false;
 };
+
+// From teleports in the frame of vision to changes of the simulated world.
+
+// The change; what the teleport leaves out stays as it is in `world`. Positions beyond the walls
+// are moved inside. nullopt if a robot that is off the field is not placed completely.
+std::optional<game::WorldChange> change_of(const league::Teleport& teleport,
+                                           const sim::WorldState& world, const Field& field,
+                                           bool blue_on_positive_half);
 
 }  // namespace autoref::live

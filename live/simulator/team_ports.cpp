@@ -5,11 +5,11 @@
 #include <cmath>
 #include <utility>
 
-#include "league/simulator/packet_errors.hpp"
+#include "league/simulator/command_update.hpp"
 #include "league/simulator/robot_control.hpp"
 #include "league/simulator/sync_request.hpp"
 #include "live/simulator/lock_step.hpp"
-#include "soccer/colour.hpp"
+#include "soccer/side.hpp"
 
 namespace autoref::live {
 namespace {

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "game/loop/configuration.hpp"
+#include "game/loop/game_configuration.hpp"
 #include "league/simulator/command_update.hpp"
 #include "league/simulator/grsim_packet.hpp"
 #include "live/live_options.hpp"

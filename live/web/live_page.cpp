@@ -1,7 +1,6 @@
 #include "live/web/live_page.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <random>
@@ -12,6 +11,8 @@
 
 namespace autoref::live {
 namespace {
+
+WebText shared(std::string text) { return std::make_shared<const std::string>(std::move(text)); }
 
 using std::chrono::milliseconds;
 
@@ -37,6 +38,45 @@ std::vector<std::size_t> kept_entries() {
 }
 
 }  // namespace
+
+void MessageList::add(view::CountedMessage message) {
+  if (message.entries == 0) return;
+  message.text.shrink_to_fit();  // it is kept for long
+  entries_ += message.entries;
+  messages_.push_back({shared(std::move(message.text)), message.entries});
+  while (entries_ - messages_.front().entries >= enough_) {
+    entries_ -= messages_.front().entries;
+    messages_.pop_front();
+  }
+}
+
+void MessageList::append_to(std::vector<WebText>& texts) const {
+  for (const Kept& message : messages_) texts.push_back(message.text);
+}
+
+MessageHistory::MessageHistory(std::string start, const std::vector<std::size_t>& enough)
+    : start_(shared(std::move(start))), lists_(enough.begin(), enough.end()) {}
+
+WebMessage MessageHistory::add(std::string text, bool is_frame) {
+  WebText message = shared(std::move(text));
+  const std::lock_guard lock(mutex_);
+  recent_.push_back(message);
+  return {std::move(message), is_frame, ++last_number_};
+}
+
+void MessageHistory::fold(std::vector<view::CountedMessage> messages) {
+  const std::lock_guard lock(mutex_);
+  recent_.clear();
+  for (std::size_t i = 0; i < lists_.size(); ++i) lists_[i].add(std::move(messages.at(i)));
+}
+
+WebBacklog MessageHistory::backlog() const {
+  const std::lock_guard lock(mutex_);
+  WebBacklog backlog{{start_}, last_number_};
+  for (const MessageList& list : lists_) list.append_to(backlog.texts);
+  backlog.texts.insert(backlog.texts.end(), recent_.begin(), recent_.end());
+  return backlog;
+}
 
 LivePage::LivePage(const view::PageContent& content, const FrameClock& clock, Send send)
     : clock_(&clock),
@@ -97,5 +137,9 @@ void LivePage::fold() {
   history_.fold({std::move(signals), std::move(clock), std::move(decisions),
                  view::CountedMessage{view::part_message(frames), frames.frames()}});
 }
+
+WebView::WebView(const WebOptions& options, const view::PageContent& content)
+    : page_(content, clock_, [this](const WebMessage& message) { server_.send(message); }),
+      server_(thread_, options, {view::live_page(), [this] { return page_.backlog(); }}) {}
 
 }  // namespace autoref::live

@@ -1,24 +1,77 @@
 // Turns a game, simulated or real, into messages for watchers.
 #pragma once
 
+#include <cstddef>
+#include <deque>
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "live/frame_pacer.hpp"
-#include "live/web/message_history.hpp"
+#include "live/network/network.hpp"
+#include "live/web/web_message.hpp"
+#include "live/web/web_server.hpp"
 #include "soccer/frame.hpp"
 #include "soccer/referee_signal.hpp"
 #include "view/game_recording.hpp"
+#include "view/live_messages.hpp"
 #include "view/page.hpp"
-#include "view/recorded_decision.hpp"
 
 namespace autoref::live {
 
-// Takes published positions (soccer/published.hpp). Sends about 30 frames per second of the clock,
-// and decisions and changed signals with the next frame that is added, at most 100 messages per
-// second. New watchers get the last ten minutes and as many calls as a page keeps (LiveLimits), so
-// that the memory for them is limited: to about 10 MB, most of it after 13 hours of a game.
+// The messages that show a watcher the game so far.
+
+// The newest messages of one kind. The oldest one goes as soon as the others contain enough
+// entries, so that what is kept is limited however long the game is.
+class MessageList {
+ public:
+  explicit MessageList(std::size_t enough) : enough_(enough) {}
+
+  void add(view::CountedMessage message);  // without entries, it is left out
+  std::size_t entries() const { return entries_; }
+  void append_to(std::vector<WebText>& texts) const;
+
+ private:
+  struct Kept {
+    WebText text;
+    std::size_t entries = 0;
+  };
+
+  std::size_t enough_;
+  std::size_t entries_ = 0;
+  std::deque<Kept> messages_;
+};
+
+// Keeps lists of messages, and single messages until they are replaced by messages of the lists.
+// One thread adds; any thread may ask for the backlog.
+class MessageHistory {
+ public:
+  // `enough` is how many entries of each list must be kept.
+  MessageHistory(std::string start, const std::vector<std::size_t>& enough);
+
+  // Numbers the message and keeps it.
+  WebMessage add(std::string text, bool is_frame);
+
+  // Replaces the messages since the last call by one message for each list.
+  void fold(std::vector<view::CountedMessage> messages);
+
+  // The start, the lists in their order, and the messages since the last fold.
+  WebBacklog backlog() const;
+
+ private:
+  WebText start_;
+  mutable std::mutex mutex_;
+  std::vector<MessageList> lists_;
+  std::vector<WebText> recent_;
+  std::int64_t last_number_ = 0;
+};
+
+// Takes published positions (soccer/referee_signal.hpp). Sends about 30 frames per second of the
+// clock, and decisions and changed signals with the next frame that is added, at most 100 messages
+// per second. New watchers get the last ten minutes and as many calls as a page keeps (LiveLimits),
+// so that the memory for them is limited: to about 10 MB, most of it after 13 hours of a game.
 class LivePage {
  public:
   using Send = std::function<void(const WebMessage&)>;
@@ -49,6 +102,28 @@ class LivePage {
   view::GameRecording calls_;     // likewise
   FrameClock::Time next_frame_;
   FrameClock::Time next_message_;
+};
+
+// Shows one game to watchers on the network.
+
+// Owns the game's page, its server and the server's thread.
+class WebView {
+ public:
+  // Throws InputError naming --web if the server cannot listen, or --web-host.
+  WebView(const WebOptions& options, const view::PageContent& content);
+
+  // As those of LivePage.
+  void add(const Frame& frame, const RefereeSignal& signal) { page_.add(frame, signal); }
+  void add(const view::RecordedDecision& decision) { page_.add(decision); }
+  void end() { page_.end(); }
+
+  std::string url() const { return server_.url(); }
+
+ private:
+  SteadyFrameClock clock_;
+  LivePage page_;
+  NetworkThread thread_;
+  WebServer server_;
 };
 
 }  // namespace autoref::live

@@ -1,15 +1,50 @@
 // A watcher: a WebSocket that gets all messages.
 #pragma once
 
-#include "live/network/network_context.hpp"
-
 #include <boost/beast/core/tcp_stream.hpp>
+#include <cstddef>
+#include <deque>
 #include <memory>
 
+#include "live/network/network_context.hpp"
 #include "live/web/web_hub.hpp"
+#include "live/web/web_message.hpp"
 #include "live/web/web_request.hpp"
 
 namespace autoref::live {
+
+// Messages that wait for a watcher.
+
+// Of frames, only the newest wait; other messages are kept, up to limits of their number and of
+// their bytes (kMostWaiting_bytes, with the frames). The backlog is shared with the server, which
+// limits it.
+class WatcherQueue {
+ public:
+  static constexpr std::size_t kMostFrames = 3;
+  static constexpr std::size_t kMostOthers = 2000;
+
+  // Puts the backlog before all other messages.
+  void begin_with(const WebBacklog& backlog);
+
+  // Returns false if too many messages wait that cannot be left out. Ignores messages that the
+  // backlog contains.
+  bool push(const WebMessage& message);
+
+  // The next message; null if none waits.
+  WebText pop();
+
+  std::int64_t left_out() const { return left_out_; }  // frames
+
+ private:
+  void leave_out_oldest_frame();
+
+  std::deque<WebText> backlog_;
+  std::int64_t last_number_ = 0;  // of the backlog
+  std::deque<WebMessage> waiting_;
+  std::size_t frames_ = 0;  // of them
+  std::size_t bytes_ = 0;   // of all of them
+  std::int64_t left_out_ = 0;
+};
 
 // Answers the request for a WebSocket, then sends the backlog and all further messages.
 void start_watcher(boost::beast::tcp_stream stream, const std::string& computer,

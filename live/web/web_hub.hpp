@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "live/web/web_address.hpp"
 #include "live/web/web_message.hpp"
+#include "live/web/web_request.hpp"
 #include "live/web/web_server.hpp"
 
 namespace autoref::live {

@@ -16,7 +16,7 @@ struct WebOptions {
   std::size_t most_watchers = 32;
   std::chrono::milliseconds header_time{5'000};  // for a request to arrive
   std::chrono::milliseconds write_time{10'000};  // for a watcher to take a message
-  std::vector<std::string> further_hosts = {};   // names of this computer (web_address.hpp)
+  std::vector<std::string> further_hosts = {};   // names of this computer (web_request.hpp)
 };
 
 // Answers GET / with the page, GET /game?ID with a game's page and GET /live with a WebSocket that

@@ -8,7 +8,7 @@
 
 #include "soccer/field.hpp"
 #include "soccer/geometry.hpp"
-#include "soccer/rule_book.hpp"
+#include "soccer/rules/rule_book.hpp"
 #include "soccer/side.hpp"
 
 namespace autoref::referee {

@@ -3,10 +3,9 @@
 #include "referee/machine/ball_in_play.hpp"
 #include "referee/machine/ball_placement.hpp"
 #include "referee/machine/cards.hpp"
+#include "referee/machine/guards.hpp"
+#include "referee/machine/penalty_outcome.hpp"
 #include "referee/machine/readiness.hpp"
-#include "referee/machine/retakes.hpp"
-#include "referee/machine/shootout.hpp"
-#include "referee/machine/timekeeping.hpp"
 
 namespace autoref::referee {
 namespace {

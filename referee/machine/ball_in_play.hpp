@@ -2,6 +2,7 @@
 // laws 8, 9 and 13), and the ball's history since.
 #pragma once
 
+#include "referee/finding.hpp"
 #include "referee/machine/referee_state.hpp"
 #include "referee/referee_input.hpp"
 
@@ -30,5 +31,18 @@ bool began_with_penalty(const PlayState& play, const Field& field);
 // Whether the ball comes straight from the restart: only its kicker has touched it. A touch by an
 // unknown robot may have been made by a second robot.
 bool is_straight_from_restart(const PlayState& play);
+
+// Restarts that are retaken because their own rules were broken: opponents too near, robots in the
+// wrong half, robots out of position at a penalty kick (Laws 8, 13 and 14).
+
+// Whether the current restart may be retaken. AutoRef's own limit is three retakes, so that a team
+// that always breaks the rules cannot hang a game. After that, play continues.
+bool may_be_taken_again(const RefereeState& state);
+
+// Sets the finding's restart to the current one, from the same position.
+void take_again(Finding& finding, const PlayState& play);
+
+// The retakes to record after the finding has stopped play; empty if a different restart follows.
+Retakes retakes_after(const Retakes& before, const Finding& finding);
 
 }  // namespace autoref::referee

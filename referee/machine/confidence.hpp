@@ -6,8 +6,10 @@
 
 #include <array>
 
+#include "referee/decision.hpp"
 #include "referee/event.hpp"
 #include "referee/finding.hpp"
+#include "referee/machine/machine.hpp"
 #include "referee/machine/referee_state.hpp"
 #include "referee/referee_input.hpp"
 
@@ -34,5 +36,12 @@ double confidence_by(const ConfidenceCoefficients& coefficients,
 // multiplied by the probability that a gap in vision hides no later touch of the other side.
 // Findings that are not calls keep a confidence of 1.
 void add_confidence(Finding& finding, const RefereeState& state, const RefereeInput& input);
+
+// Turns a step of the machine into a row of the event log.
+
+// The decision that `finding` led to in the state `before`, including the state of the game and the
+// card shown.
+Decision decision_of(const RefereeState& before, const RefereeInput& input, const Finding& finding,
+                     const Step& taken);
 
 }  // namespace autoref::referee

@@ -24,4 +24,12 @@ std::string condition_of(const Transition& transition);
 std::string from_of(const Transition& transition);
 std::string to_of(const Transition& transition);
 
+// Draws the state machine like the paper's Fig. 3, from the transition table.
+
+// The transitions in the figure as a graph in Graphviz's language, for `dot -Tsvg`. As in the
+// paper, each edge is labelled with its conditions above a line and its assignments below it.
+// Transitions that differ only in their condition share an edge; any one of its conditions
+// suffices. Ends with a newline.
+std::string machine_graph();
+
 }  // namespace autoref::referee

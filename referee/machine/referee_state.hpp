@@ -5,9 +5,9 @@
 #include <limits>
 #include <optional>
 
-#include "referee/beginning.hpp"
 #include "referee/decision.hpp"
 #include "referee/machine/rule_watch.hpp"
+#include "referee/state.hpp"
 #include "referee/touch/touch_history.hpp"
 #include "soccer/frame.hpp"
 #include "soccer/referee_signal.hpp"
@@ -135,7 +135,7 @@ struct RefereeState {
   ShootoutBook shootout;
 
   int half = 0;             // current or next, counted from 0
-  double half_began_s = 0;  // start of the half, on the clock of clock_s() (timekeeping.hpp)
+  double half_began_s = 0;  // start of the half, on the clock of clock_s() (guards.hpp)
   int games_finished = 0;
   boost::container::static_vector<PerSide<int>, kMaxHalves> goals_by_half{PerSide<int>{}};
 

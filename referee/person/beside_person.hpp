@@ -10,7 +10,7 @@
 #include <boost/container/static_vector.hpp>
 #include <optional>
 
-#include "referee/machine/official.hpp"
+#include "referee/person/official.hpp"
 
 namespace autoref::referee {
 

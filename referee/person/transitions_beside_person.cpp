@@ -7,7 +7,6 @@
 #include "referee/machine/ball_in_play.hpp"
 #include "referee/machine/cards.hpp"
 #include "referee/machine/guards.hpp"
-#include "referee/machine/retakes.hpp"
 
 namespace autoref::referee {
 namespace {

@@ -53,7 +53,7 @@ std::string touched_by(const LastTouch& touch) {
   return fmt::format("{} touched it last, at {:.3f} s", text_of(*touch.robot), touch.time_s);
 }
 
-// Names no coordinates, since teams change ends (soccer/published.hpp).
+// Names no coordinates, since teams change ends (soccer/referee_signal.hpp).
 std::string crossing_text(const Exit& exit) {
   const std::string_view half = colour_of(exit.point_m.x() < 0 ? Side::kWest : Side::kEast);
   if (exit.line == ExitLine::kTouch) {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "referee/rules/rule.hpp"
-#include "referee/touch/ball_contact.hpp"
+#include "referee/touch/touch_candidates.hpp"
 
 namespace autoref::referee {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "referee/geometry/restarts.hpp"
 #include "referee/rules/rule.hpp"
-#include "referee/touch/ball_contact.hpp"
+#include "referee/touch/touch_candidates.hpp"
 #include "soccer/robot_shape.hpp"
 
 namespace autoref::referee {
@@ -23,7 +23,7 @@ namespace {
 constexpr double kInContact_m = 2 * kRobotRadius_m + 5_mm;
 constexpr double kNear_m = 2 * kRobotRadius_m + 60_mm;
 // Largest gap between the ball's surface and each hull if the ball comes between the robots. It
-// stays between them until it is visibly apart from one (ball_contact.hpp).
+// stays between them until it is visibly apart from one (touch_candidates.hpp).
 constexpr double kAtBall_m = 5_mm;
 // A robot that previously drove away from the pusher faster than this was not pushed.
 constexpr double kOwnSpeed_mps = 0.1_mps;

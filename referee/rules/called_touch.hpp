@@ -1,10 +1,24 @@
 // Touches for which non-stopping fouls were called (2026, Non Stopping Fouls).
 #pragma once
 
+#include <optional>
+
+#include "referee/finding.hpp"
+#include "referee/machine/referee_state.hpp"
 #include "referee/machine/rule_watch.hpp"
+#include "referee/referee_input.hpp"
 #include "referee/touch/touch_history.hpp"
 
 namespace autoref::referee {
+
+// Touches of the ball in play, as judged by the rules on defence areas.
+
+// A rule's verdict on a touch by a known robot whose position was known at that time. `check` is
+// called for newly confirmed touches, oldest first.
+using TouchCheck = std::optional<Finding> (*)(RefereeState& state, const BallTouch& touch,
+                                              const RefereeInput& input);
+std::optional<Finding> find_in_touches(RefereeState& state, const RefereeInput& input,
+                                       TouchCheck check);
 
 // Whether `touch` is the called one, or continues it.
 bool is_called(const CalledTouch& called, const BallTouch& touch);

@@ -13,7 +13,7 @@ std::optional<Finding> Rule::find(RefereeState& state, const RefereeInput& input
 std::span<const AskedRule> rules() {
   static constexpr std::array<AskedRule, kRuleCount> kRules = {{
 #define AUTOREF_RULE(id, ...) {RuleId::id, &id##Rule},
-#include "soccer/rules.def"
+#include "soccer/rules/rules.def"
 #undef AUTOREF_RULE
   }};
   return kRules;

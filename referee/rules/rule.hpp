@@ -9,10 +9,9 @@
 
 #include "referee/finding.hpp"
 #include "referee/machine/referee_state.hpp"
-#include "referee/make_finding.hpp"
 #include "referee/referee_input.hpp"
 #include "referee/state.hpp"
-#include "soccer/rule_id.hpp"
+#include "soccer/rules/rule_book.hpp"
 
 namespace autoref::referee {
 
@@ -46,7 +45,7 @@ class Rule {
 
 // Declares kGoalRule and the other rules; each is defined in its own file.
 #define AUTOREF_RULE(id, ...) extern const Rule id##Rule;
-#include "soccer/rules.def"
+#include "soccer/rules/rules.def"
 #undef AUTOREF_RULE
 
 // The kicks of a shoot-out, whatever rules are in force; called after rules_in_shootout().

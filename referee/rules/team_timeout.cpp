@@ -8,7 +8,7 @@
 // first; if these are equal, too, the side that did not kick off this half.
 #include <fmt/format.h>
 
-#include "referee/machine/timekeeping.hpp"
+#include "referee/machine/guards.hpp"
 #include "referee/rules/rule.hpp"
 
 namespace autoref::referee {

@@ -5,17 +5,25 @@
 // Robots leave by driving off: a robot is off the field once all of it is beyond the lines. After
 // each card, the rule makes at most one call. If both sides are at fault, the finding names
 // neither, and play continues with a force start.
-#include <fmt/format.h>
+#include "referee/rules/too_many_robots.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
 
 #include "referee/geometry/restarts.hpp"
-#include "referee/rules/robots_on_field.hpp"
 #include "referee/rules/rule.hpp"
+#include "soccer/robot_shape.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::referee {
 namespace {
+
+// Whether any part of the circle around the robot is within the lines.
+bool reaches_field(const Field& field, const Vec2& position_m) {
+  return std::abs(position_m.x()) < field.half_length_m() + kRobotRadius_m &&
+         std::abs(position_m.y()) < field.half_width_m() + kRobotRadius_m;
+}
 
 // Vision sometimes detects robots that are not there, but not for this long. A robot that vision no
 // longer sees is tracked for half a second.
@@ -78,6 +86,14 @@ std::optional<Finding> find_too_many_robots(RefereeState& state, const RefereeIn
 }
 
 }  // namespace
+
+int robots_on_field(const RefereeInput& input, Side side) {
+  const SeenRobots& robots = input.frame.robots[side];
+  return static_cast<int>(
+      std::count_if(robots.begin(), robots.end(), [&](const RobotObservation& robot) {
+        return reaches_field(input.configuration.field, robot.position_m);
+      }));
+}
 
 constinit const Rule kTooManyRobotsRule{{State::kRun, State::kWaitStop}, find_too_many_robots};
 

@@ -4,12 +4,83 @@
 #include <boost/container/static_vector.hpp>
 #include <cstdint>
 
-#include "referee/touch/ball_motion_filter.hpp"
 #include "referee/touch/frame_history.hpp"
+#include "soccer/geometry.hpp"
 #include "soccer/side.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::referee {
+
+// The ball's motion while only the carpet acts on it.
+//
+// A Kalman filter of position, velocity and acceleration with white-noise jerk (Bar-Shalom, Li and
+// Kirubarajan 2001, chapter 6; docs/touch-detection.md). Both axes are independent and share one
+// covariance. It runs forwards or backwards in time.
+
+// Measurement and process noise. Standard deviations are per coordinate.
+struct BallMotionParameters {
+  // Measurement noise. The detector raises it if vision is noisier, but never lowers it, since a
+  // ball may begin to roll between two detections.
+  double detection_m = 0.2e-3;
+  // Prior deviation of a sliding ball's acceleration: friction decelerates the ball by 3.0 to 3.9
+  // m/s2 in a direction that depends on the unknown spin.
+  double slides_mps2 = 2.2;
+  double slides_change_m2ps5 = 1.0;  // power spectral density of the jerk
+  // Prior mean and standard deviation of a rolling ball's deceleration; all of the league's carpets
+  // are similar.
+  double rolls_mps2 = 0.3;
+  double rolls_off_mps2 = 0.2;
+  double rolls_change_m2ps5 = 0.005;
+  double begins_to_roll_mps = 0.02;  // velocity change caused by sliding for part of the frame
+  // Velocity change by a touch: a kick or bounce, or a brush after which a rolling ball keeps
+  // rolling.
+  double hard_mps = 1.5;
+  double soft_mps = 0.12;
+  double jump_m = 10_mm;  // position error of a ball that takes off or lands
+};
+
+class BallMotionFilter {
+ public:
+  // Starts at a detection, with unknown velocity.
+  void start(const Vec2& seen_m, const BallMotionParameters& parameters);
+
+  // Starts at the estimated position of a ball that takes off or lands.
+  void jump(const Vec2& seen_m, const BallMotionParameters& parameters);
+
+  // Predicts the state `duration_s` ahead, or back in time if `duration_s` is negative.
+  void predict(double duration_s, const BallMotionParameters& parameters);
+
+  // Adds the process noise of a touch at an unknown time within the last `duration_s`.
+  void touch(double duration_s, bool is_soft, const BallMotionParameters& parameters);
+
+  // Switches to the rolling model: the ball has stopped sliding.
+  void begin_to_roll(const BallMotionParameters& parameters);
+
+  // Corrects the state by a detection. Returns the deviance of the innovation, minus twice its
+  // log-likelihood: the normalised innovation squared plus the log-determinant of its covariance,
+  // up to a constant.
+  double correct(const Vec2& seen_m, const BallMotionParameters& parameters);
+
+  bool rolls() const { return rolls_; }
+  const Vec2& velocity_mps() const { return velocity_mps_; }
+  double velocity_variance_m2ps2() const { return vv_; }
+  Vec2 position_after(double duration_s) const;
+  // Position variance in m2, per coordinate; neglects the uncertainty of the acceleration.
+  double position_variance_after(double duration_s) const;
+
+ private:
+  Vec2 position_m_{0, 0};
+  Vec2 velocity_mps_{0, 0};
+  Vec2 acceleration_mps2_{0, 0};
+  bool rolls_ = false;
+  // Covariances of position (p), velocity (v) and acceleration (a).
+  double pp_ = 0;
+  double pv_ = 0;
+  double pa_ = 0;
+  double vv_ = 0;
+  double va_ = 0;
+  double aa_ = 0;
+};
 
 // Deviances are normalised squared distances: minus twice the log-likelihood of a Gaussian.
 struct HullIntersectionParameters {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "referee/touch/touch_sources.hpp"
+#include "referee/touch/touch_hypothesis.hpp"
 #include "soccer/robot_shape.hpp"
 
 namespace autoref::referee {

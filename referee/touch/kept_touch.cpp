@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "referee/touch/touch_candidates.hpp"
-#include "soccer/exponential.hpp"
+#include "soccer/trigonometry.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::referee {

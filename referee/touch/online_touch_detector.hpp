@@ -18,12 +18,11 @@
 #include <optional>
 
 #include "referee/decision.hpp"
+#include "referee/referee_configuration.hpp"
 #include "referee/touch/frame_history.hpp"
 #include "referee/touch/kept_touch.hpp"
 #include "referee/touch/touch_candidates.hpp"
 #include "referee/touch/velocity_change_detector.hpp"
-#include "referee/touch/verdict.hpp"
-#include "referee/touch_parameters.hpp"
 #include "soccer/field.hpp"
 #include "tracking/tracker.hpp"
 

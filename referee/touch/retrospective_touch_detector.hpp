@@ -2,7 +2,7 @@
 //
 // docs/touch-detection.md describes two detectors; this is the retrospective touch detector. It
 // explains the detections of the last few seconds by hypotheses (touch_hypothesis.hpp): free motion
-// of the ball (ball_motion_filter.hpp), with touches in between. A hypothesis is scored by the
+// of the ball (hull_intersections.hpp), with touches in between. A hypothesis is scored by the
 // likelihood of the detections, the prior probability of each touch, and the likelihood of the
 // robot that made it (hull_intersections.hpp). The path before a touch must lead to that robot's
 // hull; the path after it must come from there, or out of its dribbler zone along its heading,
@@ -18,7 +18,7 @@
 
 #include "referee/decision.hpp"
 #include "referee/touch/frame_history.hpp"
-#include "referee/touch/touch_hypothesis_parameters.hpp"
+#include "referee/touch/touch_hypothesis.hpp"
 #include "soccer/field.hpp"
 #include "tracking/tracker.hpp"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "soccer/robot_shape.hpp"
+#include "soccer/units.hpp"
 
 namespace autoref::referee {
 namespace {
@@ -104,6 +105,9 @@ double distance_to_box_m(const Vec2& point_m, const Vec2& low_m, const Vec2& hig
   return (point_m - nearest_m).norm();
 }
 
+constexpr double kTouches_m = 1_mm;
+constexpr double kSeparate_m = 20_mm;
+
 }  // namespace
 
 const RobotObservation* find_robot(const SeenRobots& robots, int number) {
@@ -156,6 +160,15 @@ double gap_to_goals_m(const Field& field, const BallSegment& segment) {
     least_m = std::min(least_m, distance_to_box_m(ball_m.cwiseAbs(), low_m, high_m));
   }
   return std::max(0.0, least_m - kBallRadius_m);
+}
+
+bool has_ball(const TrackedRobot& robot, const TrackedBall& ball, bool had,
+              const tracking::VisionNoise& noise) {
+  if (ball.height_m > kRobotHeight_m) return false;
+  const double gap_m =
+      distance_to_hull(ball.position_m, robot.position_m, robot.heading) - kBallRadius_m;
+  const double noise_m = std::hypot(noise.ball_m, noise.robot_m);
+  return gap_m < (had ? kSeparate_m : kTouches_m + noise_m);
 }
 
 }  // namespace autoref::referee

@@ -4,12 +4,14 @@
 #include <boost/container/static_vector.hpp>
 #include <optional>
 
+#include "referee/referee_configuration.hpp"
 #include "referee/touch/frame_history.hpp"
-#include "referee/touch_parameters.hpp"
 #include "soccer/field.hpp"
 #include "soccer/frame.hpp"
 #include "soccer/geometry.hpp"
 #include "soccer/side.hpp"
+#include "soccer/tracks.hpp"
+#include "tracking/tracker.hpp"
 
 namespace autoref::referee {
 
@@ -55,5 +57,14 @@ Vec2 push_direction(const RobotObservation& robot, const Vec2& ball_m);
 
 // The robot with that number; null if it is not in the list.
 const RobotObservation* find_robot(const SeenRobots& robots, int number);
+
+// Which robots are in contact with the ball.
+
+// Whether the robot is in contact with the ball. Contact begins when the gap between hull and ball
+// is below 1 mm plus one standard deviation of `noise`, and ends with "an observable separation
+// between the ball and the robot" (Laws 12; 2026, Dribbling), taken as 20 mm. `had` is whether it
+// was in contact in the previous frame. A ball above the robot is not in contact.
+bool has_ball(const TrackedRobot& robot, const TrackedBall& ball, bool had,
+              const tracking::VisionNoise& noise);
 
 }  // namespace autoref::referee

@@ -10,14 +10,42 @@
 #include <cstdint>
 
 #include "referee/decision.hpp"
-#include "referee/touch/ball_motion_filter.hpp"
 #include "referee/touch/frame_history.hpp"
 #include "referee/touch/hull_intersections.hpp"
-#include "referee/touch/touch_hypothesis_parameters.hpp"
 #include "soccer/field.hpp"
 #include "soccer/side.hpp"
+#include "soccer/units.hpp"
 
 namespace autoref::referee {
+
+// Parameters of the retrospective touch detector (retrospective_touch_detector.hpp).
+
+// Deviances are minus twice log-likelihoods. They are priors of events, or upper limits that make
+// the likelihoods robust against outliers. The values were tuned on games between two `basic`
+// teams, seeds 5001 to 5020.
+struct TouchHypothesisParameters {
+  // The window starts `window_s` before the ball left the field, or `before_reported_s` before the
+  // online detector's last touch, whichever is earlier.
+  double window_s = 2.0;
+  double before_reported_s = 0.5;
+  BallMotionParameters motion;
+  HullIntersectionParameters intersection;
+  double surely = 4;          // gate for the innovation, in standard deviations
+  double near_m = 30_mm;      // a robot farther from the ball's path did not touch it
+  double touch_deviance = 5;  // a touch near a robot happens in one frame in ten: -2 log 0.1
+  double kick_deviance = 2;
+  double second_touch_deviance = 1.9;  // another touch by a robot or goal between two frames
+  double unlikely_deviance = 30;       // upper limit for the path before a robot's touch
+  double at_hull_deviance = 15;        // upper limit for a whole touch if the ball was at the hull
+  double off_hull_deviance = 50;  // upper limit for a whole touch if the ball was not at the hull
+  double nobody_deviance = 25;    // a velocity change with no robot nearby
+  double jump_deviance = 10;      // a jump of a ball that takes off or lands
+  double landing_deviance = 4;    // a flying ball that loses speed
+  double roll_deviance = 4;       // the ball begins to roll in this frame
+  double post_off_m = 3_mm;       // standard deviation of the gap at a bounce off a goal
+  // If the deviances of the two sides differ by less, the nearer robot touched the ball last.
+  double lead_deviance = 1.5;
+};
 
 // Data shared by all hypotheses.
 struct HypothesisContext {
@@ -66,5 +94,29 @@ struct TouchHypothesis {
 
   double deviance() const { return minima.least() + motion_deviance; }
 };
+
+// What caused the touch that a hypothesis begins with: a robot, a goal's post or wall, or nothing.
+//
+// The path before the touch must lead to the robot's hull, and the path after it must come from
+// there (hull_intersections.hpp). The path before is known when the hypothesis begins; the path
+// after is estimated from the detections that follow.
+
+// Whether a robot or a goal may have been on the ball's path from the frame `former` to the frame
+// `now`; `onwards_m` is the predicted position of an untouched ball.
+bool may_be_touched(const HypothesisContext& basis, std::int64_t former, std::int64_t now,
+                    const Vec2& onwards_m);
+
+// Deviance of a bounce off a goal's post or wall between these frames, given the path before;
+// kNever if no goal is near.
+double goal_deviance_of(const HypothesisContext& basis, std::int64_t former, std::int64_t now,
+                        const Vec2& onwards_m);
+
+// Lists the robots that may have touched the ball between the frames `before` and `start` of the
+// hypothesis. The hypothesis must still contain the motion before the touch.
+void find_touch_sources(TouchHypothesis& hypothesis, const HypothesisContext& basis);
+
+// Updates the per-side minima of the hypothesis with its detections until the frame `now`. They are
+// final after eight detections.
+void weigh_sources(TouchHypothesis& hypothesis, std::int64_t now, const HypothesisContext& basis);
 
 }  // namespace autoref::referee

@@ -4,12 +4,11 @@
 #include <cmath>
 #include <optional>
 
-#include "strategies/skills/ease_off.hpp"
+#include "strategies/skills/limits.hpp"
 #include "strategies/skills/openings.hpp"
 #include "strategies/skills/prediction.hpp"
-#include "strategies/skills/shot.hpp"
+#include "strategies/strategy.hpp"
 #include "strategies/tactics/penalty.hpp"
-#include "strategies/tunable.hpp"
 
 namespace autoref::strategies::basic {
 namespace {

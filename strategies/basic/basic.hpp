@@ -5,14 +5,11 @@
 
 #include <optional>
 
-#include "strategies/basic/positions.hpp"
 #include "strategies/basic/roles.hpp"
-#include "strategies/basic/style.hpp"
 #include "strategies/skills/limits.hpp"
 #include "strategies/skills/look_ahead.hpp"
+#include "strategies/skills/openings.hpp"
 #include "strategies/skills/play_ball.hpp"
-#include "strategies/skills/restart_taker.hpp"
-#include "strategies/skills/shot.hpp"
 #include "strategies/strategy.hpp"
 
 namespace autoref::strategies::basic {

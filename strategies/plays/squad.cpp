@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "soccer/robot_shape.hpp"
+#include "strategies/strategy.hpp"
 #include "strategies/tactics/areas.hpp"
 #include "strategies/tactics/keeper.hpp"
-#include "strategies/tunable.hpp"
 
 namespace autoref::strategies {
 namespace {

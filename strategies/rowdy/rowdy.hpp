@@ -1,8 +1,9 @@
 // `basic`, but it breaks rules on purpose now and then, so that a referee can be evaluated.
 //
-// Each foul behaviour (kinds.hpp) has a parameter with its name: the fraction of opportunities
-// that the team takes, from 0 (never) to 1 (always). `otherwise` sets this fraction for all other
-// kinds; without it they use their defaults. Only one foul behaviour is active at a time.
+// Each foul behaviour (foul_behaviours.hpp) has a parameter with its name: the fraction of
+// opportunities that the team takes, from 0 (never) to 1 (always). `otherwise` sets this fraction
+// for all other kinds; without it they use their defaults. Only one foul behaviour is active at a
+// time.
 #pragma once
 
 #include <array>
@@ -10,7 +11,7 @@
 #include <optional>
 
 #include "strategies/basic/basic.hpp"
-#include "strategies/rowdy/kinds.hpp"
+#include "strategies/rowdy/foul_behaviours.hpp"
 #include "strategies/strategy.hpp"
 
 namespace autoref::strategies::rowdy {

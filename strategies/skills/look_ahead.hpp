@@ -5,7 +5,6 @@
 #include <boost/container/static_vector.hpp>
 #include <cstdint>
 
-#include "soccer/abilities.hpp"
 #include "soccer/robot_command.hpp"
 #include "soccer/team_view.hpp"
 

@@ -1,12 +1,54 @@
 // Estimates how open the goal is for a shot, and how safe a pass is.
 #pragma once
 
-#include "soccer/abilities.hpp"
 #include "soccer/field.hpp"
+#include "soccer/geometry.hpp"
+#include "soccer/robot_command.hpp"
 #include "soccer/tracks.hpp"
 #include "strategies/strategy.hpp"
 
 namespace autoref::strategies {
+
+// Aiming: which part of the goal, or which direction, a kick from the ball's position can use.
+struct Aim {
+  Vec2 target_m{0, 0};
+  double clearance_m = 0;  // from the kick line to the nearest opponent's centre
+};
+
+// Distance in metres between the segment from `from_m` to `to_m` and the nearest robot's centre.
+double lane_clearance_m(const Vec2& from_m, const Vec2& to_m, const TrackedRobots& robots);
+
+// The point of the opponents' goal with the most clearance from opponents, seen from `ball_m`.
+Aim best_shot(const Field& field, const Vec2& ball_m, const TrackedRobots& opponents);
+
+// A point 1 m from the ball, ahead or to a side but not back, with the most clearance on the way.
+Aim best_push(const Field& field, const Vec2& ball_m, const TrackedRobots& opponents);
+
+// The segment along which a ball is kicked, for questions about many robots.
+class Lane {
+ public:
+  Lane(const Vec2& from_m, const Vec2& to_m)
+      : from_m_(from_m), to_m_(to_m), offset_(to_m - from_m), length2_(offset_.squaredNorm()) {}
+
+  // Whether the point's distance from the line through both ends, squared, exceeds `distance2`, by
+  // far more than rounding errors. A cheap test: if true, the distance from the lane is larger,
+  // too.
+  bool is_beyond(const Vec2& point_m, double distance2) const {
+    return square(cross(offset_, point_m - from_m_)) >
+           (distance2 * (1 + kMargin) + kMargin_m2) * length2_;
+  }
+
+  Vec2 nearest_m(const Vec2& point_m) const { return nearest_on_segment(point_m, from_m_, to_m_); }
+
+ private:
+  static constexpr double kMargin = 1e-7;
+  static constexpr double kMargin_m2 = 1e-12;
+
+  Vec2 from_m_;
+  Vec2 to_m_;
+  Vec2 offset_;
+  double length2_;
+};
 
 // The widest free part of the opponents' goal, seen from a point.
 struct Opening {

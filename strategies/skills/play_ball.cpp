@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "soccer/units.hpp"
 #include "strategies/skills/strike.hpp"
 
 namespace autoref::strategies {
 namespace {
+
+constexpr double kTouched_m = 130_mm;  // a robot this close to the ball has it
 
 // Distance from the robot's centre to the ball's centre when the ball touches the front plate.
 constexpr double kPlayTouch_m = kFrontDistance_m + kBallRadius_m;
@@ -19,6 +22,20 @@ constexpr double kReachAside_m =
 constexpr double kThrough_mps = 1.0_mps;  // speed above the ball's during the run
 
 }  // namespace
+
+void RestartTaker::update(const TeamView& now, int taker) {
+  if (now.play != Play::kRunning) {
+    number_ = taker;
+    return;
+  }
+  const auto has_touched = [&](const TrackedRobot& robot) {
+    return (robot.position_m - now.ball.position_m).norm() < kTouched_m;
+  };
+  const bool mate = std::any_of(now.own.begin(), now.own.end(), [&](const TrackedRobot& robot) {
+    return robot.number != number_ && has_touched(robot);
+  });
+  if (mate || std::any_of(now.opponents.begin(), now.opponents.end(), has_touched)) number_ = -1;
+}
 
 RobotCommand play_ball(const TrackedRobot& robot, const TrackedBall& ball,
                        const Vec2& interception_m, const Intent& intent, const Obstacles& obstacles,

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "soccer/units.hpp"
-#include "strategies/skills/obstacle_avoidance.hpp"
+#include "strategies/skills/motion.hpp"
 
 namespace autoref::strategies {
 namespace {

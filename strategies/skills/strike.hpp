@@ -4,7 +4,6 @@
 #include "soccer/tracks.hpp"
 #include "strategies/skills/ball_path.hpp"
 #include "strategies/skills/motion.hpp"
-#include "strategies/skills/reach.hpp"
 
 namespace autoref::strategies {
 

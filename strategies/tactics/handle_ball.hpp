@@ -7,7 +7,6 @@
 #include "strategies/tactics/duel.hpp"
 #include "strategies/tactics/kick_choice.hpp"
 #include "strategies/tactics/predicted_state.hpp"
-#include "strategies/tactics/turn_time.hpp"
 
 namespace autoref::strategies {
 

@@ -4,11 +4,15 @@
 #include <cmath>
 
 #include "soccer/robot_shape.hpp"
+#include "soccer/trigonometry.hpp"
 #include "strategies/skills/openings.hpp"
 #include "strategies/tactics/pass_field.hpp"
 
 namespace autoref::strategies {
 namespace {
+
+constexpr double kStartsTurning_s = 0.1;
+constexpr double kLittleTurn_rad = 0.1;  // needs less time to start
 
 constexpr int kClearSteps = 3;  // directions to each side of straight ahead
 
@@ -60,6 +64,13 @@ double chip_safety(const PredictedState& predicted, const Vec2& from_m, const Ve
 }
 
 }  // namespace
+
+double chance_to_turn(const Style& style, const Hold& hold, const Vec2& aim) {
+  const double turn_rad = std::max(0.0, std::abs(angle_between(hold.heading, aim)) - hold.free_rad);
+  const double start_s = kStartsTurning_s * std::min(1.0, turn_rad / kLittleTurn_rad);
+  const double turn_s = turn_rad / style.ball_turn_radps + start_s;
+  return 1 / (1 + exponential((turn_s - hold.spare_s) / style.late_spread_s));
+}
 
 Choice shot_from(const PredictedState& predicted, int number, const Vec2& from_m) {
   const TeamView& now = predicted.now();

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "soccer/robot_shape.hpp"
-#include "strategies/skills/ease_off.hpp"
+#include "strategies/skills/limits.hpp"
 #include "strategies/skills/openings.hpp"
 #include "strategies/skills/strike.hpp"
 #include "strategies/tactics/areas.hpp"

@@ -9,8 +9,7 @@
 #include "strategies/skills/ball_path.hpp"
 #include "strategies/skills/limits.hpp"
 #include "strategies/skills/look_ahead.hpp"
-#include "strategies/skills/obstacle_avoidance.hpp"
-#include "strategies/skills/reach.hpp"
+#include "strategies/skills/motion.hpp"
 #include "strategies/strategy.hpp"
 #include "strategies/tactics/style.hpp"
 

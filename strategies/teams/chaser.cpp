@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 
-#include "strategies/skills/ease_off.hpp"
+#include "strategies/skills/limits.hpp"
+#include "strategies/skills/openings.hpp"
 #include "strategies/skills/play_ball.hpp"
 #include "strategies/skills/prediction.hpp"
-#include "strategies/skills/shot.hpp"
 #include "strategies/tactics/penalty.hpp"
 
 namespace autoref::strategies {

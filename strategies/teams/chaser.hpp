@@ -3,7 +3,7 @@
 
 #include "strategies/skills/limits.hpp"
 #include "strategies/skills/motion.hpp"
-#include "strategies/skills/restart_taker.hpp"
+#include "strategies/skills/play_ball.hpp"
 #include "strategies/strategy.hpp"
 
 namespace autoref::strategies {

@@ -1,4 +1,4 @@
-#include "app/line_output.hpp"
+#include "app/game/play_one.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "io/errors.hpp"
-#include "io/same_file.hpp"
+#include "io/files.hpp"
 #include "tests/app/answer.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/time_limit.hpp"

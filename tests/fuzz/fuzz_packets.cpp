@@ -9,7 +9,7 @@
 #include "league/game_event_message.hpp"
 #include "league/referee_message.hpp"
 #include "league/tracker_message.hpp"
-#include "league/vision_2010.hpp"
+#include "league/vision_message.hpp"
 #include "referee/referee.hpp"
 
 namespace {

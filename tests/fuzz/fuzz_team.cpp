@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "league/team/greeting.hpp"
-#include "league/team/output_decoder.hpp"
+#include "league/team/team_codec.hpp"
 #include "league/team/team_fault.hpp"
 
 namespace {

@@ -8,7 +8,7 @@
 #include "game/lab/lab.hpp"
 #include "game/settings/robot_types.hpp"
 #include "io/errors.hpp"
-#include "view/recorded_decision.hpp"
+#include "view/game_recording.hpp"
 
 namespace {
 

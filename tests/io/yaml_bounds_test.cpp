@@ -1,5 +1,5 @@
 // Texts that expand endlessly, or nearly so, are rejected before anything traverses them.
-#include "io/yaml_bounds.hpp"
+#include "io/yaml_text.hpp"
 
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>

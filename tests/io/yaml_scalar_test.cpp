@@ -1,4 +1,4 @@
-#include "io/yaml_scalar.hpp"
+#include "io/yaml_text.hpp"
 
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>

@@ -1,4 +1,4 @@
-#include "judge/contested_touch.hpp"
+#include "judge/evaluate_calls.hpp"
 
 #include <gtest/gtest.h>
 

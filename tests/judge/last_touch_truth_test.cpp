@@ -6,7 +6,7 @@
 
 #include "game/loop/game.hpp"
 #include "referee/touch/kept_touch.hpp"
-#include "sim/camera_presets.hpp"
+#include "sim/presets.hpp"
 
 namespace autoref::judge {
 namespace {

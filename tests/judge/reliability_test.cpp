@@ -1,4 +1,4 @@
-#include "judge/reliability.hpp"
+#include "judge/judge_tally.hpp"
 
 #include <gtest/gtest.h>
 

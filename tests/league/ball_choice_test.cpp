@@ -1,4 +1,4 @@
-#include "league/ball_choice.hpp"
+#include "league/followed_body.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "league/game_event_message.hpp"
-#include "league/game_log.hpp"
+#include "league/game_packets.hpp"
 #include "league/log_contents.hpp"
 #include "tests/league/scratch_log.hpp"
 
@@ -52,7 +52,7 @@ TEST(GameEvents, OfEveryTypeAreReadBack){
     EXPECT_EQ(game_event_of(message_of(event)).type, id) << name; \
     EXPECT_EQ(game_event_type(name), id);                         \
   }
-#include "soccer/game_events.def"
+#include "soccer/rules/game_events.def"
 #undef AUTOREF_GAME_EVENT
 }
 

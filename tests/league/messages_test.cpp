@@ -7,9 +7,9 @@
 
 #include "league/detection_merger.hpp"
 #include "league/field_message.hpp"
-#include "league/frame_message.hpp"
 #include "league/referee_message.hpp"
-#include "soccer/rule_book.hpp"
+#include "league/vision_message.hpp"
+#include "soccer/rules/rule_book.hpp"
 
 namespace autoref::league {
 namespace {

@@ -1,4 +1,4 @@
-#include "live/prompt_thread.hpp"
+#include "live/frame_pacer.hpp"
 
 #include <gtest/gtest.h>
 #include <sched.h>

@@ -1,4 +1,4 @@
-#include "logs/annotations.hpp"
+#include "logs/calls.hpp"
 
 #include <gtest/gtest.h>
 

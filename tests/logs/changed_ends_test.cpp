@@ -5,13 +5,13 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "league/game_log.hpp"
+#include "league/game_packets.hpp"
 #include "league/log_contents.hpp"
 #include "logs/log_referee.hpp"
 #include "sim/camera.hpp"
 #include "tests/support/event_lines.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "view/recorded_decision.hpp"
+#include "view/game_recording.hpp"
 
 namespace autoref::logs {
 namespace {

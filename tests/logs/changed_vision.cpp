@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "league/detection_merger.hpp"
+#include "league/message_fields.hpp"
 #include "league/tracker_message.hpp"
-#include "league/units.hpp"
 #include "soccer/robot_shape.hpp"
 #include "tracking/tracker.hpp"
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "logs/log_game.hpp"
-#include "soccer/rule_book.hpp"
+#include "soccer/rules/rule_book.hpp"
 
 namespace autoref::logs {
 namespace {

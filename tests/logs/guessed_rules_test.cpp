@@ -1,8 +1,8 @@
-#include "logs/guessed_rules.hpp"
+#include "logs/log_game.hpp"
 
 #include <gtest/gtest.h>
 
-#include "soccer/rule_book.hpp"
+#include "soccer/rules/rule_book.hpp"
 
 namespace autoref::logs {
 namespace {

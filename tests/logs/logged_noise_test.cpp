@@ -1,4 +1,4 @@
-#include "logs/logged_noise.hpp"
+#include "logs/fact_finder.hpp"
 
 #include <gtest/gtest.h>
 

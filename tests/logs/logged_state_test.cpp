@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "soccer/published.hpp"
+#include "soccer/referee_signal.hpp"
 #include "tests/support/short_log.hpp"
 
 namespace autoref::logs {

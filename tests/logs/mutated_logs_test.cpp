@@ -7,12 +7,12 @@
 #include <map>
 
 #include "game/loop/event_log.hpp"
+#include "io/command.hpp"
 #include "io/errors.hpp"
-#include "io/processor_time.hpp"
 #include "league/log_contents.hpp"
+#include "league/message_fields.hpp"
 #include "league/messages/tracker.pb.h"
 #include "league/tracker_message.hpp"
-#include "league/units.hpp"
 #include "tests/app/answer.hpp"
 #include "tests/checkout.hpp"
 #include "tests/logs/mutated_log.hpp"

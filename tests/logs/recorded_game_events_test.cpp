@@ -1,5 +1,5 @@
 // The league's game controller repeats its events in each packet for as long as they are active.
-#include "logs/recorded_game_events.hpp"
+#include "logs/fact_finder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,13 +4,13 @@
 #include <set>
 
 #include "game/loop/event_log.hpp"
-#include "league/game_log.hpp"
+#include "game/loop/game_configuration.hpp"
+#include "league/game_packets.hpp"
 #include "league/log_contents.hpp"
 #include "logs/log_referee.hpp"
-#include "logs/logged_cameras.hpp"
 #include "logs/user_log.hpp"
-#include "sim/camera_presets.hpp"
-#include "soccer/rule_book.hpp"
+#include "sim/presets.hpp"
+#include "soccer/rules/rule_book.hpp"
 #include "tests/league/scratch_log.hpp"
 
 namespace autoref::logs {
@@ -26,7 +26,7 @@ constexpr Command kCorner{CommandKind::kDirectFree, Side::kWest};
 class Recorder final : public game::Observer {
  public:
   Recorder(const std::filesystem::path& path, const game::GameConfiguration& game)
-      : log_(path, game.field, logged_cameras(game), {}) {}
+      : log_(path, game.field, game::logged_cameras(game), {}) {}
 
   void on_other_detections(const OtherDetections& others) override {
     log_.note(others);
@@ -181,9 +181,9 @@ TEST(LoggedCameras, AreThoseOfTheDivisionIfHeightsAreReported) {
   for (const auto& [book, cameras] : {std::pair{"2026-b", 1U}, {"2026-a", 2U}, {"2014", 4U}}) {
     game.field = find_game_setup(book)->field;
     sim::apply_camera_preset("paper", game.sim);
-    EXPECT_EQ(logged_cameras(game).size(), cameras) << book;
+    EXPECT_EQ(game::logged_cameras(game).size(), cameras) << book;
     sim::apply_camera_preset("realistic", game.sim);
-    EXPECT_EQ(logged_cameras(game).size(), 4U) << "their positions matter for flying balls";
+    EXPECT_EQ(game::logged_cameras(game).size(), 4U) << "their positions matter for flying balls";
   }
 }
 

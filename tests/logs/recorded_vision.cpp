@@ -6,14 +6,14 @@
 #include <cmath>
 
 #include "game/loop/game.hpp"
+#include "game/loop/game_configuration.hpp"
 #include "game/settings/fields.hpp"
-#include "game/settings/resolved.hpp"
+#include "game/settings/game_settings.hpp"
 #include "league/field_message.hpp"
-#include "league/game_log.hpp"
-#include "league/units.hpp"
+#include "league/game_packets.hpp"
+#include "league/message_fields.hpp"
 #include "logs/log_game.hpp"
 #include "logs/log_referee.hpp"
-#include "logs/logged_cameras.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace autoref::logs {
@@ -24,7 +24,7 @@ using league::MessageKind;
 class VisionRecorder final : public game::Observer {
  public:
   VisionRecorder(const std::filesystem::path& path, const game::GameConfiguration& game)
-      : log_(path, game.field, logged_cameras(game), {}) {}
+      : log_(path, game.field, game::logged_cameras(game), {}) {}
   void on_other_detections(const OtherDetections& others) override { log_.note(others); }
   void on_decision(const referee::Decision& decision) override {
     if (decision.command) log_.note(*decision.command);
@@ -75,7 +75,7 @@ RecordedVision played_vision(const std::string& book, double half_s, std::uint64
   RecordedVision vision{book,
                         configuration.field,
                         configuration.sim.frame_rate_hz,
-                        logged_cameras(configuration),
+                        game::logged_cameras(configuration),
                         {},
                         recorder.ball_height_m,
                         {}};

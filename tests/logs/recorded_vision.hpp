@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "game/loop/configuration.hpp"
+#include "game/loop/game_configuration.hpp"
 #include "league/log_contents.hpp"
 #include "league/log_file.hpp"
 #include "league/messages/vision.pb.h"

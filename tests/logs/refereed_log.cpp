@@ -4,9 +4,8 @@
 
 #include "game/settings/assignments.hpp"
 #include "game/settings/fields.hpp"
-#include "game/settings/resolved.hpp"
+#include "game/settings/game_settings.hpp"
 #include "io/errors.hpp"
-#include "logs/guessed_rules.hpp"
 #include "logs/log_game.hpp"
 #include "logs/log_referee.hpp"
 #include "logs/log_report.hpp"

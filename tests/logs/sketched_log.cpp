@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "league/field_message.hpp"
-#include "league/frame_message.hpp"
 #include "league/log_file.hpp"
 #include "league/referee_message.hpp"
+#include "league/vision_message.hpp"
 #include "sim/camera.hpp"
 
 namespace autoref::logs {

@@ -9,7 +9,7 @@
 #include "league/messages/referee.pb.h"
 #include "league/messages/vision.pb.h"
 #include "soccer/field.hpp"
-#include "soccer/rule_book.hpp"
+#include "soccer/rules/rule_book.hpp"
 #include "soccer/side.hpp"
 
 namespace autoref::logs {

@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "league/log_file.hpp"
+#include "league/message_fields.hpp"
 #include "league/messages/vision.pb.h"
-#include "league/units.hpp"
 #include "soccer/robot_shape.hpp"
 
 namespace autoref::logs {

@@ -1,4 +1,4 @@
-#include "logs/yellow_end.hpp"
+#include "logs/recorded_ends.hpp"
 
 #include <gtest/gtest.h>
 

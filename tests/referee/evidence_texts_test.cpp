@@ -1,8 +1,8 @@
 // Distances and cards in the evidence of findings.
 #include <gtest/gtest.h>
 
+#include "referee/finding.hpp"
 #include "referee/machine/cards.hpp"
-#include "referee/make_finding.hpp"
 
 namespace autoref::referee {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/ball_presets.hpp"
+#include "sim/presets.hpp"
 
 #include <gtest/gtest.h>
 

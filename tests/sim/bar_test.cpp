@@ -1,4 +1,4 @@
-#include "sim/bar.hpp"
+#include "sim/ball.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // What distinguishes the cameras of 2026: few of them, which disagree, and false detections.
-#include "sim/camera_errors.hpp"
+#include "sim/camera.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "soccer/rule_book.hpp"
+#include "soccer/rules/rule_book.hpp"
 #include "soccer/trigonometry.hpp"
 #include "tests/sim/camera_scene.hpp"
 

@@ -1,4 +1,4 @@
-#include "sim/camera_presets.hpp"
+#include "sim/presets.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/camera.hpp"
-#include "sim/camera_presets.hpp"
+#include "sim/presets.hpp"
 
 namespace autoref::sim {
 

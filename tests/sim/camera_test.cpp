@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim/camera_presets.hpp"
+#include "sim/presets.hpp"
 #include "soccer/robot_shape.hpp"
 #include "soccer/trigonometry.hpp"
 #include "tests/sim/camera_scene.hpp"

@@ -1,5 +1,5 @@
 // The dribbler preset that holds the ball in any motion of its robot.
-#include "sim/dribbler.hpp"
+#include "sim/kicker.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,7 @@
 #include <string>
 #include <tuple>
 
-#include "sim/ball_presets.hpp"
-#include "sim/robot_presets.hpp"
+#include "sim/presets.hpp"
 #include "soccer/random.hpp"
 #include "tests/sim/scene.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "sim/robot_presets.hpp"
+#include "sim/presets.hpp"
 #include "tests/sim/scene.hpp"
 
 namespace autoref::sim {

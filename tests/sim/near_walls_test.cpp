@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "soccer/rule_book.hpp"
+#include "soccer/rules/rule_book.hpp"
 #include "tests/sim/scene.hpp"
 
 namespace autoref::sim {

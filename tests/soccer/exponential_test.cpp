@@ -1,4 +1,4 @@
-#include "soccer/exponential.hpp"
+#include "soccer/trigonometry.hpp"
 
 #include <gtest/gtest.h>
 

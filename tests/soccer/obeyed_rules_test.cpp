@@ -1,10 +1,8 @@
-#include "soccer/obeyed_rules.hpp"
+#include "soccer/rules/rule_book.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
-
-#include "soccer/rule_table.hpp"
 
 namespace autoref {
 namespace {

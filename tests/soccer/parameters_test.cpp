@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "soccer/rule_book.hpp"
+#include "soccer/rules/rule_book.hpp"
 
 namespace autoref {
 namespace {

@@ -1,13 +1,11 @@
 // The rule books' numbers, checked against the league's documents.
-#include "soccer/rule_book.hpp"
+#include "soccer/rules/rule_book.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 #include <string>
 #include <vector>
-
-#include "soccer/rule_table.hpp"
 
 namespace autoref {
 namespace {

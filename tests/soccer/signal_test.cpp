@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "soccer/referee_signal.hpp"
-#include "soccer/rule_book.hpp"
-#include "soccer/situation.hpp"
+#include "soccer/rules/rule_book.hpp"
+#include "soccer/team_view.hpp"
 
 namespace autoref {
 namespace {

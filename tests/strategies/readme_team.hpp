@@ -9,7 +9,6 @@
 #include "strategies/skills/play_ball.hpp"
 #include "strategies/skills/prediction.hpp"
 #include "strategies/strategy.hpp"
-#include "strategies/tunable.hpp"
 
 namespace autoref::strategies::readme {
 

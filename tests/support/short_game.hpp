@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string>
 
-#include "game/loop/configuration.hpp"
-#include "game/settings/resolved.hpp"
+#include "game/loop/game_configuration.hpp"
+#include "game/settings/game_settings.hpp"
 
 namespace autoref {
 

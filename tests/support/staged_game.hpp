@@ -11,7 +11,6 @@
 #include "sim/camera.hpp"
 #include "sim/world.hpp"
 #include "soccer/robot_shape.hpp"
-#include "soccer/situation.hpp"
 #include "soccer/team_view.hpp"
 #include "tracking/tracker.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "experiments/kinds/knockout/knockout.hpp"
 #include "game/loop/event_log.hpp"
-#include "game/loop/game_event.hpp"
+#include "game/loop/game_event_fields.hpp"
 #include "judge/judge_report.hpp"
 #include "logs/log_report.hpp"
 #include "tests/app/answer.hpp"

@@ -8,7 +8,7 @@
 #include <iostream>
 #include <iterator>
 
-#include "league/team/output_decoder.hpp"
+#include "league/team/team_codec.hpp"
 #include "tests/league/team/random_messages.hpp"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "tracking/chip_fit.hpp"
+#include "tracking/chip_flight.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "view/base64.hpp"
+#include "view/packed_column.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "soccer/rule_book.hpp"
+#include "soccer/rules/rule_book.hpp"
 
 namespace autoref::view {
 namespace {

@@ -1,4 +1,4 @@
-#include "view/recorded_decision.hpp"
+#include "view/game_recording.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,7 @@
 
 #include <boost/math/distributions/poisson.hpp>
 
-#include "experiments/statistics/mean_interval.hpp"
-#include "experiments/statistics/proportion_interval.hpp"
+#include "experiments/statistics/interval.hpp"
 #include "tools/coverage/goals.hpp"
 #include "tools/coverage/measured.hpp"
 

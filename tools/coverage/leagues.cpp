@@ -5,8 +5,7 @@
 #include <boost/math/distributions/poisson.hpp>
 #include <cmath>
 
-#include "experiments/statistics/bradley_terry.hpp"
-#include "experiments/statistics/goal_rating.hpp"
+#include "experiments/statistics/penalised_likelihood.hpp"
 #include "tools/coverage/goals.hpp"
 
 namespace autoref::coverage {

@@ -18,12 +18,12 @@
 #include <vector>
 
 #include "game/loop/game.hpp"
+#include "game/loop/game_configuration.hpp"
 #include "game/settings/fields.hpp"
-#include "game/settings/resolved.hpp"
-#include "league/game_log.hpp"
+#include "game/settings/game_settings.hpp"
+#include "league/game_packets.hpp"
 #include "logs/log_game.hpp"
 #include "logs/log_referee.hpp"
-#include "logs/logged_cameras.hpp"
 #include "soccer/random.hpp"
 #include "tools/log_pieces/piece_calls.hpp"
 
@@ -54,7 +54,7 @@ class Recorder final : public game::Observer {
 
  private:
   static league::GameLog open(const std::string& path, const game::GameConfiguration& game) {
-    return {path, game.field, logs::logged_cameras(game), {}};
+    return {path, game.field, game::logged_cameras(game), {}};
   }
 
   league::GameLog log_;

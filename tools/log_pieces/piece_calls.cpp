@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "sim/camera_presets.hpp"
+#include "sim/presets.hpp"
 
 namespace autoref::tools {
 namespace {

@@ -1,9 +1,9 @@
 #include "experiments/kinds/gauntlet/gauntlet.hpp"
 
-#include "experiments/kinds/group_results.hpp"
+#include "experiments/kinds/results.hpp"
 #include "experiments/reading/top_reader.hpp"
 #include "experiments/schedule/matchup_schedule.hpp"
-#include "experiments/schedule/playing_order.hpp"
+#include "experiments/schedule/schedule.hpp"
 
 namespace autoref::experiments {
 namespace {

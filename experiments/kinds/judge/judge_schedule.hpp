@@ -2,14 +2,28 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "experiments/kinds/experiment.hpp"
-#include "experiments/schedule/shared_settings.hpp"
+#include "experiments/schedule/schedule.hpp"
 
 namespace autoref::experiments {
+
+// Deals the matchups of a schedule evenly over all pairs of teams.
+
+// The first `count` matchups (team a, team b) of an endless deal over all pairs of the teams, each
+// team also against itself: n (n + 1) / 2 pairs for n teams.
+//
+// Every pair is dealt once before any pair is dealt again, so after any number of matchups the
+// pairs' numbers of games differ by at most one. Within such a cycle come n rounds in which every
+// team plays, so the teams' numbers of games also stay close. A pair changes its order from one
+// cycle to the next. The rest of the order is random: it depends on `seed` alone. There must be at
+// least one team.
+std::vector<std::array<std::string, 2>> dealt_matchups(const std::vector<std::string>& teams,
+                                                       std::uint64_t seed, std::size_t count);
 
 // A master seed, and what its games are for.
 struct NamedSeed {
@@ -26,7 +40,7 @@ struct JudgeSchedule : ExperimentOf<JudgeSchedule> {
   game::GameSettings base;
   std::vector<std::string> rules = {"paper"};
   std::vector<std::string> cameras;
-  // Strategies whose pairs are dealt evenly over the games (dealt_matchups.hpp). If there are none,
+  // Strategies whose pairs are dealt evenly over the games. If there are none,
   // the games cycle through `matchups`, strategies of teams a and b; if there are none either, the
   // base's teams play.
   std::vector<std::string> teams;

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "experiments/kinds/knockout/bracket.hpp"
 #include "experiments/kinds/knockout/knockout_report.hpp"
-#include "experiments/kinds/knockout/played_bracket.hpp"
 #include "experiments/reading/top_reader.hpp"
 #include "experiments/schedule/matchup_schedule.hpp"
 #include "io/words.hpp"

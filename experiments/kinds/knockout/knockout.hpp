@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "experiments/kinds/experiment.hpp"
-#include "experiments/schedule/named_teams.hpp"
+#include "experiments/schedule/matchup_schedule.hpp"
 
 namespace autoref::experiments {
 

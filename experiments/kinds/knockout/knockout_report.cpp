@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "experiments/results/scores.hpp"
+#include "experiments/results/game_row.hpp"
 #include "io/csv.hpp"
 #include "io/table.hpp"
 

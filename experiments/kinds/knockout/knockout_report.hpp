@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/kinds/knockout/played_bracket.hpp"
+#include "experiments/kinds/knockout/bracket.hpp"
 #include "io/csv.hpp"
 #include "io/json.hpp"
 #include "io/table.hpp"

@@ -2,9 +2,9 @@
 
 #include <iterator>
 
-#include "experiments/kinds/group_results.hpp"
+#include "experiments/kinds/results.hpp"
 #include "experiments/schedule/matchup_schedule.hpp"
-#include "experiments/schedule/playing_order.hpp"
+#include "experiments/schedule/schedule.hpp"
 
 namespace autoref::experiments {
 

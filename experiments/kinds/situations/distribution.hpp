@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "game/settings/fields.hpp"
+#include "game/settings/yaml.hpp"
 #include "soccer/random.hpp"
 
 namespace autoref::experiments {
@@ -31,5 +33,12 @@ std::string text_of(const Distribution& distribution);
 // Draws a number. A normal distribution is cut off three standard deviations from its mean and at
 // the ends of `range`, which must contain the mean.
 double drawn(const Distribution& distribution, const Range& range, RandomStream& random);
+
+// Reads numbers that may be distributions.
+
+// Reads a number, [low, high] or { mean, sd }. Throws InputError if anything but the tails of a
+// normal distribution is outside `range`.
+Distribution read_distribution(const game::YamlFile& file, const game::YamlEntry& entry,
+                               const std::string& path, const Range& range, std::string_view unit);
 
 }  // namespace autoref::experiments

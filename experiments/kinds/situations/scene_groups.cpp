@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <map>
 
-#include "experiments/results/scores.hpp"
-#include "experiments/statistics/holm.hpp"
-#include "experiments/statistics/mean_interval.hpp"
-#include "experiments/statistics/proportion_interval.hpp"
+#include "experiments/results/game_row.hpp"
+#include "experiments/statistics/interval.hpp"
+#include "experiments/statistics/paired_difference.hpp"
 #include "experiments/statistics/sample.hpp"
 
 namespace autoref::experiments {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "experiments/kinds/keys.hpp"
-#include "game/loop/scene.hpp"
+#include "game/loop/start_scene.hpp"
 #include "game/settings/yaml.hpp"
 
 namespace autoref::experiments {

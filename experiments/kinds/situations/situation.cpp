@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "game/settings/setting_error.hpp"
+#include "game/settings/setting_value.hpp"
 #include "soccer/robot_shape.hpp"
 
 namespace autoref::experiments {

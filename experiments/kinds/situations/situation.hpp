@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "experiments/kinds/situations/distribution.hpp"
-#include "game/loop/scene.hpp"
-#include "game/loop/start_state.hpp"
+#include "game/loop/start_scene.hpp"
 #include "soccer/field.hpp"
 #include "soccer/named.hpp"
 

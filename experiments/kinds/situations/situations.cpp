@@ -11,11 +11,10 @@
 #include "experiments/kinds/situations/scene_reader.hpp"
 #include "experiments/kinds/situations/situation_reader.hpp"
 #include "experiments/kinds/situations/situations_report.hpp"
-#include "experiments/kinds/situations/situations_text.hpp"
 #include "experiments/reading/top_reader.hpp"
 #include "experiments/schedule/matchup_schedule.hpp"
-#include "experiments/schedule/playing_order.hpp"
-#include "game/settings/setting_error.hpp"
+#include "experiments/schedule/schedule.hpp"
+#include "game/settings/setting_value.hpp"
 
 namespace autoref::experiments {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "experiments/kinds/experiment.hpp"
 #include "experiments/kinds/situations/situation.hpp"
-#include "experiments/schedule/named_teams.hpp"
+#include "experiments/schedule/matchup_schedule.hpp"
 
 namespace autoref::experiments {
 

@@ -1,10 +1,12 @@
 // The results of situations as CSV files and as text tables.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
 #include "experiments/kinds/situations/scene_groups.hpp"
+#include "experiments/kinds/situations/situations.hpp"
 #include "io/csv.hpp"
 #include "io/json.hpp"
 #include "io/table.hpp"
@@ -31,5 +33,13 @@ io::TextBlocks scenes_table(const std::vector<SceneGroup>& groups,
 // [{"situation": "corner", "attackers": "cobalt", "defenders": "zone", "scenes": 200,
 //   "void_scenes": 0, "goals": 31, "mean_score": 0.155}, ...]; without scenes, the mean is null.
 io::Json json_of(const std::vector<SceneGroup>& groups);
+
+// Situations as text.
+
+// The key `situations` of effective.yaml, with every number.
+std::string situations_text(const Situations& situations);
+
+// The same as values by path, such as "situations.corner.attackers.1.x_m".
+std::map<std::string, std::string> situation_values(const Situations& situations);
 
 }  // namespace autoref::experiments

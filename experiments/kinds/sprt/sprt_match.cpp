@@ -1,19 +1,21 @@
 #include "experiments/kinds/sprt/sprt_match.hpp"
 
 #include <fmt/format.h>
-
+#include <array>
 #include <cassert>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
-#include "experiments/analysis/standings_report.hpp"
-#include "experiments/kinds/group_results.hpp"
-#include "experiments/kinds/sprt/sprt_match_report.hpp"
-#include "experiments/kinds/sprt/sprt_match_state.hpp"
+#include "experiments/analysis/standings.hpp"
+#include "experiments/kinds/results.hpp"
 #include "experiments/reading/settings_text.hpp"
 #include "experiments/reading/top_reader.hpp"
+#include "experiments/results/game_row.hpp"
 #include "experiments/schedule/matchup_schedule.hpp"
+#include "experiments/schedule/schedule.hpp"
 #include "experiments/schedule/sequential_settings.hpp"
+#include "io/csv.hpp"
 
 namespace autoref::experiments {
 namespace {
@@ -46,6 +48,72 @@ Key sprt_key(SequentialTest& test) {
   key.text = [&test] { return text_of(sprt_settings_of(test)); };
   key.pairs = &test.max_pairs;
   return key;
+}
+
+// The rows of a pair's two legs.
+using Legs = std::array<const GameRow*, 2>;
+
+std::optional<Legs> legs_of(const std::string& matchup, int pair, const RowsById& rows) {
+  Legs legs{};
+  for (const int leg : {1, 2}) {
+    const auto row = rows.find(game_id(matchup, pair, leg));
+    if (row == rows.end()) return std::nullopt;
+    legs[static_cast<std::size_t>(leg - 1)] = &row->second;
+  }
+  return legs;
+}
+
+// The mean goal difference of a pair; nullopt if a leg is void.
+std::optional<double> difference_of(const Legs& legs) {
+  double sum = 0;
+  for (const GameRow* leg : legs) {
+    if (is_void(leg->record)) return std::nullopt;
+    sum += leg->record.goals_a - leg->record.goals_b;
+  }
+  return sum / 2;
+}
+
+// The pairs before the first one with a missing row.
+struct FirstPairs {
+  std::vector<double> differences;  // of the pairs without a void leg
+  std::vector<int> numbers;         // the numbers of these pairs
+  int count = 0;                    // including pairs with a void leg
+};
+
+FirstPairs first_pairs(const SprtMatch& match, const RowsById& rows) {
+  const std::string matchup = matchup_name(matchup_of(match));
+  FirstPairs first;
+  for (int pair = 1; pair <= match.sprt.max_pairs; ++pair) {
+    const std::optional<Legs> legs = legs_of(matchup, pair, rows);
+    if (!legs) break;
+    first.count = pair;
+    const std::optional<double> difference = difference_of(*legs);
+    if (!difference) continue;
+    first.differences.push_back(*difference);
+    first.numbers.push_back(pair);
+  }
+  return first;
+}
+
+std::string sentence(const SprtMatch& match, const SprtMatchState& state) {
+  const Matchup matchup = matchup_of(match);
+  const std::string goals =
+      fmt::format("the mean lead of {} over {} in goals per game", matchup.team_a, matchup.team_b);
+  switch (state.test.verdict) {
+    case Verdict::kAcceptD0:
+      return fmt::format("decided for d0: {} is nearer to {} than to {}", goals, match.sprt.d0,
+                         match.sprt.d1);
+    case Verdict::kAcceptD1:
+      return fmt::format("decided for d1: {} is nearer to {} than to {}", goals, match.sprt.d1,
+                         match.sprt.d0);
+    case Verdict::kUndecided:
+      return fmt::format("undecided whether {} is nearer to d0 = {} or to d1 = {}", goals,
+                         match.sprt.d0, match.sprt.d1);
+    case Verdict::kGoOn:
+      break;
+  }
+  return fmt::format("not yet decided whether {} is nearer to d0 = {} or to d1 = {}", goals,
+                     match.sprt.d0, match.sprt.d1);
 }
 
 }  // namespace
@@ -112,6 +180,66 @@ ExperimentResults SprtMatch::results(const RowsById& rows) const {
                  {"test_pairs", state.test.pairs},
                  {"log_likelihood_ratio", state.test.log_likelihood_ratio}}}});
   return results;
+}
+
+SprtMatchState state_of(const SprtMatch& match, const RowsById& rows) {
+  const FirstPairs first = first_pairs(match, rows);
+  SprtMatchState state{decided_by(match.sprt, first.differences), first.count};
+  if (state.test.verdict != Verdict::kGoOn) {
+    state.last_pair = first.numbers[static_cast<std::size_t>(state.test.pairs - 1)];
+  } else if (first.count == match.sprt.max_pairs) {  // fewer than max_pairs without a void leg
+    state.test.verdict = Verdict::kUndecided;
+  }
+  state.is_decided = state.test.verdict != Verdict::kGoOn;
+  state.void_pairs = state.last_pair - state.test.pairs;
+  return state;
+}
+
+std::string name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kAcceptD0:
+      return "d0";
+    case Verdict::kAcceptD1:
+      return "d1";
+    case Verdict::kUndecided:
+      return "undecided";
+    case Verdict::kGoOn:
+      break;
+  }
+  return "none";
+}
+
+std::string sprt_match_csv(const SprtMatch& match, const Group& matchup,
+                           const SprtMatchState& state) {
+  io::Cells columns = io::heads_of(matchup_columns());
+  io::append(columns, {"verdict", "test_pairs", "void_pairs", "log_likelihood_ratio", "d0", "d1",
+                       "alpha", "beta", "min_pairs", "max_pairs"});
+  io::Cells cells = io::cells_of(matchup_columns(), matchup);
+  io::append(cells, {name_of(state.test.verdict), std::to_string(state.test.pairs),
+                     std::to_string(state.void_pairs),
+                     fmt::format("{:.4f}", state.test.log_likelihood_ratio)});
+  SequentialTest test = match.sprt;
+  for (const game::Setting& setting : sprt_settings_of(test))
+    cells.push_back(game::value_of(setting));
+  return io::csv_line(columns) + "\n" + io::csv_line(cells) + "\n";
+}
+
+std::string verdict_text(const SprtMatch& match, const SprtMatchState& state) {
+  const SequentialTest& test = match.sprt;
+  std::string text = fmt::format(
+      "{}\nafter {} pairs of legs (minimum {}, maximum {}): log-likelihood ratio {:+.2f}, "
+      "bounds {:+.2f} and {:+.2f}\n",
+      sentence(match, state), state.test.pairs, test.min_pairs, test.max_pairs,
+      state.test.log_likelihood_ratio, bound_of_d0(test), bound_of_d1(test));
+  if (state.void_pairs > 0) {
+    text += fmt::format("the test leaves out {} pairs with a void leg\n", state.void_pairs);
+  }
+  return text;
+}
+
+io::TextBlocks sprt_match_table(const SprtMatch& match, const Group& matchup,
+                                const SprtMatchState& state) {
+  return {matchups_table({matchup}), "\n" + verdict_text(match, state)};
 }
 
 }  // namespace autoref::experiments

@@ -1,9 +1,14 @@
 // SPRT matches: two teams play until a sequential test accepts one of two hypotheses.
 #pragma once
 
+#include <string>
+
+#include "experiments/analysis/groups.hpp"
 #include "experiments/kinds/experiment.hpp"
-#include "experiments/schedule/named_teams.hpp"
+#include "experiments/results/game_row.hpp"
+#include "experiments/schedule/matchup_schedule.hpp"
 #include "experiments/statistics/sequential_test.hpp"
+#include "io/table.hpp"
 
 namespace autoref::experiments {
 
@@ -14,7 +19,7 @@ struct SprtMatch : NamedTeams, ExperimentOf<SprtMatch> {  // two teams
 
   std::vector<Key> keys() override;
   // The games of a round robin between the two teams with the maximum number of pairs. The test
-  // usually ends the match earlier (sprt_match_state.hpp).
+  // usually ends the match earlier.
   std::vector<ScheduledGame> games() const override;
   std::string caveat() const override;
   bool follows_its_rows() const override { return true; }
@@ -28,5 +33,36 @@ Matchup matchup_of(const SprtMatch& match);
 
 // Paths are "sprt.d0" and so on.
 std::vector<game::Setting> sprt_settings_of(SequentialTest& test);
+
+// State of an SPRT match, computed from its rows.
+struct SprtMatchState {
+  SequentialState test;     // kUndecided if there is no decision after max_pairs
+  int last_pair = 0;        // number of the last pair considered
+  int void_pairs = 0;       // number of pairs up to last_pair with a void leg
+  bool is_decided = false;  // no further pairs are needed
+};
+
+// Considers pairs by ascending number, until one lacks a row or decides the match. The verdict
+// therefore depends neither on the number of workers nor on games played after the deciding pair.
+// Pairs with a void leg are left out of the test.
+SprtMatchState state_of(const SprtMatch& match, const RowsById& rows);
+
+// An SPRT match's results as a CSV file and as a text table.
+
+// "d0", "d1", "undecided", or "none" while more pairs are needed.
+std::string name_of(Verdict verdict);
+
+// summary.csv: the matchup's row as in a round robin, then the test: its verdict, the number of
+// pairs used, the number of pairs left out because of a void leg, the log-likelihood ratio of d1 to
+// d0, and the test's settings.
+std::string sprt_match_csv(const SprtMatch& match, const Group& matchup,
+                           const SprtMatchState& state);
+
+// The verdict as a sentence, then the number of pairs, the log-likelihood ratio and its bounds.
+std::string verdict_text(const SprtMatch& match, const SprtMatchState& state);
+
+// The matchup's table, followed by the verdict.
+io::TextBlocks sprt_match_table(const SprtMatch& match, const Group& matchup,
+                                const SprtMatchState& state);
 
 }  // namespace autoref::experiments

@@ -5,10 +5,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "experiments/kinds/group_results.hpp"
+#include "experiments/kinds/results.hpp"
 #include "experiments/reading/factor_reader.hpp"
 #include "experiments/reading/top_reader.hpp"
-#include "experiments/schedule/playing_order.hpp"
+#include "experiments/schedule/schedule.hpp"
 #include "game/settings/fields.hpp"
 #include "io/words.hpp"
 

@@ -20,7 +20,7 @@ struct Sweep : ExperimentOf<Sweep> {
   std::vector<Key> keys() override;
   std::vector<Factor> varied_settings() const override { return factors; }
   // The games in playing order. The two legs of a pair are adjacent, and each pair number is played
-  // with all values before the next, in combinations_order() (playing_order.hpp), so an interrupted
+  // with all values before the next, in combinations_order() (schedule.hpp), so an interrupted
   // run is balanced. A game depends only on its own values, pair and leg, so adding values or pairs
   // changes no other game.
   std::vector<ScheduledGame> games() const override;

@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "experiments/kinds/group_results.hpp"
+#include "experiments/kinds/results.hpp"
 #include "experiments/kinds/swiss/swiss_report.hpp"
 #include "experiments/kinds/swiss/swiss_rounds.hpp"
-#include "experiments/kinds/swiss/swiss_standings.hpp"
 #include "experiments/reading/top_reader.hpp"
 #include "experiments/schedule/matchup_schedule.hpp"
-#include "game/settings/setting_error.hpp"
+#include "game/settings/setting_value.hpp"
 
 namespace autoref::experiments {
 namespace {

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "experiments/kinds/experiment.hpp"
-#include "experiments/schedule/named_teams.hpp"
+#include "experiments/schedule/matchup_schedule.hpp"
 
 namespace autoref::experiments {
 
 // Two teams that meet in a round play `pairs` pairs of legs. The next round is paired once all
 // games of a round have rows, void or not (swiss_rounds.hpp). Any number of rounds up to half the
-// number of teams can be played without rematches (pairing.hpp).
+// number of teams can be played without rematches (swiss_rounds.hpp).
 struct Swiss : NamedTeams, ExperimentOf<Swiss> {  // 2 to 64 teams
   static const Kind kKind;
 

@@ -2,11 +2,24 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "experiments/analysis/groups.hpp"
+#include "experiments/analysis/standings.hpp"
 #include "experiments/kinds/results.hpp"
 #include "experiments/kinds/swiss/swiss_rounds.hpp"
+#include "experiments/schedule/matchup_schedule.hpp"
 
 namespace autoref::experiments {
+
+// The standings of a Swiss tournament.
+
+// The matchups of these rounds in the order of their first meetings, each once.
+std::vector<Matchup> matchups_of(const SwissRounds& played);
+
+// The teams in the order of the ranking, with the points of byes. They have ratings only if games
+// link all teams, directly or through others, since ratings of unlinked teams cannot be compared.
+std::vector<Standing> standings_of(const SwissRounds& played, const std::vector<Group>& matchups);
 
 // rounds.csv: round by round, a row per meeting with its teams, games, void games and points so
 // far, then a row for the bye.

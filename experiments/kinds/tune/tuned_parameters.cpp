@@ -1,4 +1,4 @@
-#include "experiments/kinds/tune/tuned_parameters.hpp"
+#include "experiments/kinds/tune/tuning.hpp"
 
 #include <fmt/format.h>
 

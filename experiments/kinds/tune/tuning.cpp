@@ -12,7 +12,7 @@
 #include "experiments/schedule/matchup_schedule.hpp"
 #include "experiments/schedule/schedule.hpp"
 #include "game/settings/fields.hpp"
-#include "game/settings/setting_error.hpp"
+#include "game/settings/setting_value.hpp"
 #include "io/words.hpp"
 #include "soccer/random.hpp"
 

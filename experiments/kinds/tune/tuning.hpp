@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "experiments/kinds/experiment.hpp"
-#include "experiments/schedule/named_teams.hpp"
+#include "experiments/schedule/matchup_schedule.hpp"
 #include "experiments/statistics/sequential_test.hpp"
 #include "experiments/tune/optimiser.hpp"
 #include "game/settings/game_settings.hpp"
@@ -85,5 +85,9 @@ std::vector<std::string> spelt(const ParamValues& values);
 
 // Throws SettingError if the settings contradict each other.
 void check(const Tuning& tuning);
+
+// `tune`: parameters by name. Reads a parameter's range and start from the strategy's own
+// description, if it has one, so the team must have been read before.
+Key parameters_key(Tuning& tuning);
 
 }  // namespace autoref::experiments

@@ -1,7 +1,6 @@
 // The keys of a tuning's scenario file.
 #include <fmt/format.h>
 
-#include "experiments/kinds/tune/tuned_parameters.hpp"
 #include "experiments/kinds/tune/tuning.hpp"
 #include "experiments/reading/named_teams_reader.hpp"
 #include "experiments/reading/settings_text.hpp"

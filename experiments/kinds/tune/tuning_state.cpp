@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "experiments/results/scores.hpp"
-#include "experiments/statistics/anytime_interval.hpp"
+#include "experiments/results/game_row.hpp"
 #include "experiments/statistics/sample.hpp"
+#include "experiments/statistics/sequential_test.hpp"
 #include "io/processes/workers.hpp"
 
 namespace autoref::experiments {

@@ -7,7 +7,7 @@
 #include "experiments/kinds/tune/tuning_schedule.hpp"
 #include "experiments/results/game_row.hpp"
 #include "experiments/statistics/interval.hpp"
-#include "experiments/statistics/three_way_test.hpp"
+#include "experiments/statistics/sequential_test.hpp"
 
 namespace autoref::experiments {
 

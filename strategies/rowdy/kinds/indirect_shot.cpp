@@ -1,6 +1,6 @@
-#include "strategies/rowdy/kinds.hpp"
+#include "strategies/rowdy/foul_behaviours.hpp"
 
-#include "strategies/skills/shot.hpp"
+#include "strategies/skills/openings.hpp"
 
 namespace autoref::strategies::rowdy {
 namespace {

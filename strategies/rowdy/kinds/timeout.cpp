@@ -1,4 +1,4 @@
-#include "strategies/rowdy/kinds.hpp"
+#include "strategies/rowdy/foul_behaviours.hpp"
 
 namespace autoref::strategies::rowdy {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "game/team_programs/team_templates.hpp"
 #include "io/errors.hpp"
-#include "sim/camera_presets.hpp"
-#include "soccer/rule_book.hpp"
+#include "sim/presets.hpp"
+#include "soccer/rules/rule_book.hpp"
 #include "strategies/registry.hpp"
 #include "tests/app/answer.hpp"
 #include "tests/checkout.hpp"

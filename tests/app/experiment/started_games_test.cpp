@@ -1,5 +1,5 @@
 // Pages of games that a run has started.
-#include "app/experiment/started_games.hpp"
+#include "app/experiment/shown_run.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/game/named_game.hpp"
+#include "app/game/replay.hpp"
 
 #include <gtest/gtest.h>
 

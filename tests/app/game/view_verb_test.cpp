@@ -5,7 +5,7 @@
 
 #include "io/build_id.hpp"
 #include "io/errors.hpp"
-#include "logs/log_recorder.hpp"
+#include "logs/log_page.hpp"
 #include "logs/user_log.hpp"
 #include "tests/app/answer.hpp"
 #include "tests/checkout.hpp"

@@ -1,8 +1,8 @@
-#include "app/referee/rules_report.hpp"
+#include "app/referee/rules_verb.hpp"
 
 #include <gtest/gtest.h>
 
-#include "soccer/rule_table.hpp"
+#include "soccer/rules/rule_book.hpp"
 
 namespace autoref::app {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/team/teams_report.hpp"
+#include "app/team/teams.hpp"
 
 #include <gtest/gtest.h>
 

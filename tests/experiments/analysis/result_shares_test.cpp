@@ -1,4 +1,4 @@
-#include "experiments/analysis/result_shares.hpp"
+#include "experiments/analysis/groups.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "experiments/analysis/standings_report.hpp"
 #include "experiments/kinds/roundrobin/roundrobin.hpp"
 #include "experiments/schedule/schedule.hpp"
 

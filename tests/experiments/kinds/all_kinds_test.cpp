@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <set>
 
-#include "experiments/kinds/effective.hpp"
 #include "experiments/kinds/scenario.hpp"
 #include "experiments/kinds/scenario_reader.hpp"
 #include "tests/checkout.hpp"

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "experiments/kinds/effective.hpp"
 #include "experiments/kinds/scenario_reader.hpp"
 #include "experiments/kinds/sweep/sweep.hpp"
 #include "game/settings/fields.hpp"

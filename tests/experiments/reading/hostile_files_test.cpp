@@ -4,13 +4,12 @@
 
 #include <functional>
 
-#include "experiments/kinds/effective.hpp"
 #include "experiments/kinds/roundrobin/roundrobin.hpp"
 #include "experiments/kinds/scenario_reader.hpp"
 #include "game/lab/lab.hpp"
 #include "game/settings/robot_types.hpp"
+#include "io/command.hpp"
 #include "io/errors.hpp"
-#include "io/processor_time.hpp"
 
 namespace autoref::experiments {
 namespace {

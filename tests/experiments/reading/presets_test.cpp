@@ -4,7 +4,6 @@
 
 #include <set>
 
-#include "experiments/kinds/effective.hpp"
 #include "experiments/kinds/scenario_reader.hpp"
 #include "experiments/kinds/sweep/sweep.hpp"
 #include "experiments/schedule/schedule.hpp"

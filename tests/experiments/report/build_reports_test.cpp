@@ -1,4 +1,4 @@
-#include "experiments/report/build_reports.hpp"
+#include "experiments/report/folder_report.hpp"
 
 #include <gtest/gtest.h>
 

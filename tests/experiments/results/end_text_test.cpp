@@ -1,8 +1,7 @@
-#include "experiments/results/end_text.hpp"
+#include "experiments/results/game_report.hpp"
 
 #include <gtest/gtest.h>
 
-#include "experiments/results/game_report.hpp"
 #include "tests/support/has_part.hpp"
 
 namespace autoref::experiments {

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "experiments/kinds/sweep/sweep.hpp"
-#include "game/settings/resolved.hpp"
+#include "game/settings/game_settings.hpp"
 #include "tests/experiments/run/fake_games.hpp"
 
 namespace autoref::experiments {

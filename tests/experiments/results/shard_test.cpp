@@ -8,7 +8,7 @@
 #include <csignal>
 
 #include "experiments/kinds/sweep/sweep.hpp"
-#include "game/settings/resolved.hpp"
+#include "game/settings/game_settings.hpp"
 #include "io/checksum.hpp"
 #include "io/csv.hpp"
 #include "io/errors.hpp"

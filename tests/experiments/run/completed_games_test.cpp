@@ -6,7 +6,7 @@
 
 #include "experiments/kinds/sweep/sweep.hpp"
 #include "game/settings/fields.hpp"
-#include "game/settings/resolved.hpp"
+#include "game/settings/game_settings.hpp"
 #include "io/errors.hpp"
 #include "tests/experiments/run/fake_games.hpp"
 

@@ -16,7 +16,7 @@
 #include "experiments/kinds/sprt/sprt_match.hpp"
 #include "experiments/kinds/sweep/sweep.hpp"
 #include "experiments/run/run_experiment.hpp"
-#include "game/settings/resolved.hpp"
+#include "game/settings/game_settings.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace autoref::experiments {

@@ -6,7 +6,7 @@
 
 #include <fstream>
 
-#include "experiments/kinds/effective.hpp"
+#include "experiments/kinds/scenario_reader.hpp"
 #include "experiments/results/shard.hpp"
 #include "experiments/run/result_folder.hpp"
 #include "io/files.hpp"

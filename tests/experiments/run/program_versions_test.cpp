@@ -5,7 +5,6 @@
 #include <chrono>
 #include <thread>
 
-#include "experiments/kinds/effective.hpp"
 #include "experiments/kinds/roundrobin/roundrobin.hpp"
 #include "experiments/kinds/scenario_reader.hpp"
 #include "experiments/kinds/sweep/sweep.hpp"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "experiments/results/shard.hpp"
-#include "experiments/run/verify.hpp"
+#include "experiments/run/verification.hpp"
 #include "io/errors.hpp"
 #include "tests/experiments/run/fake_games.hpp"
 

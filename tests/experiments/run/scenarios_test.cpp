@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "experiments/kinds/effective.hpp"
 #include "experiments/kinds/judge/judge_schedule.hpp"
 #include "experiments/kinds/knockout/knockout.hpp"
 #include "experiments/kinds/scenario.hpp"
@@ -14,7 +13,7 @@
 #include "experiments/kinds/tune/tuning.hpp"
 #include "experiments/run/run_experiment.hpp"
 #include "experiments/schedule/schedule.hpp"
-#include "game/settings/resolved.hpp"
+#include "game/settings/game_settings.hpp"
 #include "game/team_programs/program_games.hpp"
 #include "judge/evaluate_calls.hpp"
 #include "tests/checkout.hpp"

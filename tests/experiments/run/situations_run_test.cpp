@@ -5,7 +5,7 @@
 #include "experiments/results/shard.hpp"
 #include "experiments/run/result_folder.hpp"
 #include "experiments/run/run_experiment.hpp"
-#include "experiments/run/verify.hpp"
+#include "experiments/run/verification.hpp"
 #include "tests/experiments/kinds/situations/small_situations.hpp"
 #include "tests/experiments/run/fake_games.hpp"
 

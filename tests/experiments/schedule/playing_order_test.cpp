@@ -1,4 +1,4 @@
-#include "experiments/schedule/playing_order.hpp"
+#include "experiments/schedule/schedule.hpp"
 
 #include <gtest/gtest.h>
 

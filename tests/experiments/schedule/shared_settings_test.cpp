@@ -1,4 +1,4 @@
-#include "experiments/schedule/shared_settings.hpp"
+#include "experiments/schedule/schedule.hpp"
 
 #include <gtest/gtest.h>
 

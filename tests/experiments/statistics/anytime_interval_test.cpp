@@ -1,10 +1,10 @@
-#include "experiments/statistics/anytime_interval.hpp"
+#include "experiments/statistics/sequential_test.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "experiments/statistics/mean_interval.hpp"
+#include "experiments/statistics/interval.hpp"
 #include "soccer/random.hpp"
 
 namespace autoref::experiments {

@@ -1,4 +1,4 @@
-#include "experiments/statistics/bradley_terry.hpp"
+#include "experiments/statistics/penalised_likelihood.hpp"
 
 #include <gtest/gtest.h>
 

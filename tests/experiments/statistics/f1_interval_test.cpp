@@ -1,10 +1,9 @@
-#include "experiments/statistics/f1_interval.hpp"
+#include "experiments/statistics/interval.hpp"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
-#include "experiments/statistics/proportion_interval.hpp"
 #include "soccer/random.hpp"
 
 namespace autoref::experiments {

@@ -1,4 +1,4 @@
-#include "experiments/statistics/goal_rating.hpp"
+#include "experiments/statistics/penalised_likelihood.hpp"
 
 #include <gtest/gtest.h>
 

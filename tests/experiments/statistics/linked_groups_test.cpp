@@ -1,4 +1,4 @@
-#include "experiments/statistics/linked_groups.hpp"
+#include "experiments/statistics/rated_games.hpp"
 
 #include <gtest/gtest.h>
 

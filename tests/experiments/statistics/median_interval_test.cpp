@@ -1,5 +1,5 @@
 // Expected ranks: sums of binomial coefficients, as in tables of the sign test.
-#include "experiments/statistics/median_interval.hpp"
+#include "experiments/statistics/interval.hpp"
 
 #include <gtest/gtest.h>
 

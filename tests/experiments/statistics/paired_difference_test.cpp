@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "experiments/statistics/holm.hpp"
-
 namespace autoref::experiments {
 namespace {
 

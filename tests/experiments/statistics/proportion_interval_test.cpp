@@ -1,6 +1,6 @@
 // Expected values from SciPy 1.10: scipy.stats.binomtest(successes, n).proportion_ci(0.95, method)
 // with method 'wilson' or 'exact'.
-#include "experiments/statistics/proportion_interval.hpp"
+#include "experiments/statistics/interval.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "experiments/statistics/mean_interval.hpp"
+#include "experiments/statistics/interval.hpp"
 
 namespace autoref::experiments {
 namespace {

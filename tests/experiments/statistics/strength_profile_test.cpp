@@ -1,4 +1,4 @@
-#include "experiments/statistics/strength_profile.hpp"
+#include "experiments/statistics/ratings.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "experiments/statistics/three_way_test.hpp"
+#include "experiments/statistics/sequential_test.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include "game/loop/game.hpp"
 #include "game/settings/fields.hpp"
-#include "game/settings/resolved.hpp"
+#include "game/settings/game_settings.hpp"
 
 namespace autoref::game {
 namespace {

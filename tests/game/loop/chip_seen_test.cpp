@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "sim/camera.hpp"
-#include "sim/camera_presets.hpp"
+#include "sim/presets.hpp"
 #include "soccer/trigonometry.hpp"
 #include "soccer/units.hpp"
 #include "tests/sim/scene.hpp"

@@ -1,4 +1,4 @@
-#include "game/loop/game_event.hpp"
+#include "game/loop/game_event_fields.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "game/loop/game.hpp"
-#include "sim/camera_presets.hpp"
-#include "soccer/rule_book.hpp"
+#include "sim/presets.hpp"
+#include "soccer/rules/rule_book.hpp"
 #include "tests/support/short_game.hpp"
 
 namespace autoref::game {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "game/loop/game.hpp"
-#include "sim/camera_presets.hpp"
+#include "sim/presets.hpp"
 #include "tests/support/short_game.hpp"
 
 namespace autoref::game {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "strategies/rowdy/kinds.hpp"
+#include "strategies/rowdy/foul_behaviours.hpp"
 #include "tests/game/loop/foul_behaviour.hpp"
 
 namespace autoref::game {

@@ -1,5 +1,5 @@
 // Scenes: start states, and what ends and scores them.
-#include "game/loop/scene.hpp"
+#include "game/loop/start_scene.hpp"
 
 #include <gtest/gtest.h>
 

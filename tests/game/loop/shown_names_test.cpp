@@ -1,4 +1,4 @@
-#include "game/loop/configuration.hpp"
+#include "game/loop/game_configuration.hpp"
 
 #include <gtest/gtest.h>
 

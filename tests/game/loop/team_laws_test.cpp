@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "game/loop/game.hpp"
-#include "game/loop/team_maker.hpp"
+#include "game/loop/team_controller.hpp"
 #include "soccer/units.hpp"
 #include "strategies/teams/dummy.hpp"
 

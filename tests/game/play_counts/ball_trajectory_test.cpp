@@ -1,9 +1,9 @@
 // Compares a kicked ball's predicted path with the simulated one.
-#include "game/play_counts/ball_trajectory.hpp"
+#include "game/play_counts/kick_away.hpp"
 
 #include <gtest/gtest.h>
 
-#include "sim/ball_presets.hpp"
+#include "sim/presets.hpp"
 #include "tests/sim/scene.hpp"
 
 namespace autoref::game {

@@ -6,7 +6,7 @@
 
 #include "game/loop/game.hpp"
 #include "game/play_counts/play_statistics.hpp"
-#include "sim/camera_presets.hpp"
+#include "sim/presets.hpp"
 #include "tests/support/short_game.hpp"
 
 namespace autoref::game {

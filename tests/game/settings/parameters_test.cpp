@@ -6,11 +6,11 @@
 #include <cstddef>
 #include <utility>
 
-#include "game/loop/scene.hpp"
-#include "referee/match.hpp"
-#include "sim/configuration.hpp"
+#include "game/loop/start_scene.hpp"
+#include "referee/referee_configuration.hpp"
+#include "sim/sim_configuration.hpp"
 #include "soccer/field.hpp"
-#include "strategies/basic/style.hpp"
+#include "strategies/basic/roles.hpp"
 #include "strategies/tactics/style.hpp"
 
 namespace autoref::game {

@@ -1,4 +1,4 @@
-#include "game/settings/resolved.hpp"
+#include "game/settings/game_settings.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,6 @@
 #include <string>
 
 #include "game/settings/fields.hpp"
-#include "game/settings/setting_error.hpp"
 #include "game/settings/setting_value.hpp"
 
 namespace autoref::game {

@@ -1,5 +1,5 @@
 // The final values of each robot.
-#include "game/settings/robot_changes.hpp"
+#include "game/settings/robot_types.hpp"
 
 #include <gtest/gtest.h>
 

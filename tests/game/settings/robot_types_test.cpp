@@ -6,13 +6,11 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "experiments/kinds/effective.hpp"
 #include "experiments/kinds/scenario.hpp"
 #include "experiments/kinds/scenario_reader.hpp"
 #include "experiments/kinds/sweep/sweep.hpp"
 #include "experiments/schedule/schedule.hpp"
 #include "game/settings/fields.hpp"
-#include "game/settings/robot_changes.hpp"
 #include "io/errors.hpp"
 #include "tests/checkout.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -1,7 +1,6 @@
 // match.rules applies a rule book; anything else in the file overrides it.
 #include <gtest/gtest.h>
 
-#include "experiments/kinds/effective.hpp"
 #include "experiments/kinds/scenario.hpp"
 #include "experiments/kinds/scenario_reader.hpp"
 #include "game/settings/fields.hpp"

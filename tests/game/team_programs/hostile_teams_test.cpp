@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "experiments/run/program_files.hpp"
+#include "experiments/run/program_versions.hpp"
 #include "game/loop/game.hpp"
 #include "game/team_programs/program_games.hpp"
 #include "game/team_programs/program_process.hpp"

@@ -1,5 +1,5 @@
 // What a team's program cannot do to files, to AutoRef and to another program, above all as root.
-#include "game/team_programs/program_user.hpp"
+#include "game/team_programs/program_spec.hpp"
 
 #include <gtest/gtest.h>
 #include <linux/capability.h>

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "game/loop/configuration.hpp"
+#include "game/loop/game_configuration.hpp"
 #include "tests/game/team_programs/marked_processes.hpp"
 #include "tests/support/short_game.hpp"
 

@@ -1,4 +1,4 @@
-#include "game/team_programs/team_check.hpp"
+#include "game/team_programs/program_check.hpp"
 
 #include <gtest/gtest.h>
 

@@ -17,7 +17,7 @@
 
 #include "game/loop/game.hpp"
 #include "game/settings/fields.hpp"
-#include "game/settings/resolved.hpp"
+#include "game/settings/game_settings.hpp"
 #include "game/team_programs/program_games.hpp"
 #include "soccer/geometry.hpp"
 #include "soccer/robot_shape.hpp"

@@ -8,9 +8,8 @@
 #include <string>
 #include <type_traits>
 
-#include "league/team/rule_numbers.hpp"
 #include "league/team/team_messages.hpp"
-#include "soccer/rule_table.hpp"
+#include "soccer/rules/rule_book.hpp"
 
 namespace autoref::league {
 

@@ -7,7 +7,7 @@
 
 #include "league/messages/simulation.pb.h"
 #include "league/team/flat_records.hpp"
-#include "league/team/output_decoder.hpp"
+#include "league/team/team_codec.hpp"
 
 namespace autoref::league {
 namespace {

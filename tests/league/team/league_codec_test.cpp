@@ -6,7 +6,7 @@
 #include "league/messages/referee.pb.h"
 #include "league/messages/simulation.pb.h"
 #include "league/messages/vision.pb.h"
-#include "league/team/output_decoder.hpp"
+#include "league/team/team_codec.hpp"
 
 namespace autoref::league {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "soccer/situation.hpp"
+#include "soccer/team_view.hpp"
 
 namespace autoref::league {
 namespace {

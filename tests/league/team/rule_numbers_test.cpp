@@ -1,4 +1,4 @@
-#include "league/team/rule_numbers.hpp"
+#include "league/team/team_messages.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "league/team/team_messages.hpp"
-#include "soccer/rule_table.hpp"
+#include "soccer/rules/rule_book.hpp"
 
 namespace autoref::league {
 

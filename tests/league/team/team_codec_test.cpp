@@ -5,7 +5,6 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "league/team/output_decoder.hpp"
 #include "tests/checkout.hpp"
 #include "tests/league/team/described.hpp"
 #include "tests/league/team/program_side.hpp"

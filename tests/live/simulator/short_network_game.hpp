@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "benchmarks/beside_live_game.hpp"
-#include "game/loop/configuration.hpp"
+#include "game/loop/game_configuration.hpp"
 #include "live/live_options.hpp"
 #include "live/network/network.hpp"
 

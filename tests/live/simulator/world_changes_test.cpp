@@ -1,4 +1,4 @@
-#include "live/simulator/world_changes.hpp"
+#include "live/simulator/robot_updates.hpp"
 
 #include <gtest/gtest.h>
 

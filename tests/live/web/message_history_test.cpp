@@ -1,4 +1,4 @@
-#include "live/web/message_history.hpp"
+#include "live/web/live_page.hpp"
 
 #include <gtest/gtest.h>
 

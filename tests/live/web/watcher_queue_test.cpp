@@ -1,4 +1,4 @@
-#include "live/web/watcher_queue.hpp"
+#include "live/web/watcher.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "io/errors.hpp"
-#include "live/web/web_address.hpp"
 
 namespace autoref::live {
 namespace {

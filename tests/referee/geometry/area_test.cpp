@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "soccer/rule_book.hpp"
+#include "soccer/rules/rule_book.hpp"
 
 namespace autoref::referee {
 namespace {

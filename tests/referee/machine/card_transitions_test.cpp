@@ -1,7 +1,7 @@
 // One test suite per transition of cards.
 #include <gtest/gtest.h>
 
-#include "soccer/rule_book.hpp"
+#include "soccer/rules/rule_book.hpp"
 #include "tests/referee/machine/staged_machine.hpp"
 
 namespace autoref::referee {

@@ -3,8 +3,8 @@
 
 #include <string_view>
 
-#include "referee/machine/shootout.hpp"
-#include "soccer/situation.hpp"
+#include "referee/machine/penalty_outcome.hpp"
+#include "soccer/team_view.hpp"
 #include "tests/referee/rules/goals_only.hpp"
 
 namespace autoref::referee {

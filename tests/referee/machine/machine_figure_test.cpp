@@ -9,7 +9,7 @@
 
 #include "referee/machine/machine.hpp"
 #include "referee/person/transitions_beside_person.hpp"
-#include "soccer/rule_table.hpp"
+#include "soccer/rules/rule_book.hpp"
 #include "tests/checkout.hpp"
 
 namespace autoref::referee {

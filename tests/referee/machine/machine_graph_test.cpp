@@ -1,4 +1,4 @@
-#include "referee/machine/machine_graph.hpp"
+#include "referee/machine/machine_figure.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,6 @@
 #include <tuple>
 
 #include "referee/machine/machine.hpp"
-#include "referee/machine/machine_figure.hpp"
 #include "tests/checkout.hpp"
 
 namespace autoref::referee {

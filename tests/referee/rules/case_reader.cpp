@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "soccer/rule_book.hpp"
+#include "soccer/rules/rule_book.hpp"
 #include "tests/referee/rules/case_words.hpp"
 #include "tests/referee/rules/script_reader.hpp"
 #include "tests/referee/rules/yaml_keys.hpp"

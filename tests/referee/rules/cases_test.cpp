@@ -9,7 +9,7 @@
 #include <set>
 #include <sstream>
 
-#include "soccer/rule_id.hpp"
+#include "soccer/rules/rule_book.hpp"
 #include "tests/checkout.hpp"
 #include "tests/referee/rules/case_reader.hpp"
 #include "tests/referee/rules/staged_game.hpp"

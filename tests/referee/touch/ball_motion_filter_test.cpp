@@ -1,5 +1,5 @@
 // The ball's motion while only the carpet acts on it.
-#include "referee/touch/ball_motion_filter.hpp"
+#include "referee/touch/hull_intersections.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "soccer/robot_shape.hpp"
-#include "soccer/rule_book.hpp"
+#include "soccer/rules/rule_book.hpp"
 
 namespace autoref::referee {
 namespace {

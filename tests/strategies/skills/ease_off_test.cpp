@@ -1,4 +1,4 @@
-#include "strategies/skills/ease_off.hpp"
+#include "strategies/skills/limits.hpp"
 
 #include <gtest/gtest.h>
 

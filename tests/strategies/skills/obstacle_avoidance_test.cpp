@@ -1,4 +1,4 @@
-#include "strategies/skills/obstacle_avoidance.hpp"
+#include "strategies/skills/motion.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "strategies/skills/reach.hpp"
+#include "strategies/skills/ball_path.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "strategies/skills/restart_taker.hpp"
+#include "strategies/skills/play_ball.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,10 +2,9 @@
 
 #include "soccer/random.hpp"
 #include "strategies/registry.hpp"
-#include "strategies/skills/lane.hpp"
 #include "strategies/skills/motion.hpp"
+#include "strategies/skills/openings.hpp"
 #include "strategies/skills/prediction.hpp"
-#include "strategies/skills/shot.hpp"
 #include "tests/strategies/skills/staged_bodies.hpp"
 
 namespace autoref::strategies {

@@ -1,7 +1,7 @@
 // A robot and a ball's path for tests of single skills.
 #pragma once
 
-#include "strategies/skills/reach.hpp"
+#include "strategies/skills/ball_path.hpp"
 #include "tests/strategies/staged_world.hpp"
 
 namespace autoref::strategies {

@@ -1,11 +1,10 @@
-#include "strategies/tactics/goal_gap.hpp"
+#include "strategies/tactics/keeper.hpp"
 
 #include <gtest/gtest.h>
 
 #include <optional>
 #include <vector>
 
-#include "strategies/tactics/keeper.hpp"
 #include "tests/strategies/staged_world.hpp"
 
 namespace autoref::strategies {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "strategies/tunable.hpp"
+#include "strategies/strategy.hpp"
 
 namespace autoref::strategies {
 namespace {

@@ -1,4 +1,4 @@
-#include "strategies/tactics/turn_time.hpp"
+#include "strategies/tactics/kick_choice.hpp"
 
 #include <gtest/gtest.h>
 

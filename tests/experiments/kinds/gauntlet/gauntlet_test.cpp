@@ -5,7 +5,6 @@
 
 #include <map>
 
-#include "experiments/kinds/effective.hpp"
 #include "experiments/kinds/scenario_reader.hpp"
 #include "experiments/schedule/matchup_schedule.hpp"
 #include "game/settings/fields.hpp"

@@ -1,4 +1,4 @@
-#include "experiments/kinds/judge/dealt_matchups.hpp"
+#include "experiments/kinds/judge/judge_schedule.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "experiments/kinds/effective.hpp"
+#include "experiments/kinds/scenario_reader.hpp"
 #include "tests/experiments/reading/mistake.hpp"
 
 namespace autoref::experiments {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "experiments/kinds/effective.hpp"
 #include "experiments/kinds/knockout/knockout.hpp"
 #include "experiments/kinds/scenario.hpp"
+#include "experiments/kinds/scenario_reader.hpp"
 #include "tests/experiments/reading/mistake.hpp"
 
 namespace autoref::experiments {

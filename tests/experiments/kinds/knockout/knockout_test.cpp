@@ -3,10 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "experiments/kinds/effective.hpp"
 #include "experiments/kinds/knockout/bracket.hpp"
 #include "experiments/kinds/knockout/knockout_report.hpp"
-#include "experiments/kinds/knockout/played_bracket.hpp"
+#include "experiments/kinds/scenario_reader.hpp"
 #include "experiments/run/result_folder.hpp"
 #include "tests/experiments/run/fake_games.hpp"
 

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "experiments/kinds/effective.hpp"
 #include "experiments/kinds/scenario_reader.hpp"
 #include "experiments/reading/named_teams_reader.hpp"
 #include "experiments/schedule/matchup_schedule.hpp"

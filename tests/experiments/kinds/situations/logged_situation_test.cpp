@@ -1,9 +1,9 @@
 // Situations taken from a log.
-#include "experiments/kinds/situations/logged_situation.hpp"
+#include "experiments/kinds/situations/situation_reader.hpp"
 
 #include <gtest/gtest.h>
 
-#include "experiments/kinds/effective.hpp"
+#include "experiments/kinds/scenario_reader.hpp"
 #include "logs/logged_state.hpp"
 #include "tests/experiments/kinds/situations/small_situations.hpp"
 #include "tests/support/short_log.hpp"

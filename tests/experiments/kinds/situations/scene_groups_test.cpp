@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "experiments/statistics/proportion_interval.hpp"
+#include "experiments/statistics/interval.hpp"
 #include "tests/experiments/kinds/situations/small_situations.hpp"
 
 namespace autoref::experiments {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "game/settings/setting_error.hpp"
+#include "game/settings/setting_value.hpp"
 
 namespace autoref::experiments {
 namespace {

@@ -1,8 +1,8 @@
 // `kind: situations`: what is read, and what is refused.
 #include <gtest/gtest.h>
 
-#include "experiments/kinds/effective.hpp"
 #include "experiments/kinds/scenario.hpp"
+#include "experiments/kinds/scenario_reader.hpp"
 #include "experiments/kinds/situations/situations.hpp"
 #include "tests/experiments/kinds/situations/small_situations.hpp"
 #include "tests/experiments/reading/mistake.hpp"

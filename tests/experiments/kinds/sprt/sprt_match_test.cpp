@@ -3,14 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "experiments/kinds/effective.hpp"
 #include "experiments/kinds/scenario_reader.hpp"
-#include "experiments/kinds/sprt/sprt_match_report.hpp"
-#include "experiments/kinds/sprt/sprt_match_state.hpp"
 #include "experiments/run/result_folder.hpp"
 #include "experiments/schedule/matchup_schedule.hpp"
 #include "game/settings/fields.hpp"
-#include "game/settings/resolved.hpp"
+#include "game/settings/game_settings.hpp"
 #include "tests/experiments/reading/mistake.hpp"
 #include "tests/experiments/run/fake_games.hpp"
 

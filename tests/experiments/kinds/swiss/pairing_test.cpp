@@ -1,5 +1,5 @@
 // Pairings of Swiss tournaments.
-#include "experiments/kinds/swiss/pairing.hpp"
+#include "experiments/kinds/swiss/swiss_rounds.hpp"
 
 #include <gtest/gtest.h>
 

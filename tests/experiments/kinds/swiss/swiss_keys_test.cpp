@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include "experiments/kinds/effective.hpp"
 #include "experiments/kinds/scenario.hpp"
 #include "experiments/kinds/scenario_reader.hpp"
 #include "experiments/kinds/swiss/swiss.hpp"

@@ -7,8 +7,8 @@
 
 #include "experiments/kinds/swiss/swiss_report.hpp"
 #include "experiments/kinds/swiss/swiss_rounds.hpp"
-#include "experiments/run/folder_changes.hpp"
 #include "experiments/run/result_folder.hpp"
+#include "experiments/run/run_games.hpp"
 #include "tests/experiments/run/fake_games.hpp"
 
 namespace autoref::experiments {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "experiments/kinds/effective.hpp"
+#include "experiments/kinds/scenario_reader.hpp"
 #include "experiments/kinds/tune/tuning.hpp"
 #include "experiments/kinds/tune/tuning_schedule.hpp"
 #include "tests/experiments/reading/mistake.hpp"

@@ -1,0 +1,32 @@
+// Results of each team against each other team, and the plots of standings.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/kinds/scenario.hpp"
+
+namespace autoref::experiments {
+
+// Results of one team against another.
+struct CrossCell {
+  int wins = 0;
+  int draws = 0;
+  int losses = 0;
+  std::optional<double> mean_difference;  // nullopt without games
+
+  int points() const { return kPointsOfWin * wins + draws; }
+};
+
+// cells[row][column] holds the row's team against the column's; nullopt on the diagonal and for
+// teams that did not meet.
+struct Crosstable {
+  std::vector<std::string> teams;  // best first
+  std::vector<std::vector<std::optional<CrossCell>>> cells;
+};
+
+// Returns the table for results with standings and groups of two teams each, otherwise nullopt.
+std::optional<Crosstable> crosstable_of(const ExperimentResults& results);
+
+}  // namespace autoref::experiments

@@ -1,0 +1,20 @@
+// The league's game events for the referee's decisions.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "referee/decision.hpp"
+#include "soccer/rules/game_event.hpp"
+
+namespace autoref::game {
+
+// The league's event for a decision, with what its finding contains; nullopt if the league has no
+// such event. Its origin is "AutoRef". `start_unix_s` is the Unix time of the game's time 0.
+std::optional<GameEvent> game_event_of(const referee::Decision& decision, double start_unix_s = 0);
+
+// The event as JSON, on one line, with the league's field names; as protobuf's JSON mapping prints
+// it with original field names.
+std::string game_event_json(const GameEvent& event);
+
+}  // namespace autoref::game

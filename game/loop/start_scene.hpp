@@ -1,0 +1,129 @@
+// Where a game begins, if not with both teams lined up before the first kick-off.
+#pragma once
+
+#include <array>
+#include <boost/container/static_vector.hpp>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "referee/decision.hpp"
+#include "referee/state.hpp"
+#include "sim/world.hpp"
+#include "soccer/named.hpp"
+#include "soccer/parameters.hpp"
+#include "soccer/referee_signal.hpp"
+#include "soccer/side.hpp"
+
+namespace autoref::game {
+
+using StartingRobots = boost::container::static_vector<sim::RobotState, kMaxRobots>;
+
+// In the program's coordinates: west defends the goal at -x.
+struct StartState {
+  PerSide<StartingRobots> robots;  // by number; a team's other robots stay off the field
+  sim::BallState ball;
+  referee::Beginning referee;
+};
+
+// The state seen from the other end: rotated by 180 degrees, with the sides swapped.
+StartState mirrored(const StartState& state);
+
+// A scene: a game that lasts some seconds of play and is scored for team a, the attackers.
+
+// What ended a scene. kStop is any other call that stops play, or the end of the half.
+enum class SceneEnd : std::uint8_t { kTime, kGoal, kBallOut, kFoul, kStop };
+
+constexpr auto names_of(SceneEnd /*any*/) {
+  return std::to_array<Named<SceneEnd>>({{SceneEnd::kTime, "time"},
+                                         {SceneEnd::kGoal, "goal"},
+                                         {SceneEnd::kBallOut, "ball_out"},
+                                         {SceneEnd::kFoul, "foul"},
+                                         {SceneEnd::kStop, "stop"}});
+}
+
+using autoref::name_of;
+
+inline constexpr std::size_t kSceneEndCount = names_of(SceneEnd{}).size();
+
+// How a scene's score is composed: the sum of its measures times these weights.
+struct SceneWeights {
+  double goal = 1;
+  double conceded = 0;
+  double ball_kept = 0;
+  double gained_m = 0;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, const Visitor& visitor) {
+    constexpr Range kWeights = {-1000, 1000};
+    visitor(self.goal, {"goal", kWeights, "the attackers scored, 0 or 1"});
+    visitor(self.conceded, {"conceded", kWeights, "the defenders scored, 0 or 1"});
+    visitor(self.ball_kept,
+            {"ball_kept", kWeights, "the attackers have the ball at the end, 0 or 1"});
+    visitor(self.gained_m,
+            {"gained_m", kWeights, "how far the ball has come towards the defenders' goal"});
+  }
+  bool operator==(const SceneWeights&) const = default;
+
+  // Whether every score is 0 or 1.
+  bool is_proportion() const {
+    return *this == SceneWeights{1, 0, 0, 0} || *this == SceneWeights{0, 1, 0, 0} ||
+           *this == SceneWeights{0, 0, 1, 0};
+  }
+};
+
+struct Scene {
+  double lasts_s = 10;  // of time since play began
+  // Which calls end it early; kTime is always true.
+  std::array<bool, kSceneEndCount> ends = {true, true, true, true, true};
+  SceneWeights weights;
+
+  bool is_ended_by(SceneEnd end) const { return ends[static_cast<std::size_t>(end)]; }
+};
+
+struct SceneRecord {
+  SceneEnd ended_by = SceneEnd::kTime;
+  // The attackers touched the ball last or take the next restart; true if nobody has touched it.
+  bool ball_kept = true;
+  double gained_m = 0;
+  double score = 0;
+};
+
+// Follows a scene frame by frame.
+class SceneWatch {
+ public:
+  SceneWatch(const Scene& scene, Side attackers) : scene_(scene), attackers_(attackers) {}
+
+  // Ground truth of a frame, and the referee's part in it.
+  struct Input {
+    double time_s;
+    const sim::WorldState& world;
+    std::span<const sim::Touch> touches;
+    std::span<const referee::Decision> decisions;
+    referee::State state;
+    const RefereeSignal& signal;
+  };
+  void update(const Input& input);
+
+  bool is_over() const { return ended_by_.has_value(); }
+  // Whether play has not begun although the referee's timeouts are over.
+  bool is_late(double time_s) const { return !began_s_ && time_s > kLongestWait_s; }
+  // The measures so far, for these goals of attackers and defenders.
+  SceneRecord record(int goals, int goals_against) const;
+
+ private:
+  static constexpr double kLongestWait_s = 120;
+
+  bool keeps_ball(const RefereeSignal& signal) const;
+
+  Scene scene_;
+  Side attackers_;
+  std::optional<double> began_s_;  // when play began
+  double from_m_ = 0;              // the ball's x then, towards the defenders' goal
+  double to_m_ = 0;                // and now
+  std::optional<Side> touched_;    // by whom the ball was touched last
+  bool is_kept_ = true;
+  std::optional<SceneEnd> ended_by_;
+};
+
+}  // namespace autoref::game

@@ -1,0 +1,105 @@
+#include "judge/truth/robot_count.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "judge/truth/ground_truth_rules.hpp"
+#include "soccer/units.hpp"
+
+namespace autoref::judge::ground_truth {
+namespace {
+
+// 2026 rules, "Number Of Robots": grace period when play is started with too many robots.
+constexpr double kStartGrace_s = 2_s;
+
+// Laws of 2014: reports a surplus once it has lasted for `too_many_s`.
+class TooManyRobots final : public GroundTruthRule {
+ public:
+  void watch(const Scene& scene, TrueEvents& all) override {
+    for (const Side side : kSides) {
+      if (!has_surplus(scene, side)) {
+        since_s_[side] = scene.time_s;
+        is_reported_[side] = false;
+      } else if (!is_reported_[side] && scene.time_s - since_s_[side] >= scene.rules.too_many_s) {
+        is_reported_[side] = true;
+        all.push_back({"too_many_robots", scene.time_s, side});
+      }
+    }
+  }
+
+ private:
+  PerSide<double> since_s_;
+  PerSide<bool> is_reported_;
+};
+
+// 2026 rules: after a card, the team has a grace period to remove a robot. Any further surplus is a
+// foul, except during the grace period after a start of play.
+class TooManyRobots2026 final : public GroundTruthRule {
+ public:
+  void watch(const Scene& scene, TrueEvents& all) override {
+    for (const Side side : kSides) {
+      if (robots_on_field(scene, side) <= tolerated(scene, side)) {
+        is_reported_[side] = false;
+      } else if (!is_reported_[side] && !has_grace(scene, side)) {
+        is_reported_[side] = true;
+        raised_s_[side] = scene.time_s;
+        all.push_back({"too_many_robots", scene.time_s, side});
+      }
+    }
+  }
+
+ private:
+  // The number of robots allowed until a card.
+  struct Former {
+    int allowed = 0;
+    double until_s = 0;
+  };
+
+  bool has_grace(const Scene& scene, Side side) const {
+    const bool has_just_started =
+        scene.play.is_on && !has_passed(scene, scene.play.began_s, kStartGrace_s);
+    return has_just_started || !has_passed(scene, raised_s_[side], kTeamGrace_s);
+  }
+
+  // The maximum number allowed during the grace periods of the side's cards.
+  int tolerated(const Scene& scene, Side side) {
+    const int allowed = scene.signal.robots_allowed[side];
+    std::vector<Former>& formers = formers_[side];
+    // The signal is that of the previous frame.
+    const double shown_s = scene.time_s - scene.frame_s;
+    if (allowed < allowed_[side]) formers.push_back({allowed_[side], shown_s});
+    allowed_[side] = allowed;
+    const double grace_s = scene.rules.too_many_s;
+    std::erase_if(formers,
+                  [&](const Former& former) { return has_passed(scene, former.until_s, grace_s); });
+    int most = allowed;
+    for (const Former& former : formers) most = std::max(most, former.allowed);
+    return most;
+  }
+
+  PerSide<int> allowed_{{kMaxRobots, kMaxRobots}};
+  PerSide<std::vector<Former>> formers_;
+  PerSide<double> raised_s_{{-1e9, -1e9}};
+  PerSide<bool> is_reported_;
+};
+
+}  // namespace
+
+int robots_on_field(const Scene& scene, Side side) {
+  int on_field = 0;
+  for_each_robot(scene.now, side, [&](RobotId, const sim::RobotState& robot) {
+    on_field += is_on_field(scene.field, robot.position_m) ? 1 : 0;
+  });
+  return on_field;
+}
+
+bool has_surplus(const Scene& scene, Side side) {
+  return robots_on_field(scene, side) > scene.signal.robots_allowed[side];
+}
+
+std::unique_ptr<GroundTruthRule> too_many_robots() { return std::make_unique<TooManyRobots>(); }
+std::unique_ptr<GroundTruthRule> too_many_robots_2026() {
+  return std::make_unique<TooManyRobots2026>();
+}
+
+}  // namespace autoref::judge::ground_truth

@@ -1,0 +1,32 @@
+// The league's units (millimetres as float, times as integer micro- or nanoseconds) and its numbers
+// of the teams; parsing of messages that may be malformed.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <string_view>
+
+#include "soccer/geometry.hpp"
+
+namespace autoref::league {
+
+// Team in the league's messages; 0 is unknown.
+inline constexpr int kYellowTeam = 1;
+inline constexpr int kBlueTeam = 2;
+
+inline float to_mm(double metres) { return static_cast<float>(metres * 1000.0); }
+inline double to_m(float mm) { return static_cast<double>(mm) / 1000.0; }
+inline double to_m(std::int32_t mm) { return static_cast<double>(mm) / 1000.0; }
+
+inline std::int64_t to_ns(double seconds) { return std::llround(seconds * 1e9); }
+inline std::int64_t to_us(double seconds) { return std::llround(seconds * 1e6); }
+
+// Returns whether `bytes` are a complete message. Partial parsing keeps protobuf from printing its
+// own messages to stderr.
+template <typename Message>
+bool parse(std::string_view bytes, Message& message) {
+  return message.ParsePartialFromArray(bytes.data(), static_cast<int>(bytes.size())) &&
+         message.IsInitialized();
+}
+
+}  // namespace autoref::league

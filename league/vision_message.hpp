@@ -1,0 +1,27 @@
+// Splits a frame of the field into the packets of the league's cameras.
+#pragma once
+
+#include <span>
+
+#include "league/messages/vision.pb.h"
+#include "soccer/frame.hpp"
+
+namespace autoref::league {
+
+// The league's number for a sender of vision that is not in its list.
+inline constexpr int kOtherSource = 1;
+
+// Fills `packets` with the part of the frame that each of `cameras` sees: a robot or ball belongs
+// to the nearest camera, a ball of unknown height to the camera that saw it. West is yellow. The
+// detections of `others` follow those of the frame, with a lower confidence. Writes one packet per
+// camera. Allocates nothing once the packets are large enough.
+void fill_detections(const Frame& frame, std::span<const CameraPosition> cameras,
+                     std::span<VisionPacket> packets, const OtherDetections& others = {});
+
+// The vision messages of 2010, which logs contain until 2014.
+
+// Moves the contents of `old` into a packet of today. The field's sizes, its defence areas of
+// quarter circles and its margin (boundary and referee's runway) are preserved.
+void convert(VisionPacket2010& old, VisionPacket& packet);
+
+}  // namespace autoref::league

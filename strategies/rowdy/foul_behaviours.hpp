@@ -1,0 +1,149 @@
+// The foul behaviours' view of the game, and the robot motions that they share.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "soccer/field.hpp"
+#include "soccer/robot_command.hpp"
+#include "soccer/rules/rule_book.hpp"
+#include "soccer/team_view.hpp"
+#include "strategies/skills/motion.hpp"
+
+namespace autoref::strategies::rowdy {
+
+// The game in the team's frame, extrapolated to when commands take effect.
+struct Scene {
+  const Field& field;
+  const RuleBook& rules;
+  const TeamView& now;
+  int keeper = 0;  // number of the team's keeper
+};
+
+// The robot with that number; nullptr if there is none.
+const TrackedRobot* find(const TrackedRobots& robots, int number);
+
+// The team's own robot nearest to a point, excluding the keeper; nullptr if none is within
+// `reach_m`.
+const TrackedRobot* nearest_mate(const Scene& scene, const Vec2& point_m, double reach_m);
+
+// The same for opponents.
+const TrackedRobot* nearest_opponent(const Scene& scene, const Vec2& point_m, double reach_m);
+
+// Whether the robot has the ball at its front plate, within about 15 mm.
+bool has_ball(const TrackedRobot& robot, const TrackedBall& ball);
+
+bool is_running(const Scene& scene);
+// Whether the team takes, or the opponents are about to take, a restart other than a penalty.
+bool is_own_restart(const Scene& scene);
+bool is_opponents_restart(const Scene& scene);
+bool is_free_kick(Play play);
+
+// Commands that drive the robot to a position around everybody else, facing the ball.
+RobotCommand go_to(const Scene& scene, const TrackedRobot& robot, const Vec2& position_m);
+
+// Commands that drive the robot straight with that velocity, facing its direction of motion.
+RobotCommand charge(const TrackedRobot& robot, const Vec2& velocity_mps);
+
+// Commands that drive the robot straight towards a point.
+RobotCommand charge_at(const TrackedRobot& robot, const Vec2& point_m, double speed_mps);
+
+// Commands that drive the robot behind the ball and kick it straight at the target.
+RobotCommand kick_at(const Scene& scene, const TrackedRobot& robot, const Vec2& target_m,
+                     double kick_mps);
+
+// Stops the team-mates of robot `number` that are within `reach_m` of a point.
+void hold_back(const Scene& scene, int number, const Vec2& point_m, double reach_m,
+               TeamCommands& commands);
+
+// Sends team-mates of robot `number`, including the keeper, out of the path from `from_m` to
+// `to_m`.
+void clear_lane(const Scene& scene, int number, const Vec2& from_m, const Vec2& to_m,
+                TeamCommands& commands);
+
+// A foul behaviour: a way of breaking a rule, its opportunities, and what the team then does.
+
+// A foul behaviour under way.
+struct ActiveFoul {
+  int robot = -1;      // number of the offending robot; -1: the whole team
+  int other = -1;      // number of the opponent that is fouled
+  double amount = 0;   // random in [0, 1): distance or duration, depending on the kind
+  double begun_s = 0;  // view time
+  Vec2 from_m{0, 0};  // position of the ball when it began, or another point, depending on the kind
+  bool is_halfway = false;  // for kinds with two parts
+};
+
+// The commands and requests that the team is about to send.
+struct TeamOutput {
+  TeamCommands& commands;
+  TeamRequests& requests;
+  RobotCommand& command(int number) const { return commands[static_cast<std::size_t>(number)]; }
+};
+
+// A foul by `robot`; nullopt if `robot` is null.
+inline std::optional<ActiveFoul> foul_by(const TrackedRobot* robot, const Vec2& from_m) {
+  if (robot == nullptr) return std::nullopt;
+  ActiveFoul foul;
+  foul.robot = robot->number;
+  foul.from_m = from_m;
+  return foul;
+}
+
+// A foul by `robot` against an opponent.
+inline ActiveFoul foul_against(const TrackedRobot& victim, const TrackedRobot& robot) {
+  ActiveFoul foul = *foul_by(&robot, victim.position_m);
+  foul.other = victim.number;
+  return foul;
+}
+
+// The opponent that is fouled; nullptr if that robot is gone or the ball is not in play.
+inline const TrackedRobot* victim_of(const ActiveFoul& foul, const Scene& scene) {
+  return is_running(scene) ? find(scene.now.opponents, foul.other) : nullptr;
+}
+
+struct FoulBehaviour {
+  std::string_view name;  // name of the parameter that sets `share`
+  std::string_view about;
+  double share;      // default fraction of opportunities taken
+  double longest_s;  // the foul is given up after this time
+  // The foul that is possible now, without `amount` and `begun_s`; nullopt if there is no
+  // opportunity.
+  std::optional<ActiveFoul> (*find_chance)(const Scene& scene);
+  // Changes the team's output. Returns false once the foul is over. If the foul has a robot, the
+  // robot is on the field.
+  bool (*go_on)(const Scene& scene, ActiveFoul& foul, TeamOutput& output);
+};
+
+// All foul behaviours of `rowdy`, one file each in kinds/.
+
+extern const FoulBehaviour kAimlessKick;
+extern const FoulBehaviour kAttackInArea;
+extern const FoulBehaviour kChipGoal;
+extern const FoulBehaviour kCrowdRestart;
+extern const FoulBehaviour kDelay;
+extern const FoulBehaviour kHardKick;
+extern const FoulBehaviour kIndirectShot;
+extern const FoulBehaviour kKeeperHold;
+extern const FoulBehaviour kKeeperOffLine;
+extern const FoulBehaviour kKickoffIntruder;
+extern const FoulBehaviour kLongDribble;
+extern const FoulBehaviour kNearArea;
+extern const FoulBehaviour kOwnGoalKick;
+extern const FoulBehaviour kPenaltyCrowd;
+extern const FoulBehaviour kPlayAtOwnArea;
+extern const FoulBehaviour kPlayInOwnArea;
+extern const FoulBehaviour kRam;
+extern const FoulBehaviour kRamEvenly;
+extern const FoulBehaviour kSecondTouch;
+extern const FoulBehaviour kShove;
+extern const FoulBehaviour kStopCrowd;
+extern const FoulBehaviour kStopSprint;
+extern const FoulBehaviour kTimeout;
+
+inline constexpr int kKindCount = 23;
+
+// All kinds, in the order in which opportunities in the same frame are considered.
+std::span<const FoulBehaviour* const, kKindCount> all_kinds();
+
+}  // namespace autoref::strategies::rowdy
