@@ -10,7 +10,7 @@
 namespace autoref::app {
 
 struct WebFlags {
-  std::string address;             // --web (live/web_address.hpp); empty: nothing is shown
+  std::string address;             // --web (live/web/web_request.hpp); empty: nothing is shown
   std::vector<std::string> hosts;  // --web-host
 };
 

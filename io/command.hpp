@@ -1,4 +1,4 @@
-// Runs external programs and collects their output.
+// Runs external programs and collects their output; processor time of processes.
 #pragma once
 
 #include <sys/resource.h>
@@ -8,8 +8,6 @@
 #include <vector>
 
 namespace autoref::io {
-
-// Processor time of processes.
 
 // User and system time together, in s: Linux measures their sum exactly and only estimates how it
 // is divided.

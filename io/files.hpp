@@ -1,4 +1,5 @@
-// Files that are read as a whole, and files that appear complete or not at all.
+// Files that are read as a whole or appear complete or not at all, opening and comparing files
+// safely, temporary folders, and files installed with the program.
 #pragma once
 
 #include <stdlib.h>
@@ -14,9 +15,7 @@
 
 namespace autoref::io {
 
-// A temporary folder to work in.
-
-// Deleted with this object.
+// A temporary folder to work in, deleted with this object.
 class WorkingFolder {
  public:
   // Throws InputOutputError.
@@ -39,16 +38,13 @@ class WorkingFolder {
   std::filesystem::path path_;
 };
 
-// Opens files whose names another program can have given to something else.
-
-// Opens a file as open(2) does, with O_CLOEXEC, but never waits for another program and never
-// touches a terminal or a device. `flags` are those of open(2); new files may be read and written
-// by everybody whom the umask allows. Returns the descriptor, or -1 with errno if the file cannot
-// be opened. Throws InputOutputError if the name leads to a FIFO, a device, a socket or a folder,
-// or with O_NOFOLLOW to a symbolic link.
+// Opens a file whose name another program can have given to something else: as open(2) does, with
+// O_CLOEXEC, but without ever waiting for another program or touching a terminal or a device.
+// `flags` are those of open(2); new files may be read and written by everybody whom the umask
+// allows. Returns the descriptor, or -1 with errno if the file cannot be opened. Throws
+// InputOutputError if the name leads to a FIFO, a device, a socket or a folder, or with O_NOFOLLOW
+// to a symbolic link.
 int open_regular_file(const std::filesystem::path& path, int flags);
-
-// Tests whether two paths lead to the same file.
 
 // Returns whether both paths lead to the same file, whatever their links and spellings, even if the
 // file does not exist yet.
@@ -57,13 +53,11 @@ bool is_same_file(const std::filesystem::path& one, const std::filesystem::path&
 // Returns whether `descriptor` is open on this file; always false for terminals and pipes.
 bool is_open_as(const std::filesystem::path& path, int descriptor);
 
-// Files that are installed with the program.
-
 // The path of the running program; empty if the system does not report it.
 std::filesystem::path running_program();
 
-// PREFIX/share/autoref/NAME, if it exists, where `program` is PREFIX/bin/autoref. `name` is a path
-// without "..".
+// The installed file PREFIX/share/autoref/NAME, if it exists, where `program` is
+// PREFIX/bin/autoref. `name` is a path without "..".
 std::optional<std::filesystem::path> installed_file(const std::filesystem::path& name,
                                                     const std::filesystem::path& program);
 

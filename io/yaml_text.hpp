@@ -1,4 +1,4 @@
-// Writes text as YAML.
+// Writes text as a YAML scalar, and checks that YAML input is within limits of its size.
 #pragma once
 
 #include <cstddef>

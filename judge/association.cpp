@@ -48,7 +48,7 @@ std::optional<Side> offender_of(const Decision& decision) {
 
 class Matcher {
  public:
-  Matcher(const TrueEvents& true_events, const std::vector<Call>& calls, const Window& window)
+  Matcher(const TrueEvents& true_events, const std::vector<JudgedCall>& calls, const Window& window)
       : true_events_(true_events),
         calls_(calls),
         window_(window),
@@ -56,7 +56,7 @@ class Matcher {
 
   // Greedy matching: each call, in order, takes the best event that is still free.
   std::vector<experiments::CallVerdict> associate() {
-    for (const Call& call : calls_) evaluate(call);
+    for (const JudgedCall& call : calls_) evaluate(call);
     for (std::size_t i = 0; i < true_events_.size(); ++i) {
       if (true_events_[i].standing == Standing::kTrue && !answered_[i]) miss(true_events_[i]);
     }
@@ -70,7 +70,7 @@ class Matcher {
  private:
   // A call with unknown last touch only claims that the ball left over this line, so the event
   // itself still counts as missed.
-  void evaluate(const Call& call) {
+  void evaluate(const JudgedCall& call) {
     for (const Standing standing : {Standing::kTrue, Standing::kPrevented}) {
       const std::optional<std::size_t> found = nearest(call, standing, false);
       if (!found) continue;
@@ -82,7 +82,8 @@ class Matcher {
     add_wrong(call);
   }
 
-  std::optional<std::size_t> nearest(const Call& call, Standing standing, bool is_answered) const {
+  std::optional<std::size_t> nearest(const JudgedCall& call, Standing standing,
+                                     bool is_answered) const {
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < true_events_.size(); ++i) {
       const TrueEvent& event = true_events_[i];
@@ -93,22 +94,22 @@ class Matcher {
     return best;
   }
 
-  static bool is_same_robot(const Call& call, const TrueEvent& event) {
+  static bool is_same_robot(const JudgedCall& call, const TrueEvent& event) {
     return call.robot && call.robot == event.robot;
   }
 
   // Lower is better: first the same robot, then the nearest in time.
-  static std::pair<bool, double> rank(const Call& call, const TrueEvent& event) {
+  static std::pair<bool, double> rank(const JudgedCall& call, const TrueEvent& event) {
     return {!is_same_robot(call, event), std::abs(call.time_s - event.time_s)};
   }
 
-  bool is_in_window(const Call& call, const TrueEvent& event) const {
+  bool is_in_window(const JudgedCall& call, const TrueEvent& event) const {
     const double delay_s = call.time_s - event.time_s;
     const bool is_same_side = !call.offender || !event.offender || call.offender == event.offender;
     return is_same_side && delay_s >= -window_.lead_s && delay_s <= window_.lag_s;
   }
 
-  void add_right(const Call& call, const TrueEvent& event) {
+  void add_right(const JudgedCall& call, const TrueEvent& event) {
     experiments::CallVerdict verdict = verdict_on(event, experiments::CallOutcome::kRight);
     verdict.name = call.name;
     verdict.delay_s = call.time_s - event.time_s;
@@ -120,7 +121,7 @@ class Matcher {
     verdicts_.push_back(verdict);
   }
 
-  void add_wrong(const Call& call) {
+  void add_wrong(const JudgedCall& call) {
     experiments::CallVerdict verdict;
     verdict.name = call.name;
     verdict.outcome = experiments::CallOutcome::kWrong;
@@ -159,7 +160,7 @@ class Matcher {
   }
 
   const TrueEvents& true_events_;
-  const std::vector<Call>& calls_;
+  const std::vector<JudgedCall>& calls_;
   const Window& window_;
   std::vector<bool> answered_;
   std::vector<double> right_ends_s_;
@@ -173,24 +174,25 @@ bool is_judged(Event event) {
          event == Event::kMultipleCards;
 }
 
-std::optional<Call> call_of(const Decision& decision) {
+std::optional<JudgedCall> call_of(const Decision& decision) {
   if (!is_judged(decision.finding.event)) return std::nullopt;
   const bool ended_play =
       decision.from == referee::State::kRun && decision.to != referee::State::kRun;
-  return Call{name_of(decision.finding.event),
-              decision.time_s,
-              offender_of(decision),
-              decision.finding.robots.empty() ? std::nullopt
-                                              : std::optional(decision.finding.robots.front()),
-              decision.finding.position_m,
-              ended_play,
-              false,
-              referee::is_call(decision.finding.event) ? std::optional(decision.finding.confidence)
-                                                       : std::nullopt};
+  return JudgedCall{
+      name_of(decision.finding.event),
+      decision.time_s,
+      offender_of(decision),
+      decision.finding.robots.empty() ? std::nullopt
+                                      : std::optional(decision.finding.robots.front()),
+      decision.finding.position_m,
+      ended_play,
+      false,
+      referee::is_call(decision.finding.event) ? std::optional(decision.finding.confidence)
+                                               : std::nullopt};
 }
 
 std::vector<experiments::CallVerdict> associate(const TrueEvents& true_events,
-                                                const std::vector<Call>& calls,
+                                                const std::vector<JudgedCall>& calls,
                                                 const Window& window) {
   return Matcher(true_events, calls, window).associate();
 }

@@ -24,7 +24,7 @@ struct Window {
   double lag_s = 1.0;
 };
 
-struct Call {
+struct JudgedCall {
   std::string_view name;
   double time_s = 0;
   std::optional<Side> offender;  // as in TrueEvent; nullopt if the call does not say
@@ -39,11 +39,11 @@ struct Call {
 bool is_judged(referee::Event event);
 
 // Converts a decision to a call; nullopt if it is not evaluated.
-std::optional<Call> call_of(const referee::Decision& decision);
+std::optional<JudgedCall> call_of(const referee::Decision& decision);
 
 // Returns the verdicts in order of time.
 std::vector<experiments::CallVerdict> associate(const TrueEvents& true_events,
-                                                const std::vector<Call>& calls,
+                                                const std::vector<JudgedCall>& calls,
                                                 const Window& window = {});
 
 }  // namespace autoref::judge::ground_truth

@@ -14,7 +14,7 @@ namespace {
 constexpr std::array<std::string_view, 4> kTrueExits = {"throw_in", "corner_kick", "goal_kick",
                                                         "aimless_kick"};
 
-using ground_truth::Call;
+using ground_truth::JudgedCall;
 using referee::Decision;
 
 class CallEvaluator final : public game::Observer {
@@ -25,7 +25,7 @@ class CallEvaluator final : public game::Observer {
         observer_(game.field, game.match.rules, game.sim.frame_rate_hz) {}
 
   void on_decision(const Decision& decision) override {
-    const std::optional<Call> call = ground_truth::call_of(decision);
+    const std::optional<JudgedCall> call = ground_truth::call_of(decision);
     if (!call) return;
     calls_.push_back(*call);
     const referee::Event event = decision.finding.event;
@@ -77,7 +77,7 @@ class CallEvaluator final : public game::Observer {
   Side a_plays_;
   double frame_s_;
   ground_truth::GroundTruthObserver observer_;
-  std::vector<Call> calls_;
+  std::vector<JudgedCall> calls_;
   std::size_t judged_ = 0;                  // number of calls judged before this frame
   std::vector<std::optional<Side>> exits_;  // last touching sides named by this frame's calls
   double now_s_ = 0;

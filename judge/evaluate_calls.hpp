@@ -1,4 +1,4 @@
-// Plays games and judges their referee by ground truth.
+// Plays games and judges their referee by ground truth, and tells which last touches are contested.
 #pragma once
 
 #include <span>
@@ -11,8 +11,6 @@
 #include "soccer/side.hpp"
 
 namespace autoref::judge {
-
-// Detects contested touches: both sides touch the ball just before it leaves the field.
 
 // A last touch is contested if both sides touched the ball within this time before it left.
 inline constexpr double kContested_s = 0.1;

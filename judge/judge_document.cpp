@@ -1,4 +1,5 @@
-// Renders the judge's report as Markdown and for terminals.
+// The judge's report as a document, and as Markdown and for terminals, declared in
+// judge_report.hpp.
 #include "judge/judge_document.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Writes the judge's report as CSV and JSON. Declared in judge_report.hpp.
+// Measures of events, and the judge's report as CSV and JSON, declared in judge_report.hpp.
 #include "judge/judge_measures.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Totals of a referee's evaluation over many games.
+// Totals of a referee's evaluation over many games, and how far its confidence can be relied on.
 #pragma once
 
 #include <array>
@@ -15,8 +15,6 @@
 
 namespace autoref::judge {
 
-// How far the referee's confidence can be relied on: among calls of 0.9, 90 % should be right.
-
 // Calls of similar confidence.
 struct ReliabilityBand {
   int calls = 0;
@@ -24,6 +22,7 @@ struct ReliabilityBand {
   double confidence_sum = 0;
 };
 
+// How far the referee's confidence can be relied on: among calls of 0.9, 90 % should be right.
 class Reliability {
  public:
   // Lower ends of the bands; each ends where the next one begins, and the last at 1.

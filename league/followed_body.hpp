@@ -1,4 +1,5 @@
-// One robot or ball through the detections of several cameras.
+// One robot or ball through the detections of several cameras, and which of several balls is
+// followed.
 #pragma once
 
 #include <cstdint>
@@ -58,12 +59,10 @@ class FollowedBody {
 // The detection nearest to `position_m`; nullptr if there is none.
 const Detected* nearest_to(const Vec2& position_m, std::span<const Detected> all);
 
-// Which of the balls that vision reports is the one in play.
-
-// Follows one ball; at first, the most confident one. While it is hidden, it may appear again where
-// a robot may have carried it or where its velocity brings it; a ball elsewhere, or one that a
-// camera sees beside it in most frames, is another ball and remains one. Another ball takes the
-// followed one's place
+// Decides which of the balls that vision reports is the one in play. Follows one ball; at first,
+// the most confident one. While it is hidden, it may appear again where a robot may have carried it
+// or where its velocity brings it; a ball elsewhere, or one that a camera sees beside it in most
+// frames, is another ball and remains one. Another ball takes the followed one's place
 // - if it is the only one in the frame and at most one has been seen beside the followed one in the
 //   last 3 s: at once, since it may just be kicked there, and false detections are rare then;
 // - if the followed ball has disappeared and the other one was not seen beside it: after 0.1 s if

@@ -1,4 +1,4 @@
-// Turns a game into the packets of its cameras and its referee.
+// Turns a game into the packets of its cameras and its referee, and writes them as an SSL log.
 #pragma once
 
 #include <filesystem>
@@ -89,10 +89,9 @@ class GamePackets {
   double referee_due_s_ = 0;
 };
 
-// Writes a game as an SSL log: the packets of its cameras and its referee.
-
-// Times count from the game's first frame. The log contains the geometry about once a second, and
-// of the referee ten packets per second plus one whenever its signal changes.
+// Writes a game as an SSL log: the packets of its cameras and its referee. Times count from the
+// game's first frame. The log contains the geometry about once a second, and of the referee ten
+// packets per second plus one whenever its signal changes.
 class GameLog final : PacketSink {
  public:
   // Creates or truncates the file. Throws LogError.

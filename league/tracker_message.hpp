@@ -1,4 +1,5 @@
-// Conversion between tracks and the league's tracker packets.
+// Conversion between tracks and the league's tracker packets, and which of several senders is
+// followed.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +14,8 @@
 
 namespace autoref::league {
 
-// Which of several programs that send the same kind of packets is listened to.
-
-// The first one, until it has been silent for 1 s; then the next that sends.
+// Which of several programs that send the same kind of packets is listened to: the first one, until
+// it has been silent for 1 s; then the next that sends.
 class FollowedSource {
  public:
   // Notes a packet of the program `name`, which arrived at `received_s`, on any clock. Returns

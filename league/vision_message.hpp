@@ -1,4 +1,5 @@
-// Splits a frame of the field into the packets of the league's cameras.
+// Splits a frame of the field into the packets of the league's cameras, and converts packets of
+// 2010.
 #pragma once
 
 #include <span>
@@ -18,10 +19,9 @@ inline constexpr int kOtherSource = 1;
 void fill_detections(const Frame& frame, std::span<const CameraPosition> cameras,
                      std::span<VisionPacket> packets, const OtherDetections& others = {});
 
-// The vision messages of 2010, which logs contain until 2014.
-
-// Moves the contents of `old` into a packet of today. The field's sizes, its defence areas of
-// quarter circles and its margin (boundary and referee's runway) are preserved.
+// Moves the contents of `old`, of the format that logs contain until 2014, into a packet of today.
+// The field's sizes, its defence areas of quarter circles and its margin (boundary and referee's
+// runway) are preserved.
 void convert(VisionPacket2010& old, VisionPacket& packet);
 
 }  // namespace autoref::league

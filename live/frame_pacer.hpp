@@ -1,4 +1,4 @@
-// Paces a game by the clock.
+// Paces a game by the clock, in a thread that the system wakes promptly although others compute.
 #pragma once
 
 #include <array>
@@ -58,8 +58,6 @@ class FramePacer {
   std::int64_t frames_ = 0;  // since `start_`
   Punctuality punctuality_;
 };
-
-// A thread that the system wakes promptly although others compute.
 
 // Asks the system to let the calling thread begin soon when it wakes, in exchange for shorter turns
 // on the processor, and not to delay its timers. No privileges are needed. Systems that know

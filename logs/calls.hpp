@@ -1,4 +1,5 @@
-// A referee's calls, derived from its commands, and the agreement between two referees.
+// A referee's calls, derived from its commands or listed by a person, and the agreement between two
+// referees.
 #pragma once
 
 #include <optional>
@@ -70,15 +71,13 @@ std::string other_referee_text(const CallPair& pair, const Agreement& agreement)
 Agreement agreement_of(std::span<const Call> recorded, std::span<const Call> refereed,
                        double lead_s = 2.0);
 
-// Matches AutoRef's calls with those of a person's annotations. A call is right
-// if event and, where the annotation names one, side are the same and at most `tolerance_s` lies
-// between them.
+// Matches AutoRef's calls with those of a person's annotations. A call is right if event and, where
+// the annotation names one, side are the same and at most `tolerance_s` lies between them.
 Agreement agreement_with_annotations(std::span<const Call> annotated,
                                      std::span<const Call> refereed, double tolerance_s = 2.0);
 
-// A person's own list of calls in a recorded game.
-
-// Reads CSV with the head "time,call,side", rows in any order; the result is in order of time.
+// Reads a person's own list of calls in a recorded game: CSV with the head "time,call,side", rows
+// in any order; the result is in order of time.
 //   time  seconds from the start of the log, or minutes and seconds: 83.2 or 1:23.2
 //   call  an event that AutoRef may call (referee/README.md), such as throw_in
 //   side  yellow or blue: the team that scored or, for other calls, the offender; empty if unknown

@@ -1,4 +1,5 @@
-// Collects the facts about a game (recorded_facts.hpp) from its frames and packets.
+// Collects the facts about a game (recorded_facts.hpp) from its frames and packets, with its game
+// events and the noise of its vision.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +17,11 @@
 
 namespace autoref::logs {
 
-// The game events in a log's referee packets, each once.
-
-// A packet repeats its events for as long as the game controller keeps them. Each counts from the
-// packet that has it first. Events are the same if their ids are or, without ids, all else but
-// their origins. An event without id and time of creation that comes back later is another one.
-// Events of the log's first packet happened before and are left out; so are proposals, which the
-// game controller has not accepted.
+// The game events in a log's referee packets, each once. A packet repeats its events for as long as
+// the game controller keeps them. Each counts from the packet that has it first. Events are the
+// same if their ids are or, without ids, all else but their origins. An event without id and time
+// of creation that comes back later is another one. Events of the log's first packet happened
+// before and are left out; so are proposals, which the game controller has not accepted.
 class RecordedGameEvents {
  public:
   static constexpr std::size_t kMostEvents = 10'000;
@@ -42,11 +41,10 @@ class RecordedGameEvents {
   std::vector<game::TimedGameEvent> events_;
 };
 
-// Measures the noise of the vision that recorded a log.
-
-// Differences of the third order of four successive positions: nearly free of motion, since
-// accelerations change slowly compared with frames, and sqrt(20) times as noisy as a position. The
-// median absolute value ignores kicks and false detections.
+// Measures the noise of the vision that recorded a log, by differences of the third order of four
+// successive positions: nearly free of motion, since accelerations change slowly compared with
+// frames, and sqrt(20) times as noisy as a position. The median absolute value ignores kicks and
+// false detections.
 class LoggedNoise {
  public:
   // Frames must be in order of time.

@@ -1,4 +1,5 @@
-// Configures a recorded game from the log, the rule book and the user's settings.
+// Guesses the rule book of a recorded game, and configures the game from the log, the rule book and
+// the user's settings.
 #pragma once
 
 #include <functional>
@@ -11,7 +12,7 @@
 
 namespace autoref::logs {
 
-// Guesses the rule book of a recorded game.
+// A rule book that a recorded game seems to have.
 struct GuessedRules {
   std::string book;    // a name of find_rule_book()
   std::string reason;  // what it was guessed from, for people

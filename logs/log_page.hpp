@@ -1,4 +1,5 @@
-// The page of a recorded game with the calls of both referees.
+// The page of a recorded game with the calls of both referees, and the log's contents that it
+// shows.
 #pragma once
 
 #include <filesystem>
@@ -15,8 +16,6 @@
 
 namespace autoref::logs {
 
-// Collects a log's frames and signals for a page.
-
 // The part of a log from one time to another, both included, in seconds on the frames' clock.
 struct LogPart {
   double from_s = -std::numeric_limits<double>::infinity();
@@ -25,6 +24,7 @@ struct LogPart {
   bool contains(double time_s) const { return time_s >= from_s && time_s <= to_s; }
 };
 
+// Collects a log's frames and signals for a page.
 class LogRecorder final : public league::LogVisitor {
  public:
   explicit LogRecorder(LogPart part = {}) : part_(part) {}

@@ -1,4 +1,5 @@
-// Lets AutoRef referee a recorded game: alone, or beside the recorded referee.
+// Lets AutoRef judge the frames of a real game, recorded or live: alone, or beside the referee
+// whose packets come with them.
 #pragma once
 
 #include <deque>
@@ -17,9 +18,6 @@
 #include "soccer/robot_command.hpp"
 
 namespace autoref::logs {
-
-// Lets AutoRef judge the frames of a real game, recorded or live: alone, or beside the referee
-// whose packets come with them.
 
 // Called with each decision.
 using DecisionWatch = std::function<void(const referee::Decision&)>;
@@ -85,10 +83,9 @@ struct LogRefereeResult {
   referee::Control control = referee::Control::kAutoref;  // of the first game
 };
 
-// Judges every frame of the log in order. The goals in the result are those of
-// the last game. Throws league::LogError, and
-// std::invalid_argument if a configuration is not valid for a referee. `configurations` must not be
-// empty.
+// Judges every frame of the log in order. The goals in the result are those of the last game.
+// Throws league::LogError, and std::invalid_argument if a configuration is not valid for a referee.
+// `configurations` must not be empty.
 LogRefereeResult referee_log(const std::filesystem::path& log, const RecordedFacts& facts,
                              const std::vector<referee::Configuration>& configurations,
                              const DecisionWatch& watch = {});

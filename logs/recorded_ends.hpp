@@ -1,4 +1,4 @@
-// Follows which end of the field the yellow team of a recorded game defends.
+// Finds out which end of the field the yellow team of a recorded game defends, and follows it.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,6 @@
 #include "soccer/side.hpp"
 
 namespace autoref::logs {
-
-// Finds out which end of the field the yellow team defends in a log.
 
 // The end that yellow defends by where a keeper stands; nullopt if it is not near a goal. `team` is
 // the keeper's.

@@ -1,4 +1,4 @@
-// What a rule found: the event, the restart it leads to, and the evidence.
+// What a rule found: the event, the restart it leads to, and the evidence; and how rules create it.
 #pragma once
 
 #include <array>
@@ -17,9 +17,8 @@
 
 namespace autoref::referee {
 
-// What a finding's league event needs beyond the finding itself.
-
-// Only what is known is set. Positions are in the referee's coordinates.
+// What a finding's league event needs beyond the finding itself. Only what is known is set.
+// Positions are in the referee's coordinates.
 struct EventDetails {
   std::optional<RobotId> robot;  // the robot at fault, if it is not the finding's first one
   std::optional<Vec2> robot_m;   // its position
@@ -67,8 +66,6 @@ struct Finding {
   double confidence = 1;
   ConfidenceFeatures confidence_features{};  // what it was computed from
 };
-
-// Functions that the rules use to create their findings.
 
 // A finding with the event's fixed card and restart (event.hpp) and the rule's section, threshold
 // and unit (soccer/rules/rule_book.hpp).

@@ -140,9 +140,9 @@ class Referee::Impl {
   // Returns whether the machine's state is unchanged.
   bool ask(const Rule& rule, const RefereeInput& input) {
     const State before = state().machine_state;
-    for (const Watch& watch : rule.watches()) {
-      if (!watch.active_in.has(before)) continue;
-      decide_if(watch.find(official_->state(), input), input);
+    for (const RuleSearch& search : rule.searches()) {
+      if (!search.active_in.has(before)) continue;
+      decide_if(search.find(official_->state(), input), input);
       if (state().machine_state != before) return false;
     }
     return true;

@@ -54,7 +54,7 @@ class Referee {
 
   // Takes the next frame. Frames must be in order. Robots and ball may be missing. Objects with
   // non-finite numbers count as unseen, and if AutoRef does not command the game, so does a ball
-  // that is suddenly farther away than any ball can fly (touch/ball_jump_filter.hpp).
+  // that is suddenly farther away than any ball can fly (touch/sight.hpp).
   View see(const Frame& frame);
 
   // Judges that frame, and returns the signal now in force. Call it once after each see(), with

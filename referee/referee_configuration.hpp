@@ -1,4 +1,5 @@
-// The rules of one match, as its file gives them: settings, game and referee share them.
+// The referee's configuration: the rules of one match, as its file gives them, which settings, game
+// and referee share, and the thresholds of touch detection.
 #pragma once
 
 #include <cstdint>
@@ -95,9 +96,8 @@ struct Match {
   }
 };
 
-// Thresholds that separate touches from the effects of the carpet.
-
-// The defaults suit a camera whose only error is rounding to float millimetres.
+// Thresholds that separate touches from the effects of the carpet. The defaults suit a camera
+// whose only error is rounding to float millimetres.
 struct TouchParameters {
   // Largest deceleration that the carpet causes. Sliding balls lose 3.0 to 3.9 m/s2 on the league's
   // carpets; smaller values mistake friction for touches, larger values miss soft touches.
@@ -139,8 +139,6 @@ struct TouchParameters {
   // If the ball is unseen for longer, it may have been touched meanwhile.
   double longest_gap_s = 100_ms;
 };
-
-// The referee's configuration.
 
 // The match, and where and by whom it is played. `on_team_fault` and `a_plays` are not the
 // referee's.

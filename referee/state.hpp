@@ -1,4 +1,4 @@
-// The states of the referee's machine.
+// The states of the referee's machine, and how a game begins in the middle of a half.
 #pragma once
 
 #include <cstdint>
@@ -57,9 +57,8 @@ class States {
 // Whether the ball may be played, though AutoRef may have called something.
 constexpr bool is_play(State state) { return state == State::kRun || state == State::kCalled; }
 
-// How a game begins, if not with the first kick-off: in the middle of the first half.
-
-// The half begins with the first frame, at 0:0. Who touched the ball before is unknown.
+// How a game begins, if not with the first kick-off: in the middle of the first half. The half
+// begins with the first frame, at 0:0. Who touched the ball before is unknown.
 struct Beginning {
   // The pending restart: PREPARE_KICKOFF, PREPARE_PENALTY, DIRECT_FREE or INDIRECT_FREE of a side,
   // or FORCE_START. nullopt: play is on.

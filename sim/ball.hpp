@@ -1,4 +1,4 @@
-// Ball dynamics: deceleration on the carpet, flight and landings.
+// Ball dynamics: deceleration on the carpet, flight, landings, and bounces off robots and goals.
 //
 // On the carpet the ball slides after a kick and rolls later. Its spin is stored as the surface
 // speed. While that differs from the ball's velocity, friction slows the ball and spins it up; once
@@ -56,8 +56,6 @@ class Ball {
   bool has_landed_ = false;  // since the last kick
 };
 
-// What a flying ball may land on: robot tops and goal nets.
-
 // Whether the point is above a goal, including its walls.
 bool is_over_goal(const Field& field, const Vec2& point_m);
 // Whether the point is between a goal's walls, or on its line.
@@ -70,8 +68,6 @@ bool is_in_goal(const Field& field, const Vec2& point_m);
 std::optional<Vec2> bounced_off_top(const Field& field, const ContactParameters& contacts,
                                     const Box2dBridge& bodies, int robots, double former_height_m,
                                     Ball& ball);
-
-// The crossbar of a goal, which a flying ball may hit.
 
 // Collides a flying ball with the bar, which is round and runs from post to post above the goal's
 // opening (Laws 2014, law 1). The two given states are less than a frame apart. Returns the ball's

@@ -1,4 +1,4 @@
-// Converts ground truth to what vision reports.
+// Converts ground truth to what vision reports, with errors of calibration.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -15,10 +15,9 @@
 
 namespace autoref::sim {
 
-// Systematic errors of the cameras' calibration.
-
-// A constant offset plus a warp of one period over the field's length and width, each with half of
-// the mean square. Drawn once, so that no place on the field is favoured over many games.
+// Systematic errors of the cameras' calibration: a constant offset plus a warp of one period over
+// the field's length and width, each with half of the mean square. Drawn once, so that no place on
+// the field is favoured over many games.
 // Neighbouring cameras have opposite errors.
 class CameraErrors {
  public:

@@ -1,4 +1,5 @@
-// Lookup in tables of presets: any range of structs with a `name`.
+// Presets of ball, vision, radio, dribblers and kickers, and lookup in tables of presets: any range
+// of structs with a `name`.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,5 @@
-// What the referee broadcasts: the league's referee commands and stages.
+// What the referee broadcasts: the league's referee commands and stages, in the program's
+// coordinates and as published.
 //
 // Numbers are those of the league's SSL_Referee message (2013), so logs need no translation table.
 #pragma once

@@ -1,4 +1,4 @@
-// What a team sends to its robots once per frame.
+// What a robot can do, and what a team sends to its robots and asks of the referee in each frame.
 #pragma once
 
 #include <array>
@@ -9,8 +9,6 @@
 #include "soccer/side.hpp"
 
 namespace autoref {
-
-// What a robot can do.
 
 // What one of a team's robots can do, including its handicap. The defaults are the paper's robots.
 struct Abilities {

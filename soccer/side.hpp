@@ -1,4 +1,4 @@
-// The two sides of a game, and robot identifiers.
+// The two sides of a game, their colours, and robot identifiers.
 //
 // A side has the goal at its end of the field, a colour, robots and random streams. Which team
 // plays on which side is decided elsewhere (`match.a_plays`).
@@ -45,8 +45,6 @@ struct RobotId {
   int number = 0;
   auto operator<=>(const RobotId&) const = default;  // NOLINT(modernize-use-nullptr): no pointer
 };
-
-// The colours of the sides.
 
 // "yellow" for west, "blue" for east.
 constexpr std::string_view colour_of(Side side) { return side == Side::kWest ? "yellow" : "blue"; }

@@ -1,5 +1,7 @@
-// The game as one team sees it. Every team sees its own goal at -x and +y to its left, whichever
-// side it plays on; only this code rotates the view.
+// The game as one team sees it, and what the referee's commands mean for play.
+//
+// Every team sees its own goal at -x and +y to its left, whichever side it plays on; only this code
+// rotates the view.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +18,6 @@
 namespace autoref {
 
 // What the referee's commands mean for play: who may do what at the moment.
-
 // No play during halt and stop. A prepared restart waits for the start command; a restart lasts
 // until the ball is in play.
 enum class Play : std::uint8_t {

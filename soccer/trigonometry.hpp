@@ -1,4 +1,4 @@
-// Trigonometry with bit-identical results on every x86-64 machine.
+// Trigonometry and the exponential function with bit-identical results on every x86-64 machine.
 //
 // The C library uses different code for sin, cos and atan2 on machines with fused multiply-add, and
 // the last bit of the result then differs; a game with the same seed would end differently on
@@ -74,9 +74,6 @@ double atan2_exact(double y, double x);
 
 // `angle_rad` shifted by a multiple of 2 pi into [-pi, pi].
 double wrap_angle(double angle_rad);
-
-// The exponential function with bit-identical results on every machine; see trigonometry.hpp for
-// why the C library's differ.
 
 // e^x, within 1e-12 of it relatively for |x| <= 700; beyond, that of the nearest such x.
 double exponential(double x);

@@ -1,4 +1,5 @@
-// The interface of a team: from its view of the game to its robots' commands, once per frame.
+// The interface of a team: from its view of the game to its robots' commands, once per frame; and
+// its parameters.
 #pragma once
 
 #include <array>

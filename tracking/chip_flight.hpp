@@ -12,7 +12,7 @@
 namespace autoref::tracking {
 
 // Least-squares fits of a ballistic flight and of a path on the carpet to what vision reports: the
-// accumulated normal equations that chip_flight.hpp compares. Detections have weight 1, so a
+// accumulated normal equations that ChipFlight compares. Detections have weight 1, so a
 // misfit, the sum of squared residuals, is chi-square times the variance of a reported coordinate.
 // Positions are relative to the kick's.
 struct BallDetection {

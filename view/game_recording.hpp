@@ -1,4 +1,5 @@
-// A recording of a game: every frame and the referee's signals, packed for a page (page.hpp).
+// A recording of a game: every frame, the referee's signals and its decisions, packed for a page
+// (page.hpp).
 #pragma once
 
 #include <array>
@@ -17,9 +18,8 @@
 
 namespace autoref::view {
 
-// A decision of the referee, as shown on a page.
-
-// Texts are those of the event log; a null there becomes an empty text.
+// A decision of the referee, as shown on a page. Texts are those of the event log; a null there
+// becomes an empty text.
 struct RecordedDecision {
   double time_s = 0;
   std::string event;

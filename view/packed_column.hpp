@@ -1,4 +1,4 @@
-// Compresses a sequence of integers with small differences.
+// Compresses a sequence of integers with small differences, and encodes bytes as Base64.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,6 @@ class PackedColumn {
 std::int16_t packed(double number);
 
 // Base64 encoding (RFC 4648, section 4).
-
 std::string base64_of(std::string_view bytes);
 
 }  // namespace autoref::view

@@ -1,4 +1,4 @@
-// Renders a game as a self-contained HTML page.
+// Renders a game as a self-contained HTML page, and as the JSON that the page's script reads.
 #pragma once
 
 #include <optional>
@@ -50,9 +50,8 @@ std::string run_page(std::string_view title);
 // The text with the characters replaced that HTML would interpret.
 std::string html_text(std::string_view text);
 
-// A game as JSON, as the page's script reads it (view/page/recording.js).
-
-// Everything but the packed frames (GameRecording::bytes()).
+// A game as JSON, as the page's script reads it (view/page/recording.js): everything but the packed
+// frames (GameRecording::bytes()).
 io::Json game_json(const PageContent& content);
 
 // Adds what the recording contains: the number of frames, robots, signals, clock and decisions.

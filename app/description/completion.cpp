@@ -141,10 +141,8 @@ int complete_verb(const DescribedVerb& program, const std::vector<std::string>& 
   return io::kDone;
 }
 
-// bash splits words at '=', ':' and '@', and completes only what follows the last of these; the
-// program gets whole words.
-// The scripts for shells, which all ask the program itself (described_verb.hpp).
-
+// The scripts (declared in described_verb.hpp) ask the program itself. bash splits words at '=',
+// ':' and '@', and completes only what follows the last of these; the program gets whole words.
 std::string bash_completion() {
   return R"(# Completion of autoref in bash, printed by `autoref completion bash`.
 _autoref() {

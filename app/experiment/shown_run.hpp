@@ -13,8 +13,9 @@
 
 namespace autoref::app {
 
-// Workers play the games in processes of their own. Since a game repeats bit by bit, its page comes
-// from playing it once more here. May be used by several threads.
+// The games that the run has started. Workers play them in processes of their own. Since a game
+// repeats bit by bit, its page comes from playing it once more here. May be used by several
+// threads.
 class StartedGames {
  public:
   // Takes the game. Games of programs and the network are not taken, since those need not repeat;

@@ -45,10 +45,11 @@ void end_soon(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
-// Ends the game at its next frame once the user has pressed Ctrl-C.
-class Watch final : public game::Observer {
+// Writes the game's files as it is played, and ends it at its next frame once the user has pressed
+// Ctrl-C.
+class GameOutputs final : public game::Observer {
  public:
-  Watch(GameFiles& files, const PerSide<game::EventTeam>& teams, league::GameLog* log)
+  GameOutputs(GameFiles& files, const PerSide<game::EventTeam>& teams, league::GameLog* log)
       : files_(&files), teams_(teams), log_(log) {
     note_interrupts();
   }
@@ -219,11 +220,11 @@ game::GameRecord play_one(const game::GameConfiguration& game, const GameOutput&
   open_log(log, game, output.log);
   PageRecorder page;
   const std::optional<double> frames_per_s = pace_of(game, output);
-  Watch watch(files, game::event_teams_of(game), log ? &*log : nullptr);
+  GameOutputs outputs(files, game::event_teams_of(game), log ? &*log : nullptr);
   ShownGame shown(game, output.web);
   game::Observers observers(shown.observer());
   if (files.view) observers.add(&page);
-  observers.add(&watch);
+  observers.add(&outputs);
   const auto start = std::chrono::steady_clock::now();
   game::GamePrograms programs = programs_of(game, output, commands, player);
   game::GameRecord record = player.play ? player.play(observers, programs)

@@ -1,4 +1,4 @@
-// A single game and its outputs, for `play` and `replay`.
+// A single game and its outputs, for `play` and `replay`, and the flag --speed.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -17,11 +17,10 @@
 
 namespace autoref::app {
 
-// An output file that grows line by line.
-
-// Lines go to the disk in pieces, so that a long game needs no more memory than a short one; the
-// file appears under its name at commit(). What is not a regular file (a pipe, for example) gets
-// all lines at commit(), since its reader must not delay the game.
+// An output file that grows line by line. Lines go to the disk in pieces, so that a long game needs
+// no more memory than a short one; the file appears under its name at commit(). What is not a
+// regular file (a pipe, for example) gets all lines at commit(), since its reader must not delay
+// the game.
 class LineOutput {
  public:
   static constexpr std::size_t kMostWaiting_bytes = 64 * 1024;  // of a regular file
@@ -45,8 +44,6 @@ class LineOutput {
   bool is_regular_ = false;
   std::string waiting_;
 };
-
-// The flag --speed.
 
 // The factor of real time in `text`, from 0.01 to 1000. Throws InputError otherwise, which also
 // names the other values that --speed takes, such as "max or lockstep".

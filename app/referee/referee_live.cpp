@@ -157,8 +157,8 @@ class LiveRefereeOutput {
     open_page(page_, web, field, names, book);
   }
 
-  live::LiveRefereeWatch watch() {
-    live::LiveRefereeWatch watch;
+  live::LiveRefereeCallbacks watch() {
+    live::LiveRefereeCallbacks watch;
     watch.on_game_event = [this](const GameEvent& event) {
       game_events_.write(game::game_event_json(event));
     };

@@ -1,4 +1,5 @@
-// Scores of an experiment's games, grouped by a sweep's values or by matchup.
+// Scores of an experiment's games, grouped by a sweep's values or by matchup, and the columns that
+// show them.
 #pragma once
 
 #include <array>
@@ -21,8 +22,6 @@
 
 namespace autoref::experiments {
 
-// Columns for the bounds of a 95 % confidence interval.
-
 // The interval's bounds; both nullopt without an interval.
 inline std::pair<std::optional<double>, std::optional<double>> bounds_of(
     const std::optional<Interval>& interval) {
@@ -30,7 +29,7 @@ inline std::pair<std::optional<double>, std::optional<double>> bounds_of(
   return {interval->low, interval->high};
 }
 
-// The columns low95 and high95, with a prefix such as "diff_".
+// The columns low95 and high95 of a 95 % interval, with a prefix such as "diff_".
 template <typename Row>
 io::TableColumns<Row> interval_columns(
     const std::string& prefix, const std::function<std::optional<Interval>(const Row&)>& interval) {
@@ -38,8 +37,6 @@ io::TableColumns<Row> interval_columns(
       {prefix + "low95", [interval](const Row& row) { return bounds_of(interval(row)).first; }},
       {prefix + "high95", [interval](const Row& row) { return bounds_of(interval(row)).second; }}};
 }
-
-// Fractions of games won, drawn and lost, with confidence intervals.
 
 // Numbers of games won, drawn and lost.
 using ResultCounts = std::array<int, 3>;

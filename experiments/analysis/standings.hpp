@@ -1,4 +1,5 @@
-// Results of a round robin by matchup and by team, computed from its rows.
+// Results of a round robin by matchup and by team, computed from its rows: as data, CSV files, JSON
+// and text tables.
 #pragma once
 
 #include <string>
@@ -53,8 +54,6 @@ std::vector<Standing> standings_of_challengers(const std::vector<Group>& matchup
 
 // Whether the teams have ratings; either all of them do or none.
 bool are_rated(const std::vector<Standing>& standings);
-
-// A round robin's results as CSV files, as JSON and as text tables.
 
 // A matchup's columns: its teams, summary_columns(), then team a's wins, draws and losses with
 // their fractions.

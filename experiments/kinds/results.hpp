@@ -1,4 +1,5 @@
-// What an experiment's rows say, in the forms that all kinds share.
+// What an experiment's rows say, in the forms that all kinds share, and the usual results of groups
+// and tournaments.
 #pragma once
 
 #include <array>
@@ -79,8 +80,6 @@ struct ExperimentResults {
   std::vector<io::ProgressTable> shown;  // the same for the terminal while the experiment runs
   std::shared_ptr<const io::Json> json;  // the same as a JSON object
 };
-
-// The results of kinds whose games are grouped by values or by matchup.
 
 // A table of groups while the experiment runs. On a narrow screen it first drops the goals, since
 // their difference is shown, and the void games, since the progress bar counts them.

@@ -1,4 +1,5 @@
-// Reads the top-level keys that several kinds of scenario share.
+// Reads the top-level keys that several kinds of scenario share, and `base:` with the settings of
+// all games.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +17,6 @@
 
 namespace autoref::experiments {
 
-// Reads `base:`, the settings shared by all games of an experiment.
-
 // Reads types and rules first, since teams refer to types and rules set other branches; the order
 // in the file does not matter. Keys that are not settings are ignored.
 void read_settings(const std::vector<game::YamlEntry>& entries, game::SettingsReader& settings);
@@ -28,6 +27,7 @@ struct Elsewhere {
   std::string remedy;
 };
 
+// Reads `base:`, the settings shared by all games of an experiment.
 class BaseReader {
  public:
   // Both must outlive the reader. Records the settings' locations in `locations`.

@@ -1,5 +1,5 @@
-// Reports of a results folder (one per build if there are several), and whether existing reports
-// are up to date.
+// Reports of a results folder, one per build if it has games of several, and whether existing
+// reports are up to date.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,6 @@
 #include "experiments/run/result_folder.hpp"
 
 namespace autoref::experiments {
-
-// Reports on folders with games of several builds: one report per build, never mixed.
 
 // Subfolder of the results folder for a build's report: "build-1.0.0-5bfc77ad2f0a". Throws
 // InputError if a row's build is not a valid folder name.

@@ -1,4 +1,4 @@
-// A plot that users can change and redraw: data and a gnuplot script.
+// A plot that users can change and redraw: data and a gnuplot script, and its drawing by gnuplot.
 #pragma once
 
 #include <string>
@@ -48,8 +48,6 @@ std::string interval_rows_script(std::string_view name, const std::vector<std::s
 
 // Cuts a UTF-8 text to `letters` characters; the last is an ellipsis if something was cut.
 std::string shortened(const std::string& text, std::size_t letters);
-
-// Runs gnuplot to draw a plot.
 
 // Drawing takes longer only if something is wrong.
 inline constexpr double kLongestDrawing_s = 30;

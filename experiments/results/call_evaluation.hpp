@@ -1,4 +1,4 @@
-// What the referee got right and wrong in one judged game.
+// What the referee got right and wrong in one judged game, as data and as a cell of its row.
 #pragma once
 
 #include <array>
@@ -52,9 +52,8 @@ struct CallEvaluation {
   std::vector<std::string> calls_in_stop;  // made during a stop: "goal at 12.350 s"
 };
 
-// A judged game's evaluation as the text of a cell in its row.
-
-// One line. Times and distances have four decimals.
+// The evaluation as the text of a cell in the game's row: one line. Times and distances have four
+// decimals.
 std::string text_of(const CallEvaluation& evaluation);
 
 // Returns nullopt if the text is not an evaluation.

@@ -58,8 +58,6 @@ GameRow row_of(const ScheduledGame& game);
 // The record of a game that could not be completed.
 game::GameRecord void_record(const std::string& reason);
 
-// Who won a game.
-
 bool is_void(const game::GameRecord& record);
 
 // Positive if team a won, negative if team b did: by goals, or by the shoot-out if there was one. A

@@ -253,7 +253,7 @@ void note_program_versions(Scenario& scenario) {
     team.team->files_hash = hash_of(team.path, team.variants);
 }
 
-ProgramWatch::ProgramWatch(const Scenario& scenario) {
+ProgramChanges::ProgramChanges(const Scenario& scenario) {
   Scenario copy = scenario;
   for (const VersionedTeam& team : teams_of(copy)) {
     if (team.team->files_hash.empty()) continue;
@@ -263,7 +263,7 @@ ProgramWatch::ProgramWatch(const Scenario& scenario) {
   }
 }
 
-std::vector<ProgramWatch::Watched> ProgramWatch::look_at(const WatchedProgram& program) {
+std::vector<ProgramChanges::Watched> ProgramChanges::look_at(const WatchedProgram& program) {
   std::vector<Watched> seen;
   for (const ProgramFile& file : files_of(program.path, program.variants)) {
     std::error_code error;
@@ -273,7 +273,7 @@ std::vector<ProgramWatch::Watched> ProgramWatch::look_at(const WatchedProgram& p
   return seen;
 }
 
-std::vector<std::string> ProgramWatch::changed_settings() {
+std::vector<std::string> ProgramChanges::changed_settings() {
   std::vector<std::string> settings;
   for (WatchedProgram& program : programs_) {
     bool is_same = false;

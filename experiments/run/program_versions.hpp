@@ -1,4 +1,5 @@
-// The versions of teams' programs, by the content of their files.
+// Teams' programs in an experiment: what they leave in its folder, and their versions by the
+// content of their files.
 #pragma once
 
 #include <filesystem>
@@ -49,9 +50,9 @@ void note_program_versions(Scenario& scenario);
 
 // Notices whether what a program's files contain is changed. A file that has kept its time and size
 // is taken to be the same.
-class ProgramWatch {
+class ProgramChanges {
  public:
-  explicit ProgramWatch(const Scenario& scenario);
+  explicit ProgramChanges(const Scenario& scenario);
 
   // The settings, such as "teams.mine.files", of the programs that are not as they were when this
   // object was made.

@@ -334,7 +334,7 @@ class ExperimentRun {
   const RowFormat format_;
   const Outcomes outcomes_;
   RunGames games_;  // their schedule is unchanged while workers play
-  ProgramWatch programs_{scenario_};
+  ProgramChanges programs_{scenario_};
   const std::string host_ = host_name();
   const std::string cpu_ = cpu_name();
   std::optional<Shard> shard_;  // locked during run()

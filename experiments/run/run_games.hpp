@@ -1,4 +1,5 @@
-// The games of a run of an experiment, and those of them that have rows.
+// The games of a run of an experiment, those of them that have rows, and how the experiment differs
+// from the folder it continues in.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +18,6 @@
 #include "io/processes/progress.hpp"
 
 namespace autoref::experiments {
-
-// Compares an experiment with the folder it continues in.
 
 // The scenario of the last run in a folder; nullopt if unknown.
 std::optional<Scenario> scenario_of_folder(const std::filesystem::path& folder);

@@ -1,4 +1,5 @@
-// The games of an experiment, and helpers that the schedules of all kinds share.
+// The games of an experiment, their settings and their order, and helpers that the schedules of all
+// kinds share.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +13,6 @@
 
 namespace autoref::experiments {
 
-// The settings of one of many games, most of which it shares with the others.
-
 // What differs between the games of two teams: their sides, the first kick-off and the seed.
 struct LegSettings {
   Side a_plays = Side::kWest;
@@ -21,8 +20,9 @@ struct LegSettings {
   std::uint64_t seed = 42;
 };
 
-// An experiment has up to 100,000 games, but few different settings: those of a game take 4.5 kB
-// and more, these about 0.1 kB. Copies share their parts.
+// The settings of one of many games, most of which it shares with the others. An experiment has up
+// to 100,000 games, but few different settings: those of a game take 4.5 kB and more, these about
+// 0.1 kB. Copies share their parts.
 class SharedSettings {
  public:
   // The settings as they are. Which of them were given explicitly is forgotten, since presets have

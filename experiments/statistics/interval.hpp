@@ -26,8 +26,8 @@ std::optional<Interval> mean_interval(std::span<const double> sample);
 // far from 0 under that hypothesis. Returns nullopt for fewer than two values, or if all are equal.
 std::optional<double> p_of_zero_mean(std::span<const double> sample);
 
-// All three take `successes` (0 to n) in n independent trials with equal probability, and return
-// nullopt for n = 0.
+// The three intervals of a proportion take `successes` (0 to n) in n independent trials with equal
+// probability, and return nullopt for n = 0.
 
 // Wilson's score interval (Wilson, Probable inference, J. Am. Stat. Assoc. 22, 1927), without
 // continuity correction. Its coverage is 95 % on average over all proportions, and lower for some.

@@ -1,5 +1,6 @@
-// Differences between an experiment's values and its baseline. Pairs with the same number use the
-// same seeds for every value, so values are compared pair by pair.
+// Differences between an experiment's values and its baseline, and their correction for multiple
+// comparisons. Pairs with the same number use the same seeds for every value, so values are
+// compared pair by pair.
 #pragma once
 
 #include <cstddef>
@@ -13,11 +14,9 @@
 
 namespace autoref::experiments {
 
-// Correction for multiple comparisons: the more tests are made, the more of them look significant
-// by chance.
-
-// Holm's step-down correction (Holm, A simple sequentially rejective multiple test procedure,
-// Scand. J. Stat. 6, 1979). Returns the adjusted p values in the order of `p`. Rejecting hypotheses
+// Holm's step-down correction for multiple comparisons (Holm, A simple sequentially rejective
+// multiple test procedure, Scand. J. Stat. 6, 1979): the more tests are made, the more of them look
+// significant by chance. Returns the adjusted p values in the order of `p`. Rejecting hypotheses
 // with an adjusted p value of at most 0.05 makes any false rejection in at most 5 % of experiments,
 // however the tests depend on each other.
 std::vector<double> holm(std::span<const double> p);

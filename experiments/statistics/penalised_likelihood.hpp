@@ -1,4 +1,5 @@
-// The likelihood of the Bradley-Terry model with Firth's penalty.
+// Team strengths estimated from wins, with the likelihood of the Bradley-Terry model and Firth's
+// penalty, and ratings estimated from goal differences.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -66,8 +67,6 @@ class PenalisedLikelihood {
   Eigen::MatrixXd group_means_;
 };
 
-// Team strengths estimated from wins.
-
 // Strengths of `teams` teams such that a beats b with probability 1 / (1 + exp(strength of b -
 // strength of a)), where the likelihood with Firth's penalty is largest (see PenalisedLikelihood).
 // A draw counts as half a win for each team. Strengths of teams linked by games sum to zero;
@@ -77,8 +76,6 @@ class PenalisedLikelihood {
 // shrinks it: for two teams, half a win is added to each, and 40 wins in 40 games give a difference
 // of log(40.5 / 0.5) = 4.4.
 Eigen::VectorXd bradley_terry(std::size_t teams, std::span<const MatchupTotals> totals);
-
-// Team strengths estimated from goal differences.
 
 // Ratings of `teams` teams such that the expected goal difference of a game is the difference of
 // the two ratings: least squares over all games. Ratings of teams linked by games sum to zero;

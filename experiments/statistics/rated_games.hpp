@@ -1,4 +1,4 @@
-// Games between several teams, as input of the ratings.
+// Games between several teams, as input of the ratings, and the groups of teams that they link.
 #pragma once
 
 #include <Eigen/Core>
@@ -31,8 +31,6 @@ struct MatchupTotals {
   double wins = 0;   // a's wins, draws counting one half
   double draws = 0;  // drawn games
 };
-
-// Groups of teams that games link, and the normal equations of their ratings.
 
 // The group of each of `teams` teams. Two teams are in the same group if games link them, directly
 // or through other teams; only then can their ratings be compared. Groups are numbered from 0 in

@@ -12,12 +12,10 @@
 
 namespace autoref::experiments {
 
-// Confidence intervals of Bradley-Terry strengths.
-
-// Draws are half wins, which vary less than wins and losses: 1 - (draws / 4) / (sum of n p (1 - p))
-// is the variance of all games' results as a share of that without draws. `maximum` is
-// likelihood.maximum(). At most 1, and at least kLeastDispersion, so that intervals do not vanish
-// if almost all games are drawn.
+// Scales the intervals of Bradley-Terry strengths. Draws are half wins, which vary less than wins
+// and losses: 1 - (draws / 4) / (sum of n p (1 - p)) is the variance of all games' results as a
+// share of that without draws. `maximum` is likelihood.maximum(). At most 1, and at least
+// kLeastDispersion, so that intervals do not vanish if almost all games are drawn.
 double dispersion(const PenalisedLikelihood& likelihood, const LikelihoodPoint& maximum);
 
 // Its value if half of the games of equal teams are drawn.

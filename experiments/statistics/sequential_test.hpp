@@ -1,4 +1,5 @@
-// A sequential test, which stops as soon as the games so far decide it.
+// Sequential tests, which stop as soon as the games so far decide them, and an interval that may be
+// looked at after every value.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +9,6 @@
 #include "experiments/statistics/interval.hpp"
 
 namespace autoref::experiments {
-
-// An interval of a mean that may be looked at after every value.
 
 // A 95 % confidence sequence of the mean: in 95 % of experiments, the intervals after the second
 // value, the third and so on contain the true mean all at once. So the interval remains valid if

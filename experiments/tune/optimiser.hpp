@@ -66,19 +66,15 @@ struct Search {
 // Throws std::invalid_argument if there are no axes or a start is outside its box.
 std::unique_ptr<Optimiser> make_optimiser(const Search& search, const std::vector<Axis>& axes);
 
-// The box that an optimiser searches.
-
 // The starts of the axes.
 Point start_of(const std::vector<Axis>& axes);
 
 // The point of the box that is nearest.
 Point clipped(const Point& point, const std::vector<Axis>& axes);
 
-// The mean of the last half of a path.
-
-// Single points of a path wander with the noise of the scores; their mean does not (Polyak and
-// Juditsky, Acceleration of stochastic approximation by averaging, SIAM J. Control Optim. 30,
-// 1992). The first half is left out, since it depends on the start.
+// The mean of the last half of a path. Single points of a path wander with the noise of the scores;
+// their mean does not (Polyak and Juditsky, Acceleration of stochastic approximation by averaging,
+// SIAM J. Control Optim. 30, 1992). The first half is left out, since it depends on the start.
 class TailMean {
  public:
   explicit TailMean(Point start) : sums_({Point::Zero(start.size())}), start_(std::move(start)) {}

@@ -1,4 +1,5 @@
-// The fields of the referee's decisions, and the event log of a game: one JSON object per line.
+// The fields of the referee's decisions, and the event log of a game: one JSON object per line; the
+// league's game events for the decisions, likewise.
 #pragma once
 
 #include <span>
@@ -19,7 +20,7 @@ struct EventTeam {
   std::string name;
 };
 
-// The teams of a game, with the names returned by shown_names() (configuration.hpp).
+// The teams of a game, with the names returned by shown_names() (game_configuration.hpp).
 PerSide<EventTeam> event_teams_of(const GameConfiguration& game);
 
 // Types of columns in a database.
@@ -69,12 +70,12 @@ class EventLog final : public Observer {
   std::string text_;
 };
 
-// Collects the league's events for a referee's decisions.
 struct TimedGameEvent {
   double time_s = 0;  // since the start of the game or log
   GameEvent event;
 };
 
+// Collects the league's events for a referee's decisions.
 class GameEventLog {
  public:
   // `start_unix_s` is the Unix time of the game's time 0.
@@ -90,7 +91,7 @@ class GameEventLog {
   std::vector<TimedGameEvent> events_;
 };
 
-// The events as JSON (game_event.hpp), one per line.
+// The events as JSON (game_event_fields.hpp), one per line.
 std::string game_event_lines(const std::vector<TimedGameEvent>& events);
 
 }  // namespace autoref::game

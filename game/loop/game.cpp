@@ -307,7 +307,7 @@ class Game::Impl {
   std::optional<RefereeSignal> given_;  // by the game controller
   DelayLine<Tracks> tracks_;
   PlayStatistics statistics_;
-  std::optional<SceneWatch> scene_;
+  std::optional<SceneFollower> scene_;
   PerSide<TeamController> players_;
   PerSide<TeamCommands> commands_;
   StateHash hash_;

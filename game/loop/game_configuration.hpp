@@ -74,11 +74,10 @@ referee::Configuration referee_configuration(const GameConfiguration& game);
 // Longest plausible duration of a game, in s; a game that takes longer is stuck.
 double longest_s(const referee::Match& match);
 
-// The cameras in the log of a simulated game.
-
-// The cameras that saw the game. Four cameras that report the ball's height see everything, so the
-// frames do not depend on them; a log then has the cameras that the league uses: one above a field
-// of Division B (from 9 m long), two above a field of Division A (from 12 m), else four.
+// The cameras that saw the game, for its log. Four cameras that report the ball's height see
+// everything, so the frames do not depend on them; a log then has the cameras that the league uses:
+// one above a field of Division B (from 9 m long), two above a field of Division A (from 12 m),
+// else four.
 std::vector<CameraPosition> logged_cameras(const GameConfiguration& game);
 
 }  // namespace autoref::game

@@ -1,4 +1,4 @@
-// The league's game events for the referee's decisions.
+// The league's game events for the referee's decisions, and their text as JSON.
 #pragma once
 
 #include <optional>

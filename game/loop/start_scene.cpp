@@ -46,7 +46,7 @@ StartState mirrored(const StartState& state) {
   return other;
 }
 
-bool SceneWatch::keeps_ball(const RefereeSignal& signal) const {
+bool SceneFollower::keeps_ball(const RefereeSignal& signal) const {
   if (signal.command.kind == CommandKind::kGoal) return signal.command.side == attackers_;
   if (signal.next_command && is_for_one_side(signal.next_command->kind))
     return signal.next_command->side == attackers_;
@@ -54,7 +54,7 @@ bool SceneWatch::keeps_ball(const RefereeSignal& signal) const {
 }
 
 // The touches of a frame happened before it.
-void SceneWatch::update(const Input& input) {
+void SceneFollower::update(const Input& input) {
   const double x_m = -goal_sign(attackers_) * input.world.ball.position_m.x();
   const bool is_play = input.state == referee::State::kRun;
   if (is_play && !began_s_) {
@@ -73,7 +73,7 @@ void SceneWatch::update(const Input& input) {
   }
 }
 
-SceneRecord SceneWatch::record(int goals, int goals_against) const {
+SceneRecord SceneFollower::record(int goals, int goals_against) const {
   SceneRecord record;
   record.ended_by = ended_by_.value_or(SceneEnd::kStop);
   record.ball_kept = is_kept_;

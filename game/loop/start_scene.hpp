@@ -1,4 +1,5 @@
-// Where a game begins, if not with both teams lined up before the first kick-off.
+// Where a game begins, if not with both teams lined up before the first kick-off; and scenes: games
+// that last some seconds of play and are scored for team a, the attackers.
 #pragma once
 
 #include <array>
@@ -28,8 +29,6 @@ struct StartState {
 
 // The state seen from the other end: rotated by 180 degrees, with the sides swapped.
 StartState mirrored(const StartState& state);
-
-// A scene: a game that lasts some seconds of play and is scored for team a, the attackers.
 
 // What ended a scene. kStop is any other call that stops play, or the end of the half.
 enum class SceneEnd : std::uint8_t { kTime, kGoal, kBallOut, kFoul, kStop };
@@ -90,9 +89,9 @@ struct SceneRecord {
 };
 
 // Follows a scene frame by frame.
-class SceneWatch {
+class SceneFollower {
  public:
-  SceneWatch(const Scene& scene, Side attackers) : scene_(scene), attackers_(attackers) {}
+  SceneFollower(const Scene& scene, Side attackers) : scene_(scene), attackers_(attackers) {}
 
   // Ground truth of a frame, and the referee's part in it.
   struct Input {

@@ -49,7 +49,7 @@ class StateHash {
   std::uint64_t hash_ = 0;
 };
 
-// Number of different games; their seeds count from 1.
+// Number of different fixed games; their seeds count from 1.
 inline constexpr int kFixedGames = 5;
 
 inline std::uint64_t fixed_seed(int round) {

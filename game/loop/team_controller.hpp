@@ -1,4 +1,4 @@
-// Runs one side's strategy in a simulated game.
+// Creates one side's strategy in a simulated game, and runs it with what the side's sensors report.
 #pragma once
 
 #include <functional>
@@ -18,8 +18,6 @@
 #include "strategies/strategy.hpp"
 
 namespace autoref::game {
-
-// Creates a game's teams.
 
 // Creates a team. Throws std::invalid_argument if there is no such team.
 using TeamMaker = std::function<std::unique_ptr<strategies::Strategy>(

@@ -1,4 +1,5 @@
-// Classifies a kick when it is fired. play_statistics.hpp tracks its outcome.
+// Classifies a kick when it is fired, by the path of its ball. play_statistics.hpp tracks its
+// outcome.
 #pragma once
 
 #include <array>
@@ -14,7 +15,7 @@ namespace autoref::game {
 
 // The straight path of a kicked ball that nobody touches, in closed form from sim::BallParameters.
 // A rolling ball whose deceleration grows with its speed gets the mean deceleration over its path.
-
+//
 // After a flat kick the ball slides, then rolls. After a chip kick it flies, then rolls; later hops
 // are neglected, which makes the path a few hundredths too long.
 class BallTrajectory {

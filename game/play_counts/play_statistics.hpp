@@ -1,7 +1,4 @@
-// Updates the play counts (play_counts.hpp) of a running game.
-//
-// Owns the state of the current kick, duel and possession. The game loop calls update() once per
-// frame. Does not affect the game and does not allocate.
+// Updates the play counts (play_counts.hpp) of a running game, and finds out who wins its duels.
 #pragma once
 
 #include <cstdint>
@@ -45,6 +42,8 @@ class Duels {
   int frames_ = 0;  // since both sides reached the ball, or since the duel began
 };
 
+// Owns the state of the current kick, duel and possession. The game loop calls update() once per
+// frame. Does not affect the game and does not allocate.
 class PlayStatistics {
  public:
   // A frame after the referee's update.

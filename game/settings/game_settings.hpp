@@ -76,8 +76,6 @@ struct GameSettings {
   std::set<std::string> given;
 };
 
-// Turns settings into the configuration that is played.
-
 // Applies the rule book of that name: rules, field, number of robots and length of a half. Throws
 // std::invalid_argument for an unknown name.
 void choose_rules(const std::string& book, GameSettings& game);

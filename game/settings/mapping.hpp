@@ -1,4 +1,4 @@
-// Reads mappings whose keys are not settings of a game.
+// Writes down lists of settings, and reads mappings whose keys are not settings of a game.
 #pragma once
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 
 namespace autoref::game {
 
-// Helpers to write down lists of settings.
+// Reads and sets an enumeration by name.
 template <HasNames Enumeration>
 EnumerationName enumeration_name(Enumeration& value) {
   return {&value,

@@ -1,4 +1,5 @@
-// Robot types: files that override some of the game's robot settings.
+// Robot types, and the robots of a team, in which types and overrides are combined. A type is a
+// file that overrides some of the game's robot settings:
 //
 //   schema: 1
 //   kind: robot
@@ -44,8 +45,6 @@ void check_type_count(const RobotTypes& types);
 
 // Describes what is wrong with a type's name; nullopt if it consists of letters, digits, - and _.
 std::optional<std::string> fault_in_type_name(std::string_view name);
-
-// Robots that differ from the game's: combines types and overrides into the robots of a team.
 
 // The overrides of the named type, themselves overridden by `changes`. Throws SettingError for the
 // path `type` if there is no such type.

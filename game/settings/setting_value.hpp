@@ -1,4 +1,4 @@
-// The parsed value of a setting.
+// The parsed value of a setting, and errors about settings.
 #pragma once
 
 #include <cstdint>
@@ -19,10 +19,9 @@ std::string spelt(const SettingValue& value);
 std::vector<std::string> spelt(const std::vector<SettingValue>& values);
 std::vector<std::vector<std::string>> spelt(const std::vector<std::vector<SettingValue>>& rows);
 
-// An error about a setting, identified by its path.
-
-// Settings that may be valid individually but contradict each other. what() is the message; path()
-// lets a reader look up the setting's location in its file.
+// An error about a setting, identified by its path; also of settings that may be valid individually
+// but contradict each other. what() is the message; path() lets a reader look up the setting's
+// location in its file.
 class SettingError : public std::invalid_argument {
  public:
   // what() is the path followed by `text`, such as ": must differ from d0" or " is 0; it must be

@@ -35,9 +35,9 @@ struct SeenAnswers {
 };
 
 // Watches a program in its first run.
-class WatchedTeam final : public strategies::Strategy {
+class CheckedTeam final : public strategies::Strategy {
  public:
-  WatchedTeam(std::unique_ptr<ProgramTeam> team, SeenAnswers& seen)
+  CheckedTeam(std::unique_ptr<ProgramTeam> team, SeenAnswers& seen)
       : team_(std::move(team)), seen_(&seen), began_(CheckClock::now()) {}
 
   bool has_sensors() const override { return true; }
@@ -122,7 +122,7 @@ GameRecord play_watched(const GameConfiguration& game, SeenAnswers& seen) {
 
 TeamCheck check_team(const GameConfiguration& game) {
   SeenAnswers seen;
-  const GameRecord record = play_watched<WatchedTeam>(game, seen);
+  const GameRecord record = play_watched<CheckedTeam>(game, seen);
   seen.check.played_s = record.sim_s;
   seen.check.robots_commanded = static_cast<int>(seen.commanded.count());
   std::sort(seen.check.answers_ms.begin(), seen.check.answers_ms.end());

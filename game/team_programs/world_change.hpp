@@ -1,4 +1,4 @@
-// A change of the world from outside of a game.
+// Changes from outside of a game: of its world while it is played, of its robots' limits before it.
 #pragma once
 
 #include <variant>

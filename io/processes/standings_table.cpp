@@ -1,4 +1,3 @@
-// Fits tables to a screen. Declared in standings_table.hpp.
 #include "io/processes/standings_table.hpp"
 
 #include <fmt/format.h>

@@ -26,14 +26,14 @@ constexpr ssize_t kLongestMessage = 128 * 1024;
 constexpr char kFailed = '\0';  // before the message if the environment has failed
 constexpr std::size_t kLongestFailure = 10'000;
 
-// Main loop of a worker: reads jobs and writes results until the other end closes. Ctrl-C reaches
-// the whole process group; only the parent decides what to do about it.
 // A job on its way to a worker, without padding.
 struct JobMessage {
   std::uint64_t number;
   std::int64_t attempt;
 };
 
+// Main loop of a worker: reads jobs and writes results until the other end closes. Ctrl-C reaches
+// the whole process group; only the parent decides what to do about it.
 [[noreturn]] void live_as_worker(int socket, pid_t parent, const sigset_t& former_mask,
                                  const WorkerProcess::Work& work) {
   // The kernel kills the worker when its parent dies, however that happens. If the parent died

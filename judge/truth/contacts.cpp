@@ -19,21 +19,21 @@ constexpr double kContactLead_s = 0.05;
 // Touch). In 2026, not at penalty kicks.
 class DoubleTouch final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, TrueEvents& all) override {
-    const Play& play = scene.play;
+  void watch(const TrueFrame& frame, TrueEvents& all) override {
+    const TruePlay& play = frame.play;
     if (play.count != count_) begin(play);
-    const bool is_2026 = scene.rules.edition == Edition::kRules2026;
+    const bool is_2026 = frame.rules.edition == Edition::kRules2026;
     if (is_over_ || !play.is_on || !play.taker || (is_2026 && play.is_penalty())) return;
-    const bool is_out = inside_m(scene.field, scene.now.ball.position_m) < 0;
-    for (const sim::Touch& touch : scene.touches) {
-      if (is_out && inside_m(scene.field, touch.ball_m) < 0) break;
-      touched(scene, touch, all);
+    const bool is_out = inside_m(frame.field, frame.now.ball.position_m) < 0;
+    for (const sim::Touch& touch : frame.touches) {
+      if (is_out && inside_m(frame.field, touch.ball_m) < 0) break;
+      touched(frame, touch, all);
     }
-    farthest_m_ = std::max(farthest_m_, (scene.now.ball.position_m - play.ball_from_m).norm());
+    farthest_m_ = std::max(farthest_m_, (frame.now.ball.position_m - play.ball_from_m).norm());
   }
 
  private:
-  void begin(const Play& play) {
+  void begin(const TruePlay& play) {
     count_ = play.count;
     kicker_.reset();
     farthest_m_ = 0;
@@ -41,12 +41,12 @@ class DoubleTouch final : public GroundTruthRule {
     reported_at_.reset();
   }
 
-  void touched(const Scene& scene, const sim::Touch& touch, TrueEvents& all) {
+  void touched(const TrueFrame& frame, const sim::Touch& touch, TrueEvents& all) {
     if (!kicker_) kicker_ = touch.robot;
-    is_over_ = is_over_ || touch.robot != *kicker_ || touch.robot.side != scene.play.taker;
+    is_over_ = is_over_ || touch.robot != *kicker_ || touch.robot.side != frame.play.taker;
     if (is_over_) return;
-    farthest_m_ = std::max(farthest_m_, (touch.ball_m - scene.play.ball_from_m).norm());
-    const double excess_m = farthest_m_ - scene.rules.in_play_m;
+    farthest_m_ = std::max(farthest_m_, (touch.ball_m - frame.play.ball_from_m).norm());
+    const double excess_m = farthest_m_ - frame.rules.in_play_m;
     if (reported_at_) {
       if (excess_m > kAgainMargin_m) all[*reported_at_].is_borderline = false;
       return;
@@ -56,7 +56,7 @@ class DoubleTouch final : public GroundTruthRule {
     if (excess_m > 0) reported_at_ = all.size();
     add_measured(
         all,
-        {"attacker_double_touched_ball", scene.time_s, touch.robot.side, touch.robot, touch.ball_m},
+        {"attacker_double_touched_ball", frame.time_s, touch.robot.side, touch.robot, touch.ball_m},
         excess_m, kAgainMargin_m);
   }
 
@@ -70,16 +70,16 @@ class DoubleTouch final : public GroundTruthRule {
 
 class Dribbling final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, TrueEvents& all) override {
-    const bool is_out = inside_m(scene.field, scene.now.ball.position_m) < 0;
-    if (!scene.play.is_on || is_out) return;
-    for (const Contact& contact : scene.ball.contacts()) {
-      const double path_m = (scene.now.ball.position_m - contact.ball_from_m).norm();
-      const double excess_m = path_m - scene.rules.dribbling_m;
+  void watch(const TrueFrame& frame, TrueEvents& all) override {
+    const bool is_out = inside_m(frame.field, frame.now.ball.position_m) < 0;
+    if (!frame.play.is_on || is_out) return;
+    for (const Contact& contact : frame.ball.contacts()) {
+      const double path_m = (frame.now.ball.position_m - contact.ball_from_m).norm();
+      const double excess_m = path_m - frame.rules.dribbling_m;
       if (excess_m <= -kDribblingMargin_m) continue;
-      TrueEvent dribble{"bot_dribbled_ball_too_far", scene.time_s, contact.robot.side,
-                        contact.robot, scene.now.ball.position_m};
-      if (excess_m <= 0 && is_prevented(scene, contact, excess_m)) {
+      TrueEvent dribble{"bot_dribbled_ball_too_far", frame.time_s, contact.robot.side,
+                        contact.robot, frame.now.ball.position_m};
+      if (excess_m <= 0 && is_prevented(frame, contact, excess_m)) {
         dribble.standing = Standing::kPrevented;
         all.push_back(dribble);
       }
@@ -97,10 +97,10 @@ class Dribbling final : public GroundTruthRule {
 
  private:
   // Whether the referee has just ended play while the ball was about to get too far.
-  static bool is_prevented(const Scene& scene, const Contact& contact, double excess_m) {
-    const Vec2 path_m = scene.now.ball.position_m - contact.ball_from_m;
-    const double away_mps = scene.now.ball.velocity_mps.dot(direction_of(path_m, Vec2(1.0, 0.0)));
-    return scene.play.ends_now && excess_m + kContactLead_s * away_mps > 0;
+  static bool is_prevented(const TrueFrame& frame, const Contact& contact, double excess_m) {
+    const Vec2 path_m = frame.now.ball.position_m - contact.ball_from_m;
+    const double away_mps = frame.now.ball.velocity_mps.dot(direction_of(path_m, Vec2(1.0, 0.0)));
+    return frame.play.ends_now && excess_m + kContactLead_s * away_mps > 0;
   }
 
   int reported_ = 0;
@@ -110,28 +110,28 @@ class Dribbling final : public GroundTruthRule {
 
 class KeeperHolding final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, TrueEvents& all) override {
-    if (!scene.play.is_on || !scene.play.in_play) {
-      since_s_ = {{scene.time_s, scene.time_s}};
+  void watch(const TrueFrame& frame, TrueEvents& all) override {
+    if (!frame.play.is_on || !frame.play.in_play) {
+      since_s_ = {{frame.time_s, frame.time_s}};
       return;
     }
-    for (const Side side : kSides) watch(scene, side, all);
+    for (const Side side : kSides) watch(frame, side, all);
   }
 
  private:
-  void watch(const Scene& scene, Side side, TrueEvents& all) {
-    if (!is_keepers_ball(scene, side)) {
-      since_s_[side] = scene.time_s;
+  void watch(const TrueFrame& frame, Side side, TrueEvents& all) {
+    if (!is_keepers_ball(frame, side)) {
+      since_s_[side] = frame.time_s;
       is_reported_[side] = false;
       return;
     }
     if (is_reported_[side]) return;
-    const double excess_s = scene.time_s - since_s_[side] - scene.rules.keeper_holding_s;
-    const bool is_prevented = scene.play.ends_now && excess_s > -kHoldingMargin_s;
+    const double excess_s = frame.time_s - since_s_[side] - frame.rules.keeper_holding_s;
+    const bool is_prevented = frame.play.ends_now && excess_s > -kHoldingMargin_s;
     if (excess_s <= 0 && !is_prevented) return;
     is_reported_[side] = true;
-    TrueEvent held{"keeper_held_ball", scene.time_s, side, RobotId{side, scene.keepers[side]},
-                   scene.now.ball.position_m};
+    TrueEvent held{"keeper_held_ball", frame.time_s, side, RobotId{side, frame.keepers[side]},
+                   frame.now.ball.position_m};
     if (excess_s <= 0) held.standing = Standing::kPrevented;
     all.push_back(held);
   }

@@ -17,16 +17,16 @@ constexpr double kCrashLead_s = 0.05;
 
 class Crash final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, TrueEvents& all) override {
+  void watch(const TrueFrame& frame, TrueEvents& all) override {
     // 2026, appendix C: "always".
-    if (!scene.play.is_on && scene.rules.edition != Edition::kRules2026) return;
-    for (const sim::RobotCollision& met : scene.collisions) {
-      if (met.robots[0].side != met.robots[1].side) evaluate(scene, met, Standing::kTrue, all);
+    if (!frame.play.is_on && frame.rules.edition != Edition::kRules2026) return;
+    for (const sim::RobotCollision& met : frame.collisions) {
+      if (met.robots[0].side != met.robots[1].side) evaluate(frame, met, Standing::kTrue, all);
     }
-    for_each_robot(scene.now, Side::kWest, [&](RobotId west, const sim::RobotState& a) {
-      for_each_robot(scene.now, Side::kEast, [&](RobotId east, const sim::RobotState& b) {
-        foresee(scene,
-                {scene.now.frame,
+    for_each_robot(frame.now, Side::kWest, [&](RobotId west, const sim::RobotState& a) {
+      for_each_robot(frame.now, Side::kEast, [&](RobotId east, const sim::RobotState& b) {
+        foresee(frame,
+                {frame.now.frame,
                  0,
                  {west, east},
                  {a.velocity_mps, b.velocity_mps},
@@ -43,25 +43,25 @@ class Crash final : public GroundTruthRule {
   }
 
   // Reports robots that have not collided but are about to.
-  static void foresee(const Scene& scene, const sim::RobotCollision& met, TrueEvents& all) {
+  static void foresee(const TrueFrame& frame, const sim::RobotCollision& met, TrueEvents& all) {
     const double gap_m = (met.centres_m[1] - met.centres_m[0]).norm() - 2 * kRobotRadius_m;
     const double closes_mps = closing_mps(met);
-    if (gap_m <= 0 || closes_mps < scene.rules.crash_mps - kCrashMargin_mps) return;
-    if (scene.play.ends_now && gap_m < kCrashLead_s * closes_mps) {
-      evaluate(scene, met, Standing::kPrevented, all);
+    if (gap_m <= 0 || closes_mps < frame.rules.crash_mps - kCrashMargin_mps) return;
+    if (frame.play.ends_now && gap_m < kCrashLead_s * closes_mps) {
+      evaluate(frame, met, Standing::kPrevented, all);
     } else if (gap_m < kNearlyMet_m) {
-      evaluate(scene, met, Standing::kNearMiss, all);
+      evaluate(frame, met, Standing::kNearMiss, all);
     }
   }
 
-  static void evaluate(const Scene& scene, const sim::RobotCollision& met, Standing standing,
+  static void evaluate(const TrueFrame& frame, const sim::RobotCollision& met, Standing standing,
                        TrueEvents& all) {
     const double faster_mps = met.velocities_mps[0].norm() - met.velocities_mps[1].norm();
-    const double lead_mps = std::abs(faster_mps) - scene.rules.crash_drawn_mps;
-    const double excess_mps = closing_mps(met) - scene.rules.crash_mps;
+    const double lead_mps = std::abs(faster_mps) - frame.rules.crash_drawn_mps;
+    const double excess_mps = closing_mps(met) - frame.rules.crash_mps;
     if (excess_mps <= -kCrashMargin_mps) return;
     TrueEvent crash;
-    crash.time_s = scene.time_s;
+    crash.time_s = frame.time_s;
     crash.position_m = (met.centres_m[0] + met.centres_m[1]) / 2.0;
     crash.is_borderline = excess_mps <= kCrashMargin_mps || std::abs(lead_mps) < kDrawnMargin_mps;
     crash.robot = met.robots[faster_mps > 0 ? 0 : 1];
@@ -70,7 +70,7 @@ class Crash final : public GroundTruthRule {
     if (!is_drawn || std::abs(lead_mps) < kDrawnMargin_mps) {
       add_crash(crash, is_drawn, all);
     }
-    if (scene.rules.edition != Edition::kRules2026) return;
+    if (frame.rules.edition != Edition::kRules2026) return;
     if (is_drawn || lead_mps < kDrawnMargin_mps) add_drawn(crash, is_drawn, all);
   }
 

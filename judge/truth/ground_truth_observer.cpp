@@ -48,10 +48,10 @@ void GroundTruthObserver::see(const sim::WorldState& now, std::span<const sim::T
   signal_ = signal;
 }
 
-void GroundTruthObserver::write_message(const Scene& scene) {
+void GroundTruthObserver::write_message(const TrueFrame& frame) {
   for (const auto& ground_truth : rules_of_truth_) {
     const std::size_t from = true_events_.size();
-    ground_truth->watch(scene, true_events_);
+    ground_truth->watch(frame, true_events_);
     note_fouls(from);  // at once, since a goal in this frame depends on them
   }
 }

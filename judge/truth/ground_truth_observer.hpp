@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "judge/truth/scene.hpp"
+#include "judge/truth/true_frame.hpp"
 
 namespace autoref::judge::ground_truth {
 
@@ -26,11 +26,11 @@ class GroundTruthObserver {
 
   // All events so far, in order of frames.
   const TrueEvents& true_events() const { return true_events_; }
-  const Play& play() const { return play_.play(); }
+  const TruePlay& play() const { return play_.play(); }
   const BallHistory& ball() const { return ball_; }
 
  private:
-  void write_message(const Scene& scene);
+  void write_message(const TrueFrame& frame);
   void note_fouls(std::size_t from);
 
   Field field_;

@@ -1,4 +1,5 @@
-// Factories of the ground-truth rules; each file documents the events it reports.
+// Factories of the ground-truth rules (each file documents the events it reports), and what several
+// files share: fouls that are counted per team.
 #pragma once
 
 #include <memory>
@@ -6,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "judge/truth/scene.hpp"
+#include "judge/truth/true_frame.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::judge::ground_truth {
@@ -39,13 +40,11 @@ std::unique_ptr<GroundTruthRule> multiple_fouls();  // yellow cards of 2026
 // The ground-truth rules for this rule book.
 std::vector<std::unique_ptr<GroundTruthRule>> ground_truth_rules_of(const RuleBook& rules);
 
-// A foul of the 2026 rules that is counted per team, whichever of its robots commits it.
-
 // 2026 rules, "Offenses": a team's grace period before the same foul is raised again.
 inline constexpr double kTeamGrace_s = 2_s;
 
 // With a tolerance of half a frame, since time is quantised to frames.
-bool has_passed(const Scene& scene, double since_s, double duration_s);
+bool has_passed(const TrueFrame& frame, double since_s, double duration_s);
 
 // The robot of a team farthest beyond a threshold; `excess` is in the threshold's unit.
 struct WorstRobot {
@@ -56,8 +55,9 @@ struct WorstRobot {
   void consider(RobotId id, const sim::RobotState& state, double its_excess);
 };
 
-// Several offending robots of a team within the grace period are a single foul. After it, the foul
-// is raised again as soon as the team commits it again, or at once if it still does.
+// A foul of the 2026 rules that is counted per team, whichever of its robots commits it. Several
+// offending robots of a team within the grace period are a single foul. After it, the foul is
+// raised again as soon as the team commits it again, or at once if it still does.
 class TeamFoul {
  public:
   // `margin`: distance to the threshold within which the rules leave a foul open to interpretation,
@@ -66,7 +66,7 @@ class TeamFoul {
 
   // Call in every frame in which the rule applies. Returns whether the foul is raised in this
   // frame.
-  bool watch(const Scene& scene, Side side, const WorstRobot& worst, TrueEvents& all);
+  bool watch(const TrueFrame& frame, Side side, const WorstRobot& worst, TrueEvents& all);
   // Starts the grace period as if the team's foul had been raised at that time.
   void begin_grace(Side side, double time_s) { raised_s_[side] = nearly_s_[side] = time_s; }
 

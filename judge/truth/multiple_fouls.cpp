@@ -29,11 +29,11 @@ constexpr double kShownWithin_s = 1_s;
 // or not, restarts the count: a card is judged only by the fouls since the previous one.
 class MultipleFouls final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, TrueEvents& all) override {
+  void watch(const TrueFrame& frame, TrueEvents& all) override {
     for (const Side side : kSides) {
-      note_card(scene, side);
-      const bool has_cards = scene.signal.yellow_cards[side] + scene.signal.red_cards[side] > 0;
-      if (!has_cards) allowed_without_cards_[side] = scene.signal.robots_allowed[side];
+      note_card(frame, side);
+      const bool has_cards = frame.signal.yellow_cards[side] + frame.signal.red_cards[side] > 0;
+      if (!has_cards) allowed_without_cards_[side] = frame.signal.robots_allowed[side];
     }
     const std::size_t end = all.size();
     for (; next_ < end; ++next_) {
@@ -41,7 +41,7 @@ class MultipleFouls final : public GroundTruthRule {
       if (event.standing != Standing::kTrue || !event.is_counted || !is_counted(event.name))
         continue;
       for (const Side side : kSides) {
-        if (event.offender.value_or(side) == side) count(scene, side, all);
+        if (event.offender.value_or(side) == side) count(frame, side, all);
       }
     }
     next_ = all.size();
@@ -52,9 +52,9 @@ class MultipleFouls final : public GroundTruthRule {
     return std::find(kCounted.begin(), kCounted.end(), name) != kCounted.end();
   }
 
-  void note_card(const Scene& scene, Side side) {
-    const int shown = scene.signal.yellow_cards[side] + scene.signal.red_cards[side];
-    const bool is_due = due_s_[side] && !has_passed(scene, *due_s_[side], kShownWithin_s);
+  void note_card(const TrueFrame& frame, Side side) {
+    const int shown = frame.signal.yellow_cards[side] + frame.signal.red_cards[side];
+    const bool is_due = due_s_[side] && !has_passed(frame, *due_s_[side], kShownWithin_s);
     if (!is_due) due_s_[side].reset();
     if (shown > shown_[side]) {
       if (!is_due) fouls_[side] = 0;
@@ -63,21 +63,21 @@ class MultipleFouls final : public GroundTruthRule {
     shown_[side] = shown;
   }
 
-  void count(const Scene& scene, Side side, TrueEvents& all) {
-    if (++fouls_[side] < scene.rules.fouls_per_card) return;
+  void count(const TrueFrame& frame, Side side, TrueEvents& all) {
+    if (++fouls_[side] < frame.rules.fouls_per_card) return;
     fouls_[side] = 0;
-    due_s_[side] = scene.time_s;
-    const std::string_view card = is_last_straw(scene, side) ? "multiple_cards" : "multiple_fouls";
-    all.push_back({card, scene.time_s, side});
+    due_s_[side] = frame.time_s;
+    const std::string_view card = is_last_straw(frame, side) ? "multiple_cards" : "multiple_fouls";
+    all.push_back({card, frame.time_s, side});
   }
 
   // Whether one more yellow card would be the third active one. Each active card costs the side one
   // robot, as does each red card, so the number of active cards follows from the number of robots
   // allowed.
-  bool is_last_straw(const Scene& scene, Side side) const {
-    const int lacking = allowed_without_cards_[side] - scene.signal.robots_allowed[side];
-    const int active = lacking - scene.signal.red_cards[side];
-    return scene.rules.yellows_per_red > 0 && active + 1 >= scene.rules.yellows_per_red;
+  bool is_last_straw(const TrueFrame& frame, Side side) const {
+    const int lacking = allowed_without_cards_[side] - frame.signal.robots_allowed[side];
+    const int active = lacking - frame.signal.red_cards[side];
+    return frame.rules.yellows_per_red > 0 && active + 1 >= frame.rules.yellows_per_red;
   }
 
   std::size_t next_ = 0;  // index of the next event to look at

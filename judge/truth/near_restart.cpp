@@ -16,16 +16,16 @@ constexpr int kMostNearArea = 2;
 // again with the team's first foul. Kick-offs and penalty kicks have their own positions.
 class AttackersNearArea final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, TrueEvents& all) override {
-    const Play& play = scene.play;
+  void watch(const TrueFrame& frame, TrueEvents& all) override {
+    const TruePlay& play = frame.play;
     const bool is_free_kick =
         play.is_on && !play.in_play && play.taker && !play.is_kickoff() && !play.is_penalty();
     if (!play.is_stop && !is_free_kick) return;
-    if (play.is_stop && awaits_kickoff(scene.signal)) return;
+    if (play.is_stop && awaits_kickoff(frame.signal)) return;
     if (play.stop_count != stop_) begin(play);
     for (const Side side : kSides) {
       if (fouls_[side] == kMostNearArea) continue;
-      if (near_.watch(scene, side, nearest(scene, side), all)) ++fouls_[side];
+      if (near_.watch(frame, side, nearest(frame, side), all)) ++fouls_[side];
     }
   }
 
@@ -34,17 +34,17 @@ class AttackersNearArea final : public GroundTruthRule {
     return signal.next_command && signal.next_command->kind == CommandKind::kPrepareKickoff;
   }
 
-  void begin(const Play& play) {
+  void begin(const TruePlay& play) {
     stop_ = play.stop_count;
     fouls_ = {};
     for (const Side side : kSides) near_.begin_grace(side, play.stop_began_s);
   }
 
-  static WorstRobot nearest(const Scene& scene, Side side) {
+  static WorstRobot nearest(const TrueFrame& frame, Side side) {
     WorstRobot worst;
-    for_each_robot(scene.now, side, [&](RobotId id, const sim::RobotState& robot) {
-      const Reach reach = reach_to_area(scene.field, opponent_of(side), robot);
-      worst.consider(id, robot, scene.rules.attacker_to_area_m - reach.nearest_m);
+    for_each_robot(frame.now, side, [&](RobotId id, const sim::RobotState& robot) {
+      const Reach reach = reach_to_area(frame.field, opponent_of(side), robot);
+      worst.consider(id, robot, frame.rules.attacker_to_area_m - reach.nearest_m);
     });
     return worst;
   }
@@ -58,16 +58,16 @@ class AttackersNearArea final : public GroundTruthRule {
 // until the ball is in play.
 class OpponentsNearRestart final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, TrueEvents& all) override {
-    const Play& play = scene.play;
+  void watch(const TrueFrame& frame, TrueEvents& all) override {
+    const TruePlay& play = frame.play;
     if (!play.is_on || play.in_play || !play.taker || play.is_penalty()) return;
     const Side side = opponent_of(*play.taker);
     WorstRobot worst;
-    for_each_robot(scene.now, side, [&](RobotId id, const sim::RobotState& robot) {
-      const double gap_m = hull_to_ball_m(robot, scene.now.ball);
-      worst.consider(id, robot, scene.rules.opponents_to_ball_m - gap_m);
+    for_each_robot(frame.now, side, [&](RobotId id, const sim::RobotState& robot) {
+      const double gap_m = hull_to_ball_m(robot, frame.now.ball);
+      worst.consider(id, robot, frame.rules.opponents_to_ball_m - gap_m);
     });
-    near_.watch(scene, side, worst, all);
+    near_.watch(frame, side, worst, all);
   }
 
  private:

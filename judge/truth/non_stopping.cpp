@@ -15,10 +15,10 @@ namespace {
 class NonStopping {
  public:
   // Call in each frame in which a robot commits the violation. Returns whether it is raised.
-  bool is_raised(const Scene& scene, RobotId id) {
+  bool is_raised(const TrueFrame& frame, RobotId id) {
     const auto known = raised_s_.find(id);
-    if (known != raised_s_.end() && !has_passed(scene, known->second, kRaisedAgain_s)) return false;
-    raised_s_[id] = scene.time_s;
+    if (known != raised_s_.end() && !has_passed(frame, known->second, kRaisedAgain_s)) return false;
+    raised_s_[id] = frame.time_s;
     return true;
   }
   // Ends the robot's violation, if any.
@@ -38,34 +38,35 @@ constexpr double kOneKick_s = 0.2;  // touches within this time belong to the sa
 // The ball is too fast after a robot's kick or touch.
 class KickSpeed final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, TrueEvents& all) override {
+  void watch(const TrueFrame& frame, TrueEvents& all) override {
     // A ball beyond the lines is out of play.
-    if (!scene.play.is_on || inside_m(scene.field, scene.before.ball.position_m) < 0) return;
+    if (!frame.play.is_on || inside_m(frame.field, frame.before.ball.position_m) < 0) return;
     double former_mps =
-        speed_mps(scene, scene.before.ball.velocity_mps, scene.before.ball.vertical_mps);
-    for (const sim::Touch& touch : scene.touches) {
-      const double after_mps = speed_mps(scene, touch.ball_mps, touch.vertical_mps);
+        speed_mps(frame, frame.before.ball.velocity_mps, frame.before.ball.vertical_mps);
+    for (const sim::Touch& touch : frame.touches) {
+      const double after_mps = speed_mps(frame, touch.ball_mps, touch.vertical_mps);
       // A fast ball that only glances off was not accelerated by this robot.
-      if (after_mps > former_mps) evaluate(scene, touch, after_mps, all);
+      if (after_mps > former_mps) evaluate(frame, touch, after_mps, all);
       former_mps = after_mps;
     }
-    const sim::BallState& ball = scene.now.ball;
-    const double now_mps = speed_mps(scene, ball.velocity_mps, ball.vertical_mps);
-    if (now_mps <= scene.rules.kick_limit_mps) fast_.clear();
+    const sim::BallState& ball = frame.now.ball;
+    const double now_mps = speed_mps(frame, ball.velocity_mps, ball.vertical_mps);
+    if (now_mps <= frame.rules.kick_limit_mps) fast_.clear();
   }
 
  private:
-  static double speed_mps(const Scene& scene, const Vec2& plane_mps, double vertical_mps) {
-    if (scene.rules.edition != Edition::kRules2026) return plane_mps.norm();
+  static double speed_mps(const TrueFrame& frame, const Vec2& plane_mps, double vertical_mps) {
+    if (frame.rules.edition != Edition::kRules2026) return plane_mps.norm();
     return std::sqrt(plane_mps.squaredNorm() + vertical_mps * vertical_mps);
   }
 
-  void evaluate(const Scene& scene, const sim::Touch& touch, double speed_mps, TrueEvents& all) {
-    const double excess_mps = speed_mps - scene.rules.kick_limit_mps;
-    if (excess_mps <= -kKickMargin_mps || is_same(scene, touch.robot, excess_mps > 0)) return;
-    (excess_mps > 0 ? raised_s_ : nearly_s_) = scene.time_s;
+  void evaluate(const TrueFrame& frame, const sim::Touch& touch, double speed_mps,
+                TrueEvents& all) {
+    const double excess_mps = speed_mps - frame.rules.kick_limit_mps;
+    if (excess_mps <= -kKickMargin_mps || is_same(frame, touch.robot, excess_mps > 0)) return;
+    (excess_mps > 0 ? raised_s_ : nearly_s_) = frame.time_s;
     if (excess_mps > 0) kicker_ = touch.robot;
-    TrueEvent kick{"bot_kicked_ball_too_fast", scene.time_s, touch.robot.side, touch.robot,
+    TrueEvent kick{"bot_kicked_ball_too_fast", frame.time_s, touch.robot.side, touch.robot,
                    touch.ball_m};
     kick.is_in_air = touch.vertical_mps > 0;
     add_measured(all, kick, excess_mps, kKickMargin_mps);
@@ -73,11 +74,11 @@ class KickSpeed final : public GroundTruthRule {
 
   // Under the Laws, the referee ends play with the kick. Under the 2026 rules play continues:
   // another kick by the same robot counts once the ball has been slow enough, or after 2 s.
-  bool is_same(const Scene& scene, RobotId kicker, bool is_foul) {
-    const bool is_raised = scene.time_s - raised_s_ < kOneKick_s;
-    if (!is_foul) return is_raised || scene.time_s - nearly_s_ < kOneKick_s;
-    if (scene.rules.edition != Edition::kRules2026) return is_raised;
-    return (is_raised && kicker_ == kicker) || !fast_.is_raised(scene, kicker);
+  bool is_same(const TrueFrame& frame, RobotId kicker, bool is_foul) {
+    const bool is_raised = frame.time_s - raised_s_ < kOneKick_s;
+    if (!is_foul) return is_raised || frame.time_s - nearly_s_ < kOneKick_s;
+    if (frame.rules.edition != Edition::kRules2026) return is_raised;
+    return (is_raised && kicker_ == kicker) || !fast_.is_raised(frame, kicker);
   }
 
   double raised_s_ = -kOneKick_s;
@@ -92,21 +93,21 @@ constexpr double kAreaMargin_m = 10_mm;
 // own area, attackers in the opponents' area.
 class TouchesInAreas final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, TrueEvents& all) override {
-    for_each_robot(scene.now, [&](RobotId id, const sim::RobotState& robot) {
-      if (!scene.ball.has_contact(id) || inside_theirs_m(scene, id, robot) <= 0) attacks_.end(id);
+  void watch(const TrueFrame& frame, TrueEvents& all) override {
+    for_each_robot(frame.now, [&](RobotId id, const sim::RobotState& robot) {
+      if (!frame.ball.has_contact(id) || inside_theirs_m(frame, id, robot) <= 0) attacks_.end(id);
     });
-    if (!scene.play.is_on) attacks_.clear();
+    if (!frame.play.is_on) attacks_.clear();
     // The touch that brings the ball into play does not count.
-    if (!scene.play.is_on || !scene.play.in_play || scene.play.entered_now) return;
-    for (const Contact& contact : scene.ball.contacts()) {
-      const sim::RobotState* robot = find_robot(scene.now, contact.robot);
+    if (!frame.play.is_on || !frame.play.in_play || frame.play.entered_now) return;
+    for (const Contact& contact : frame.ball.contacts()) {
+      const sim::RobotState* robot = find_robot(frame.now, contact.robot);
       if (robot == nullptr) continue;
-      if (contact.is_touching && scene.rules.has(RuleId::kDefenderInDefenseArea)) {
-        defending(scene, contact, *robot, all);
+      if (contact.is_touching && frame.rules.has(RuleId::kDefenderInDefenseArea)) {
+        defending(frame, contact, *robot, all);
       }
-      if (scene.rules.has(RuleId::kAttackerTouchedBallInDefenseArea)) {
-        attacking(scene, contact, *robot, all);
+      if (frame.rules.has(RuleId::kAttackerTouchedBallInDefenseArea)) {
+        attacking(frame, contact, *robot, all);
       }
     }
   }
@@ -120,38 +121,38 @@ class TouchesInAreas final : public GroundTruthRule {
     bool operator==(const Told&) const = default;
   };
 
-  void defending(const Scene& scene, const Contact& contact, const sim::RobotState& robot,
+  void defending(const TrueFrame& frame, const Contact& contact, const sim::RobotState& robot,
                  TrueEvents& all) {
-    if (scene.is_keeper(contact.robot)) return;
-    const Reach reach = reach_to_area(scene.field, contact.robot.side, robot);
-    add(scene, contact, "defender_in_defense_area", -reach.farthest_m, all);
+    if (frame.is_keeper(contact.robot)) return;
+    const Reach reach = reach_to_area(frame.field, contact.robot.side, robot);
+    add(frame, contact, "defender_in_defense_area", -reach.farthest_m, all);
     const bool is_entirely = reach.farthest_m < 0;
-    if (scene.rules.edition == Edition::kRules2026 || is_entirely) return;
-    add(scene, contact, "defender_in_defense_area_partially", -reach.nearest_m, all);
+    if (frame.rules.edition == Edition::kRules2026 || is_entirely) return;
+    add(frame, contact, "defender_in_defense_area_partially", -reach.nearest_m, all);
   }
 
   // How far the robot's hull extends into the opponents' area.
-  static double inside_theirs_m(const Scene& scene, RobotId id, const sim::RobotState& robot) {
-    return -reach_to_area(scene.field, opponent_of(id.side), robot).nearest_m;
+  static double inside_theirs_m(const TrueFrame& frame, RobotId id, const sim::RobotState& robot) {
+    return -reach_to_area(frame.field, opponent_of(id.side), robot).nearest_m;
   }
 
   // Play continues, so a lasting touch is raised again.
-  void attacking(const Scene& scene, const Contact& contact, const sim::RobotState& robot,
+  void attacking(const TrueFrame& frame, const Contact& contact, const sim::RobotState& robot,
                  TrueEvents& all) {
     constexpr std::string_view kName = "attacker_touched_ball_in_defense_area";
-    const double inside_m = inside_theirs_m(scene, contact.robot, robot);
+    const double inside_m = inside_theirs_m(frame, contact.robot, robot);
     if (inside_m <= 0) {
-      if (contact.is_touching) add(scene, contact, kName, inside_m, all);
+      if (contact.is_touching) add(frame, contact, kName, inside_m, all);
       return;
     }
     const bool has_touched = contact.is_touching || attacks_.lasts(contact.robot);
-    if (!has_touched || !attacks_.is_raised(scene, contact.robot)) return;
+    if (!has_touched || !attacks_.is_raised(frame, contact.robot)) return;
     add_measured(
-        all, {kName, scene.time_s, contact.robot.side, contact.robot, scene.now.ball.position_m},
+        all, {kName, frame.time_s, contact.robot.side, contact.robot, frame.now.ball.position_m},
         inside_m, kAreaMargin_m);
   }
 
-  void add(const Scene& scene, const Contact& contact, std::string_view name, double excess_m,
+  void add(const TrueFrame& frame, const Contact& contact, std::string_view name, double excess_m,
            TrueEvents& all) {
     const Told reported{contact.count, name, excess_m > 0 ? Standing::kTrue : Standing::kNearMiss};
     if (excess_m <= -kAreaMargin_m ||
@@ -161,7 +162,7 @@ class TouchesInAreas final : public GroundTruthRule {
     reported_.push_back(reported);
     if (reported_.size() > kRemembered) reported_.erase(reported_.begin());
     add_measured(all,
-                 {name, scene.time_s, contact.robot.side, contact.robot, scene.now.ball.position_m},
+                 {name, frame.time_s, contact.robot.side, contact.robot, frame.now.ball.position_m},
                  excess_m, kAreaMargin_m);
   }
 

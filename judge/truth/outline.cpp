@@ -99,12 +99,12 @@ std::optional<Crossing> find_crossing(const Field& field, const sim::BallState& 
   return crossing;
 }
 
-bool is_keepers_ball(const Scene& scene, Side side) {
-  if (distance_to_defence_area(scene.field, side, scene.now.ball.position_m) > 0) return false;
-  if (scene.rules.edition == Edition::kRules2026) return true;
-  const Contacts& contacts = scene.ball.contacts();
+bool is_keepers_ball(const TrueFrame& frame, Side side) {
+  if (distance_to_defence_area(frame.field, side, frame.now.ball.position_m) > 0) return false;
+  if (frame.rules.edition == Edition::kRules2026) return true;
+  const Contacts& contacts = frame.ball.contacts();
   return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
-    return contact.robot.side == side && scene.is_keeper(contact.robot);
+    return contact.robot.side == side && frame.is_keeper(contact.robot);
   });
 }
 

@@ -1,9 +1,10 @@
-// Distances of a robot's hull, computed from sampled points of its outline.
+// Distances of a robot's hull, computed from sampled points of its outline, where the ball crosses
+// the lines, and whether only a keeper may keep it.
 #pragma once
 
 #include <optional>
 
-#include "judge/truth/scene.hpp"
+#include "judge/truth/true_frame.hpp"
 #include "sim/world.hpp"
 #include "soccer/field.hpp"
 #include "soccer/side.hpp"
@@ -48,10 +49,8 @@ double inside_m(const Field& field, const Vec2& ball_m);
 std::optional<Crossing> find_crossing(const Field& field, const sim::BallState& before,
                                       const sim::BallState& now);
 
-// Whose keeper has the ball.
-
 // Whether only the keeper of `side` may keep the ball. Laws 2014: the ball is inside its defence
 // area, in contact with it. 2026: the ball is inside the area, for whatever reason.
-bool is_keepers_ball(const Scene& scene, Side side);
+bool is_keepers_ball(const TrueFrame& frame, Side side);
 
 }  // namespace autoref::judge::ground_truth

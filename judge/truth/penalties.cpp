@@ -35,16 +35,16 @@ double off_its_line_m(const Field& field, Side side, const sim::RobotState& keep
   return std::max({in_front_m - field.line_width_m, behind_m, beside_m});
 }
 
-Breaches breaches_in(const Scene& scene) {
-  const Side defender = opponent_of(*scene.play.taker);
+Breaches breaches_in(const TrueFrame& frame) {
+  const Side defender = opponent_of(*frame.play.taker);
   const double line_m =
-      goal_sign(defender) * scene.play.ball_from_m.x() - scene.rules.penalty_clearance_m;
+      goal_sign(defender) * frame.play.ball_from_m.x() - frame.rules.penalty_clearance_m;
   Breaches breaches{{-1.0, -1.0}};
-  for_each_robot(scene.before, [&](RobotId id, const sim::RobotState& robot) {
-    if (scene.ball.first() && scene.ball.first()->robot == id) return;
-    const bool is_their_keeper = id.side == defender && scene.is_keeper(id);
-    if (!is_their_keeper && !is_on_field(scene.field, robot.position_m)) return;
-    const double beyond_m = is_their_keeper ? off_its_line_m(scene.field, defender, robot)
+  for_each_robot(frame.before, [&](RobotId id, const sim::RobotState& robot) {
+    if (frame.ball.first() && frame.ball.first()->robot == id) return;
+    const bool is_their_keeper = id.side == defender && frame.is_keeper(id);
+    if (!is_their_keeper && !is_on_field(frame.field, robot.position_m)) return;
+    const double beyond_m = is_their_keeper ? off_its_line_m(frame.field, defender, robot)
                                             : reach_into_half(defender, robot).farthest_m - line_m;
     breaches[id.side] = std::max(breaches[id.side], beyond_m);
   });
@@ -53,56 +53,56 @@ Breaches breaches_in(const Scene& scene) {
 
 class Penalty final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, TrueEvents& all) override {
-    const Play& play = scene.play;
+  void watch(const TrueFrame& frame, TrueEvents& all) override {
+    const TruePlay& play = frame.play;
     const bool is_played = play.is_on && play.is_penalty();
     if (!is_played) next_ = all.size();  // earlier fouls do not decide
     if (seen_ != play.count) begin(play);
     if (!is_played || reported_ == play.count) return;
     if (play.entered_now) {
-      breaches_ = breaches_in(scene);
+      breaches_ = breaches_in(frame);
       kicked_ = play.count;
     }
-    if (scene.rules.penalty_fouls_decide && is_decided(scene, all)) {
+    if (frame.rules.penalty_fouls_decide && is_decided(frame, all)) {
       reported_ = play.count;
       return;
     }
-    const auto crossing = find_crossing(scene.field, scene.before.ball, scene.now.ball);
+    const auto crossing = find_crossing(frame.field, frame.before.ball, frame.now.ball);
     const bool is_goal = crossing && crossing->into_goal && crossing->end != play.taker;
-    const bool is_back = scene.rules.penalty_fouls_decide && is_moved_back(scene);
-    if (!is_goal && !crossing && !is_turned(scene) && !is_back && !is_too_late(scene)) return;
+    const bool is_back = frame.rules.penalty_fouls_decide && is_moved_back(frame);
+    if (!is_goal && !crossing && !is_turned(frame) && !is_back && !is_too_late(frame)) return;
     reported_ = play.count;
-    evaluate(scene, is_goal, all);
+    evaluate(frame, is_goal, all);
   }
 
  private:
-  void begin(const Play& play) {
+  void begin(const TruePlay& play) {
     seen_ = play.count;
     fouled_ = {};
     farthest_m_ = -std::numeric_limits<double>::infinity();
   }
 
   // 2026: whether a foul decides the kick; reports the outcome.
-  bool is_decided(const Scene& scene, TrueEvents& all) {
-    if (scene.play.entered_now && scene.rules.has(RuleId::kPenaltyPositions)) {
-      report_breaches(scene, all);
+  bool is_decided(const TrueFrame& frame, TrueEvents& all) {
+    if (frame.play.entered_now && frame.rules.has(RuleId::kPenaltyPositions)) {
+      report_breaches(frame, all);
     }
     note_fouls(all);
-    const Side attacker = *scene.play.taker;
+    const Side attacker = *frame.play.taker;
     if (fouled_[Side::kWest] == fouled_[Side::kEast]) return false;
     const std::string_view name = fouled_[attacker] ? "penalty_kick_failed" : "goal";
-    all.push_back({name, scene.time_s, attacker, std::nullopt, scene.now.ball.position_m});
+    all.push_back({name, frame.time_s, attacker, std::nullopt, frame.now.ball.position_m});
     return true;
   }
 
-  void report_breaches(const Scene& scene, TrueEvents& all) {
+  void report_breaches(const TrueFrame& frame, TrueEvents& all) {
     const bool both = breaches_[Side::kWest] > 0 && breaches_[Side::kEast] > 0;
     const Side worst = breaches_[Side::kWest] > breaches_[Side::kEast] ? Side::kWest : Side::kEast;
     TrueEvent breach;
     breach.name = "penalty_positions";
-    breach.time_s = scene.time_s;
+    breach.time_s = frame.time_s;
     if (!both) breach.offender = worst;  // otherwise neither is solely at fault
-    breach.position_m = scene.play.ball_from_m;
+    breach.position_m = frame.play.ball_from_m;
     add_measured(all, breach, breaches_[worst], kPenaltyMargin_m);
     for (const Side side : kSides) fouled_[side] = fouled_[side] || breaches_[side] > 0;
   }
@@ -121,48 +121,48 @@ class Penalty final : public GroundTruthRule {
   }
 
   // "The ball has to only move towards the opponent goal": back by more than brings it into play.
-  bool is_moved_back(const Scene& scene) {
-    const Side attacker = *scene.play.taker;
-    const double now_m = goal_sign(opponent_of(attacker)) * scene.now.ball.position_m.x();
+  bool is_moved_back(const TrueFrame& frame) {
+    const Side attacker = *frame.play.taker;
+    const double now_m = goal_sign(opponent_of(attacker)) * frame.now.ball.position_m.x();
     farthest_m_ = std::max(farthest_m_, now_m);
-    const bool is_attackers = !scene.ball.last() || scene.ball.last()->robot.side == attacker;
-    return is_attackers && farthest_m_ - now_m > scene.rules.in_play_m;
+    const bool is_attackers = !frame.ball.last() || frame.ball.last()->robot.side == attacker;
+    return is_attackers && farthest_m_ - now_m > frame.rules.in_play_m;
   }
 
-  void evaluate(const Scene& scene, bool is_goal, TrueEvents& all) const {
-    const Side attacker = *scene.play.taker;
-    const bool is_kicked = kicked_ == scene.play.count;
+  void evaluate(const TrueFrame& frame, bool is_goal, TrueEvents& all) const {
+    const Side attacker = *frame.play.taker;
+    const bool is_kicked = kicked_ == frame.play.count;
     const Side side = is_goal ? attacker : opponent_of(attacker);
     const double excess_m = is_kicked ? breaches_[side] : -1.0;
     const double others_m = is_kicked ? breaches_[opponent_of(side)] : -1.0;
-    if (scene.rules.has(RuleId::kPenaltyPositions) && !scene.rules.penalty_fouls_decide) {
+    if (frame.rules.has(RuleId::kPenaltyPositions) && !frame.rules.penalty_fouls_decide) {
       TrueEvent again;
       again.name = "penalty_positions";
-      again.time_s = scene.time_s;
+      again.time_s = frame.time_s;
       // If both sides were wrong, neither is solely at fault.
       if (!(others_m > 0 && excess_m > 0)) again.offender = side;
-      again.position_m = scene.play.ball_from_m;
+      again.position_m = frame.play.ball_from_m;
       add_measured(all, again, excess_m, kPenaltyMargin_m);
     }
-    const bool is_retaken = excess_m > 0 && !scene.rules.penalty_fouls_decide;
-    if (is_goal || is_retaken || !scene.may_penalty_fail()) return;
+    const bool is_retaken = excess_m > 0 && !frame.rules.penalty_fouls_decide;
+    if (is_goal || is_retaken || !frame.may_penalty_fail()) return;
     all.push_back(
-        {"penalty_kick_failed", scene.time_s, attacker, std::nullopt, scene.now.ball.position_m});
+        {"penalty_kick_failed", frame.time_s, attacker, std::nullopt, frame.now.ball.position_m});
   }
 
   // Turned by at least a right angle: the rest of the ball's path leads back.
-  static bool is_turned(const Scene& scene) {
-    const Vec2& former_mps = scene.before.ball.velocity_mps;
+  static bool is_turned(const TrueFrame& frame) {
+    const Vec2& former_mps = frame.before.ball.velocity_mps;
     if (former_mps.norm() < kPushed_mps) return false;
-    return std::any_of(scene.touches.begin(), scene.touches.end(), [&](const sim::Touch& touch) {
-      const bool is_defender = touch.robot.side != scene.play.taker;
-      return is_defender && scene.is_keeper(touch.robot) && touch.ball_mps.dot(former_mps) <= 0;
+    return std::any_of(frame.touches.begin(), frame.touches.end(), [&](const sim::Touch& touch) {
+      const bool is_defender = touch.robot.side != frame.play.taker;
+      return is_defender && frame.is_keeper(touch.robot) && touch.ball_mps.dot(former_mps) <= 0;
     });
   }
 
-  static bool is_too_late(const Scene& scene) {
-    const double lasted_s = scene.time_s - scene.play.began_s;
-    return lasted_s > scene.rules.penalty_time_s - scene.frame_s / 2;
+  static bool is_too_late(const TrueFrame& frame) {
+    const double lasted_s = frame.time_s - frame.play.began_s;
+    return lasted_s > frame.rules.penalty_time_s - frame.frame_s / 2;
   }
 
   Breaches breaches_;

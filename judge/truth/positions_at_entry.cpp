@@ -31,7 +31,7 @@ struct Worst {
 // three times; after that, play continues wherever the robots are.
 class Retakes {
  public:
-  void enter(const Play& play) {
+  void enter(const TruePlay& play) {
     const bool is_again = was_wrong_ && play.stops == stops_ + 1 && play.restart == restart_;
     count_ = is_again ? count_ + 1 : 0;
     stops_ = play.stops;
@@ -51,17 +51,17 @@ class Retakes {
 
 class PositionsAtEntry final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, TrueEvents& all) override {
-    if (!scene.play.entered_now || !scene.play.taker || scene.play.is_penalty()) return;
-    const Side taker = *scene.play.taker;
+  void watch(const TrueFrame& frame, TrueEvents& all) override {
+    if (!frame.play.entered_now || !frame.play.taker || frame.play.is_penalty()) return;
+    const Side taker = *frame.play.taker;
     const std::size_t reported = all.size();
-    retakes_.enter(scene.play);
-    const bool is_2026 = scene.rules.edition == Edition::kRules2026;
-    if (scene.rules.has(RuleId::kAttackerTooCloseToDefenseArea) && !is_2026)
-      near_area(scene, taker, all);
-    if (scene.rules.has(RuleId::kDefenderTooCloseToKickPoint) && !is_2026)
-      near_ball(scene, taker, all);
-    if (scene.rules.has(RuleId::kKickoffPositions) && scene.play.is_kickoff()) half(scene, all);
+    retakes_.enter(frame.play);
+    const bool is_2026 = frame.rules.edition == Edition::kRules2026;
+    if (frame.rules.has(RuleId::kAttackerTooCloseToDefenseArea) && !is_2026)
+      near_area(frame, taker, all);
+    if (frame.rules.has(RuleId::kDefenderTooCloseToKickPoint) && !is_2026)
+      near_ball(frame, taker, all);
+    if (frame.rules.has(RuleId::kKickoffPositions) && frame.play.is_kickoff()) half(frame, all);
     note_breaches(reported, all);
   }
 
@@ -83,55 +83,56 @@ class PositionsAtEntry final : public GroundTruthRule {
     }
   }
 
-  static void add(const Scene& scene, std::string_view name, const Worst& worst, TrueEvents& all) {
+  static void add(const TrueFrame& frame, std::string_view name, const Worst& worst,
+                  TrueEvents& all) {
     if (!worst.robot) return;
-    add_measured(all, {name, scene.time_s, worst.robot->side, worst.robot, worst.position_m},
+    add_measured(all, {name, frame.time_s, worst.robot->side, worst.robot, worst.position_m},
                  worst.excess_m, kEntryMargin_m);
   }
 
   // "A member of the kicker's team" (Laws 2014, law 9); "each robot" (the paper, section 4.2), of
   // which one call is enough for both sides, and the side taking the kick is checked first.
-  static void near_area(const Scene& scene, Side taker, TrueEvents& all) {
+  static void near_area(const TrueFrame& frame, Side taker, TrueEvents& all) {
     for (const Side side : {taker, opponent_of(taker)}) {
-      if (side != taker && scene.rules.edition == Edition::kLaws2014) return;
+      if (side != taker && frame.rules.edition == Edition::kLaws2014) return;
       Worst worst;
-      for_each_robot(scene.now, side, [&](RobotId id, const sim::RobotState& robot) {
-        const Reach reach = reach_to_area(scene.field, opponent_of(side), robot);
-        worst.consider(id, robot, scene.rules.attacker_to_area_m - reach.nearest_m);
+      for_each_robot(frame.now, side, [&](RobotId id, const sim::RobotState& robot) {
+        const Reach reach = reach_to_area(frame.field, opponent_of(side), robot);
+        worst.consider(id, robot, frame.rules.attacker_to_area_m - reach.nearest_m);
       });
-      add(scene, "attacker_too_close_to_defense_area", worst, all);
+      add(frame, "attacker_too_close_to_defense_area", worst, all);
       if (worst.excess_m > 0) return;
     }
   }
 
   // Checks positions just before the kick; distances are measured from the ball's original
   // position.
-  static void near_ball(const Scene& scene, Side taker, TrueEvents& all) {
+  static void near_ball(const TrueFrame& frame, Side taker, TrueEvents& all) {
     Worst worst;
-    for_each_robot(scene.before, opponent_of(taker), [&](RobotId id, const auto& robot) {
+    for_each_robot(frame.before, opponent_of(taker), [&](RobotId id, const auto& robot) {
       const double gap_m =
-          distance_to_hull(scene.play.ball_from_m, robot.position_m, robot.heading);
-      worst.consider(id, robot, scene.rules.opponents_to_ball_m - gap_m);
+          distance_to_hull(frame.play.ball_from_m, robot.position_m, robot.heading);
+      worst.consider(id, robot, frame.rules.opponents_to_ball_m - gap_m);
     });
-    worst.position_m = scene.play.ball_from_m;
-    add(scene, "defender_too_close_to_kick_point", worst, all);
+    worst.position_m = frame.play.ball_from_m;
+    add(frame, "defender_too_close_to_kick_point", worst, all);
   }
 
   // The kicker may be beyond the halfway line. If both sides are wrong, neither is solely at fault.
-  static void half(const Scene& scene, TrueEvents& all) {
+  static void half(const TrueFrame& frame, TrueEvents& all) {
     Worst worst;
     PerSide<bool> is_wrong;
-    for_each_robot(scene.before, [&](RobotId id, const sim::RobotState& robot) {
-      if (scene.ball.first() && scene.ball.first()->robot == id) return;
-      if (!is_on_field(scene.field, robot.position_m)) return;
+    for_each_robot(frame.before, [&](RobotId id, const sim::RobotState& robot) {
+      if (frame.ball.first() && frame.ball.first()->robot == id) return;
+      if (!is_on_field(frame.field, robot.position_m)) return;
       const double beyond_m = reach_into_half(opponent_of(id.side), robot).nearest_m;
       is_wrong[id.side] = is_wrong[id.side] || beyond_m > 0;
       worst.consider(id, robot, beyond_m);
     });
     const std::size_t reported = all.size();
-    add(scene, "kickoff_positions", worst, all);
+    add(frame, "kickoff_positions", worst, all);
     if (all.size() == reported) return;
-    all.back().position_m = scene.play.ball_from_m;
+    all.back().position_m = frame.play.ball_from_m;
     if (is_wrong[Side::kWest] && is_wrong[Side::kEast]) all.back().offender.reset();
   }
 

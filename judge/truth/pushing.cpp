@@ -28,16 +28,16 @@ struct PushContact {
 
 class Pushing final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, TrueEvents& all) override {
-    if (!scene.play.is_on) {
+  void watch(const TrueFrame& frame, TrueEvents& all) override {
+    if (!frame.play.is_on) {
       contacts_.clear();
       return;
     }
     for (PushContact& contact : contacts_) contact.lasts = false;
-    for_each_robot(scene.now, Side::kWest, [&](RobotId west, const sim::RobotState& a) {
-      for_each_robot(scene.now, Side::kEast, [&](RobotId east, const sim::RobotState& b) {
-        if (has_contact(scene, west, a, east, b))
-          evaluate(scene, contact_of(scene, west, a, east, b), a, b, all);
+    for_each_robot(frame.now, Side::kWest, [&](RobotId west, const sim::RobotState& a) {
+      for_each_robot(frame.now, Side::kEast, [&](RobotId east, const sim::RobotState& b) {
+        if (has_contact(frame, west, a, east, b))
+          evaluate(frame, contact_of(frame, west, a, east, b), a, b, all);
       });
     });
     const auto over = [](const PushContact& contact) { return !contact.lasts; };
@@ -46,15 +46,15 @@ class Pushing final : public GroundTruthRule {
 
  private:
   // Whether the robots touch each other or, under the 2026 rules, both touch the ball.
-  static bool has_contact(const Scene& scene, RobotId west, const sim::RobotState& a, RobotId east,
-                          const sim::RobotState& b) {
+  static bool has_contact(const TrueFrame& frame, RobotId west, const sim::RobotState& a,
+                          RobotId east, const sim::RobotState& b) {
     if (are_in_contact(a, b)) return true;
-    return scene.rules.edition == Edition::kRules2026 && scene.ball.has_contact(west) &&
-           scene.ball.has_contact(east);
+    return frame.rules.edition == Edition::kRules2026 && frame.ball.has_contact(west) &&
+           frame.ball.has_contact(east);
   }
 
-  PushContact& contact_of(const Scene& scene, RobotId west, const sim::RobotState& a, RobotId east,
-                          const sim::RobotState& b) {
+  PushContact& contact_of(const TrueFrame& frame, RobotId west, const sim::RobotState& a,
+                          RobotId east, const sim::RobotState& b) {
     for (PushContact& contact : contacts_) {
       if (contact.west != west || contact.east != east) continue;
       contact.lasts = true;
@@ -62,16 +62,16 @@ class Pushing final : public GroundTruthRule {
     }
     contacts_.push_back({west, east, a.position_m, b.position_m, a.velocity_mps, b.velocity_mps});
     // A robot that has just been put on the field was not there a frame ago.
-    if (const sim::RobotState* before = find_robot(scene.before, west)) {
+    if (const sim::RobotState* before = find_robot(frame.before, west)) {
       contacts_.back().west_mps = before->velocity_mps;
     }
-    if (const sim::RobotState* before = find_robot(scene.before, east)) {
+    if (const sim::RobotState* before = find_robot(frame.before, east)) {
       contacts_.back().east_mps = before->velocity_mps;
     }
     return contacts_.back();
   }
 
-  static void evaluate(const Scene& scene, PushContact& contact, const sim::RobotState& a,
+  static void evaluate(const TrueFrame& frame, PushContact& contact, const sim::RobotState& a,
                        const sim::RobotState& b, TrueEvents& all) {
     if (contact.is_reported) return;
     const Vec2 east_of = direction_of(b.position_m - a.position_m, Vec2(1.0, 0.0));
@@ -82,11 +82,11 @@ class Pushing final : public GroundTruthRule {
     const bool west_pushes = path_m > back_m;
     const double own_mps =
         west_pushes ? contact.east_mps.dot(east_of) : -contact.west_mps.dot(east_of);
-    const double excess_m = std::max(path_m, back_m) - scene.rules.pushing_m;
+    const double excess_m = std::max(path_m, back_m) - frame.rules.pushing_m;
     if (own_mps > kOwnSpeed_mps + kOwnMargin_mps || excess_m <= -kPushMargin_m) return;
     contact.is_reported = excess_m > 0;
     const RobotId pusher = west_pushes ? contact.west : contact.east;
-    const TrueEvent push{"bot_pushed_bot", scene.time_s, pusher.side, pusher,
+    const TrueEvent push{"bot_pushed_bot", frame.time_s, pusher.side, pusher,
                          Vec2((a.position_m + b.position_m) / 2.0)};
     const bool is_own_motion = own_mps > kOwnSpeed_mps;
     add_measured(all, push, is_own_motion ? -kPushMargin_m / 2 : excess_m, kPushMargin_m);

@@ -15,14 +15,14 @@ constexpr double kStartGrace_s = 2_s;
 // Laws of 2014: reports a surplus once it has lasted for `too_many_s`.
 class TooManyRobots final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, TrueEvents& all) override {
+  void watch(const TrueFrame& frame, TrueEvents& all) override {
     for (const Side side : kSides) {
-      if (!has_surplus(scene, side)) {
-        since_s_[side] = scene.time_s;
+      if (!has_surplus(frame, side)) {
+        since_s_[side] = frame.time_s;
         is_reported_[side] = false;
-      } else if (!is_reported_[side] && scene.time_s - since_s_[side] >= scene.rules.too_many_s) {
+      } else if (!is_reported_[side] && frame.time_s - since_s_[side] >= frame.rules.too_many_s) {
         is_reported_[side] = true;
-        all.push_back({"too_many_robots", scene.time_s, side});
+        all.push_back({"too_many_robots", frame.time_s, side});
       }
     }
   }
@@ -36,14 +36,14 @@ class TooManyRobots final : public GroundTruthRule {
 // foul, except during the grace period after a start of play.
 class TooManyRobots2026 final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, TrueEvents& all) override {
+  void watch(const TrueFrame& frame, TrueEvents& all) override {
     for (const Side side : kSides) {
-      if (robots_on_field(scene, side) <= tolerated(scene, side)) {
+      if (robots_on_field(frame, side) <= tolerated(frame, side)) {
         is_reported_[side] = false;
-      } else if (!is_reported_[side] && !has_grace(scene, side)) {
+      } else if (!is_reported_[side] && !has_grace(frame, side)) {
         is_reported_[side] = true;
-        raised_s_[side] = scene.time_s;
-        all.push_back({"too_many_robots", scene.time_s, side});
+        raised_s_[side] = frame.time_s;
+        all.push_back({"too_many_robots", frame.time_s, side});
       }
     }
   }
@@ -55,23 +55,23 @@ class TooManyRobots2026 final : public GroundTruthRule {
     double until_s = 0;
   };
 
-  bool has_grace(const Scene& scene, Side side) const {
+  bool has_grace(const TrueFrame& frame, Side side) const {
     const bool has_just_started =
-        scene.play.is_on && !has_passed(scene, scene.play.began_s, kStartGrace_s);
-    return has_just_started || !has_passed(scene, raised_s_[side], kTeamGrace_s);
+        frame.play.is_on && !has_passed(frame, frame.play.began_s, kStartGrace_s);
+    return has_just_started || !has_passed(frame, raised_s_[side], kTeamGrace_s);
   }
 
   // The maximum number allowed during the grace periods of the side's cards.
-  int tolerated(const Scene& scene, Side side) {
-    const int allowed = scene.signal.robots_allowed[side];
+  int tolerated(const TrueFrame& frame, Side side) {
+    const int allowed = frame.signal.robots_allowed[side];
     std::vector<Former>& formers = formers_[side];
     // The signal is that of the previous frame.
-    const double shown_s = scene.time_s - scene.frame_s;
+    const double shown_s = frame.time_s - frame.frame_s;
     if (allowed < allowed_[side]) formers.push_back({allowed_[side], shown_s});
     allowed_[side] = allowed;
-    const double grace_s = scene.rules.too_many_s;
+    const double grace_s = frame.rules.too_many_s;
     std::erase_if(formers,
-                  [&](const Former& former) { return has_passed(scene, former.until_s, grace_s); });
+                  [&](const Former& former) { return has_passed(frame, former.until_s, grace_s); });
     int most = allowed;
     for (const Former& former : formers) most = std::max(most, former.allowed);
     return most;
@@ -85,16 +85,16 @@ class TooManyRobots2026 final : public GroundTruthRule {
 
 }  // namespace
 
-int robots_on_field(const Scene& scene, Side side) {
+int robots_on_field(const TrueFrame& frame, Side side) {
   int on_field = 0;
-  for_each_robot(scene.now, side, [&](RobotId, const sim::RobotState& robot) {
-    on_field += is_on_field(scene.field, robot.position_m) ? 1 : 0;
+  for_each_robot(frame.now, side, [&](RobotId, const sim::RobotState& robot) {
+    on_field += is_on_field(frame.field, robot.position_m) ? 1 : 0;
   });
   return on_field;
 }
 
-bool has_surplus(const Scene& scene, Side side) {
-  return robots_on_field(scene, side) > scene.signal.robots_allowed[side];
+bool has_surplus(const TrueFrame& frame, Side side) {
+  return robots_on_field(frame, side) > frame.signal.robots_allowed[side];
 }
 
 std::unique_ptr<GroundTruthRule> too_many_robots() { return std::make_unique<TooManyRobots>(); }

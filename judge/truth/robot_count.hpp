@@ -1,13 +1,13 @@
 // Number of robots that a side has on the field.
 #pragma once
 
-#include "judge/truth/scene.hpp"
+#include "judge/truth/true_frame.hpp"
 
 namespace autoref::judge::ground_truth {
 
-int robots_on_field(const Scene& scene, Side side);
+int robots_on_field(const TrueFrame& frame, Side side);
 
 // Returns whether the side has more robots on the field than the signal allows.
-bool has_surplus(const Scene& scene, Side side);
+bool has_surplus(const TrueFrame& frame, Side side);
 
 }  // namespace autoref::judge::ground_truth

@@ -8,7 +8,7 @@
 
 #include "judge/truth/ground_truth_rules.hpp"
 #include "judge/truth/outline.hpp"
-#include "judge/truth/scene.hpp"
+#include "judge/truth/true_frame.hpp"
 #include "soccer/robot_shape.hpp"
 #include "soccer/side.hpp"
 #include "soccer/units.hpp"
@@ -25,30 +25,30 @@ class GraceTimer {
   // Call for every robot in every frame in which the rule applies. `excess` is how far the robot is
   // beyond the threshold, in the unit of the margin; it commits an offence if it stays beyond for
   // longer than `grace_s`. Each command starts a phase.
-  void watch(const Scene& scene, RobotId id, const sim::RobotState& robot, double excess,
+  void watch(const TrueFrame& frame, RobotId id, const sim::RobotState& robot, double excess,
              double grace_s, TrueEvents& all);
 
  private:
   // Start of the current offence, and the phase in which it was reported.
-  struct Watch {
+  struct Timer {
     std::optional<double> since_s;
     int reported = -1;
     bool is_over(double time_s, bool offends, double grace_s, int spell);
   };
-  struct Watches {
+  struct Timers {
     int spell = -1;  // current phase
-    Watch nearly;
-    Watch truly;
-    Watch clearly;
+    Timer nearly;
+    Timer truly;
+    Timer clearly;
   };
 
   std::string_view name_;
   double margin_;
-  PerSide<std::map<int, Watches>> watches_;  // by number
+  PerSide<std::map<int, Timers>> timers_;  // by number
 };
 
 // Returns true in the frame in which the grace period ends.
-bool GraceTimer::Watch::is_over(double time_s, bool offends, double grace_s, int spell) {
+bool GraceTimer::Timer::is_over(double time_s, bool offends, double grace_s, int spell) {
   if (!offends) {
     since_s.reset();
     return false;
@@ -59,22 +59,22 @@ bool GraceTimer::Watch::is_over(double time_s, bool offends, double grace_s, int
   return true;
 }
 
-void GraceTimer::watch(const Scene& scene, RobotId id, const sim::RobotState& robot, double excess,
-                       double grace_s, TrueEvents& all) {
-  const int spell = scene.play.count;
-  grace_s -= scene.frame_s / 2;  // half a frame of tolerance, since time is quantised to frames
+void GraceTimer::watch(const TrueFrame& frame, RobotId id, const sim::RobotState& robot,
+                       double excess, double grace_s, TrueEvents& all) {
+  const int spell = frame.play.count;
+  grace_s -= frame.frame_s / 2;  // half a frame of tolerance, since time is quantised to frames
   // Three timers per robot, for the limit and for the limit shifted by the margin either way: a
   // true event is borderline if the strict one has not expired, and there is a near miss if only
   // the lenient one has.
-  Watches& watches = watches_[id.side][id.number];
-  if (watches.spell != spell) watches = {spell, {}, {}, {}};
-  TrueEvent is_due{name_, scene.time_s, id.side, id, robot.position_m};
-  watches.clearly.is_over(scene.time_s, excess > margin_, grace_s, spell);
-  if (watches.truly.is_over(scene.time_s, excess > 0, grace_s, spell)) {
-    is_due.is_borderline = watches.clearly.reported != spell;
+  Timers& timers = timers_[id.side][id.number];
+  if (timers.spell != spell) timers = {spell, {}, {}, {}};
+  TrueEvent is_due{name_, frame.time_s, id.side, id, robot.position_m};
+  timers.clearly.is_over(frame.time_s, excess > margin_, grace_s, spell);
+  if (timers.truly.is_over(frame.time_s, excess > 0, grace_s, spell)) {
+    is_due.is_borderline = timers.clearly.reported != spell;
     all.push_back(is_due);
-  } else if (watches.nearly.is_over(scene.time_s, excess > -margin_, grace_s, spell) &&
-             watches.truly.reported != spell) {
+  } else if (timers.nearly.is_over(frame.time_s, excess > -margin_, grace_s, spell) &&
+             timers.truly.reported != spell) {
     is_due.standing = Standing::kNearMiss;
     all.push_back(is_due);
   }
@@ -104,13 +104,13 @@ constexpr double kBallAtTargetFor_s = 2_s;
 
 class StopSpeed final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, TrueEvents& all) override {
-    if (!scene.play.is_stop || scene.time_s - scene.play.stopped_s <= scene.rules.stop_grace_s) {
+  void watch(const TrueFrame& frame, TrueEvents& all) override {
+    if (!frame.play.is_stop || frame.time_s - frame.play.stopped_s <= frame.rules.stop_grace_s) {
       return;
     }
-    for_each_robot(scene.now, [&](RobotId id, const sim::RobotState& robot) {
-      const double excess_mps = robot.velocity_mps.norm() - scene.rules.stop_speed_mps;
-      fast_.watch(scene, id, robot, excess_mps, kTooFastFor_s, all);
+    for_each_robot(frame.now, [&](RobotId id, const sim::RobotState& robot) {
+      const double excess_mps = robot.velocity_mps.norm() - frame.rules.stop_speed_mps;
+      fast_.watch(frame, id, robot, excess_mps, kTooFastFor_s, all);
     });
   }
 
@@ -120,25 +120,25 @@ class StopSpeed final : public GroundTruthRule {
 
 class StopDistance final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, TrueEvents& all) override {
-    if (!is_ball_at_target(scene)) {
+  void watch(const TrueFrame& frame, TrueEvents& all) override {
+    if (!is_ball_at_target(frame)) {
       since_s_.reset();
       return;
     }
-    if (!since_s_) since_s_ = scene.time_s;
-    if (scene.time_s - *since_s_ >= kBallAtTargetFor_s - scene.frame_s / 2) {
-      for_each_robot(scene.now, [&](RobotId id, const sim::RobotState& robot) {
-        const double gap_m = hull_to_ball_m(robot, scene.now.ball);
-        near_.watch(scene, id, robot, scene.rules.opponents_to_ball_m - gap_m, 0.0, all);
+    if (!since_s_) since_s_ = frame.time_s;
+    if (frame.time_s - *since_s_ >= kBallAtTargetFor_s - frame.frame_s / 2) {
+      for_each_robot(frame.now, [&](RobotId id, const sim::RobotState& robot) {
+        const double gap_m = hull_to_ball_m(robot, frame.now.ball);
+        near_.watch(frame, id, robot, frame.rules.opponents_to_ball_m - gap_m, 0.0, all);
       });
     }
   }
 
  private:
-  static bool is_ball_at_target(const Scene& scene) {
-    if (!scene.play.is_stop || !scene.signal.placement) return false;
-    const Vec2 left_m = scene.signal.placement->target_m - scene.now.ball.position_m;
-    return left_m.norm() <= scene.rules.ball_in_position_m;
+  static bool is_ball_at_target(const TrueFrame& frame) {
+    if (!frame.play.is_stop || !frame.signal.placement) return false;
+    const Vec2 left_m = frame.signal.placement->target_m - frame.now.ball.position_m;
+    return left_m.norm() <= frame.rules.ball_in_position_m;
   }
 
   std::optional<double> since_s_;
@@ -154,11 +154,11 @@ class LongEnough {
  public:
   explicit LongEnough(double margin) : margin_(margin) {}
 
-  void consider(const Scene& scene, RobotId id, const sim::RobotState& robot, double excess,
+  void consider(const TrueFrame& frame, RobotId id, const sim::RobotState& robot, double excess,
                 double for_s, WorstRobot& worst) {
-    for_s -= scene.frame_s / 2;  // half a frame of tolerance, since time is quantised to frames
-    const bool is_at_fault = truly_.lasts_s(id, excess > 0, scene.time_s) >= for_s;
-    if (nearly_.lasts_s(id, excess > -margin_, scene.time_s) < for_s) return;
+    for_s -= frame.frame_s / 2;  // half a frame of tolerance, since time is quantised to frames
+    const bool is_at_fault = truly_.lasts_s(id, excess > 0, frame.time_s) >= for_s;
+    if (nearly_.lasts_s(id, excess > -margin_, frame.time_s) < for_s) return;
     worst.consider(id, robot, is_at_fault ? excess : std::min(excess, -margin_ / 2));
   }
   void clear() {
@@ -176,28 +176,28 @@ class LongEnough {
 // each robot once per stop.
 class StopSpeed2026 final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, TrueEvents& all) override {
-    const Play& play = scene.play;
-    const bool has_grace = scene.time_s - play.stop_began_s <= scene.rules.stop_grace_s;
-    if (!play.is_stop || has_grace || scene.is_ball_being_placed()) {
+  void watch(const TrueFrame& frame, TrueEvents& all) override {
+    const TruePlay& play = frame.play;
+    const bool has_grace = frame.time_s - play.stop_began_s <= frame.rules.stop_grace_s;
+    if (!play.is_stop || has_grace || frame.is_ball_being_placed()) {
       fast_for_.clear();
       return;
     }
     if (play.stop_count != stop_) counted_.clear();
     stop_ = play.stop_count;
     for (const Side side : kSides) {
-      const WorstRobot worst = fastest(scene, side);
-      if (fast_.watch(scene, side, worst, all)) counted_.insert(*worst.robot);
+      const WorstRobot worst = fastest(frame, side);
+      if (fast_.watch(frame, side, worst, all)) counted_.insert(*worst.robot);
     }
   }
 
  private:
-  WorstRobot fastest(const Scene& scene, Side side) {
+  WorstRobot fastest(const TrueFrame& frame, Side side) {
     WorstRobot worst;
-    for_each_robot(scene.now, side, [&](RobotId id, const sim::RobotState& robot) {
+    for_each_robot(frame.now, side, [&](RobotId id, const sim::RobotState& robot) {
       if (counted_.contains(id)) return;
-      const double excess_mps = robot.velocity_mps.norm() - scene.rules.stop_speed_mps;
-      fast_for_.consider(scene, id, robot, excess_mps, kFastFor_s, worst);
+      const double excess_mps = robot.velocity_mps.norm() - frame.rules.stop_speed_mps;
+      fast_for_.consider(frame, id, robot, excess_mps, kFastFor_s, worst);
     });
     return worst;
   }
@@ -213,30 +213,30 @@ class StopSpeed2026 final : public GroundTruthRule {
 // "the referee has to place the ball for all kickoffs and all penalty kicks": never before those.
 class PlacementInterference final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, TrueEvents& all) override {
-    const std::optional<Side> placer = placer_of(scene);
-    if (!scene.is_ball_being_placed() || !placer) {
+  void watch(const TrueFrame& frame, TrueEvents& all) override {
+    const std::optional<Side> placer = placer_of(frame);
+    if (!frame.is_ball_being_placed() || !placer) {
       near_for_.clear();
       return;
     }
-    begin(scene);
+    begin(frame);
     const Side side = opponent_of(*placer);
     WorstRobot worst;
-    for_each_robot(scene.now, side, [&](RobotId id, const sim::RobotState& robot) {
-      const double excess_m = scene.rules.placement_clearance_m - hull_to_lane_m(scene, robot);
-      near_for_.consider(scene, id, robot, excess_m, scene.rules.placement_grace_s, worst);
+    for_each_robot(frame.now, side, [&](RobotId id, const sim::RobotState& robot) {
+      const double excess_m = frame.rules.placement_clearance_m - hull_to_lane_m(frame, robot);
+      near_for_.consider(frame, id, robot, excess_m, frame.rules.placement_grace_s, worst);
     });
-    if (is_counted_ && !scene.play.placer) return;
-    if (!near_.watch(scene, side, worst, all)) return;
+    if (is_counted_ && !frame.play.placer) return;
+    if (!near_.watch(frame, side, worst, all)) return;
     all.back().is_counted = !is_counted_;
     is_counted_ = true;
   }
 
  private:
   // The simulator places the ball in place of the side that takes the free kick.
-  static std::optional<Side> placer_of(const Scene& scene) {
-    if (scene.play.placer) return scene.play.placer;
-    const std::optional<Command>& next = scene.signal.next_command;
+  static std::optional<Side> placer_of(const TrueFrame& frame) {
+    if (frame.play.placer) return frame.play.placer;
+    const std::optional<Command>& next = frame.signal.next_command;
     if (!next) return std::nullopt;
     const bool is_free_kick =
         next->kind == CommandKind::kDirectFree || next->kind == CommandKind::kIndirectFree;
@@ -244,9 +244,9 @@ class PlacementInterference final : public GroundTruthRule {
   }
 
   // A new stop, a team's order or another target starts a new placement.
-  void begin(const Scene& scene) {
-    const Vec2& target_m = scene.signal.placement->target_m;
-    const int stop = scene.play.placer ? -scene.play.count : scene.play.stop_count;
+  void begin(const TrueFrame& frame) {
+    const Vec2& target_m = frame.signal.placement->target_m;
+    const int stop = frame.play.placer ? -frame.play.count : frame.play.stop_count;
     if (stop == stop_ && target_m == target_m_) return;
     stop_ = stop;
     target_m_ = target_m;
@@ -254,9 +254,9 @@ class PlacementInterference final : public GroundTruthRule {
     near_for_.clear();
   }
 
-  static double hull_to_lane_m(const Scene& scene, const sim::RobotState& robot) {
-    const Vec2 nearest_m = nearest_on_segment(robot.position_m, scene.now.ball.position_m,
-                                              scene.signal.placement->target_m);
+  static double hull_to_lane_m(const TrueFrame& frame, const sim::RobotState& robot) {
+    const Vec2 nearest_m = nearest_on_segment(robot.position_m, frame.now.ball.position_m,
+                                              frame.signal.placement->target_m);
     return distance_to_hull(nearest_m, robot.position_m, robot.heading);
   }
 

@@ -15,15 +15,15 @@ constexpr double kOffsideMargin_m = 50_mm;
 
 class Offside final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, TrueEvents& all) override {
-    if (scene.play.count != count_) {
-      count_ = scene.play.count;
+  void watch(const TrueFrame& frame, TrueEvents& all) override {
+    if (frame.play.count != count_) {
+      count_ = frame.play.count;
       pass_ = {};
     }
-    if (!scene.play.is_on) return;
-    for (const sim::Touch& touch : scene.touches) {
-      if (pass_.touches > 0 && touch.robot != pass_.robot) receive(scene, touch, all);
-      note(scene, touch);
+    if (!frame.play.is_on) return;
+    for (const sim::Touch& touch : frame.touches) {
+      if (pass_.touches > 0 && touch.robot != pass_.robot) receive(frame, touch, all);
+      note(frame, touch);
     }
   }
 
@@ -39,16 +39,16 @@ class Offside final : public GroundTruthRule {
     std::vector<Beyond> mates;
   };
 
-  void note(const Scene& scene, const sim::Touch& touch) {
+  void note(const TrueFrame& frame, const sim::Touch& touch) {
     if (pass_.touches == 0 || touch.robot != pass_.robot) {
       pass_.robot = touch.robot;
       ++pass_.touches;
     }
     pass_.mates.clear();
-    const std::optional<double> line_m = offside_line_m(scene, touch);
+    const std::optional<double> line_m = offside_line_m(frame, touch);
     if (!line_m) return;
     const double end = goal_sign(opponent_of(touch.robot.side));
-    for_each_robot(scene.now, touch.robot.side, [&](RobotId id, const sim::RobotState& robot) {
+    for_each_robot(frame.now, touch.robot.side, [&](RobotId id, const sim::RobotState& robot) {
       pass_.mates.push_back({id, end * robot.position_m.x() - *line_m});
     });
   }
@@ -56,11 +56,11 @@ class Offside final : public GroundTruthRule {
   // Distance from the halfway line towards the opponents' goal beyond which a robot is offside: the
   // halfway line, the ball or the second-last opponent, whichever is farthest. nullopt if there are
   // fewer than two opponents.
-  static std::optional<double> offside_line_m(const Scene& scene, const sim::Touch& touch) {
+  static std::optional<double> offside_line_m(const TrueFrame& frame, const sim::Touch& touch) {
     const Side opponents = opponent_of(touch.robot.side);
     const double end = goal_sign(opponents);
     std::vector<double> depths_m;
-    for_each_robot(scene.now, opponents, [&](RobotId, const sim::RobotState& robot) {
+    for_each_robot(frame.now, opponents, [&](RobotId, const sim::RobotState& robot) {
       depths_m.push_back(end * robot.position_m.x());
     });
     if (depths_m.size() < 2) return std::nullopt;
@@ -69,11 +69,11 @@ class Offside final : public GroundTruthRule {
   }
 
   // Nobody is offside straight from a restart, that is, at the play's first touch.
-  void receive(const Scene& scene, const sim::Touch& touch, TrueEvents& all) const {
+  void receive(const TrueFrame& frame, const sim::Touch& touch, TrueEvents& all) const {
     if (pass_.touches < 2 || touch.robot.side != pass_.robot.side) return;
     for (const Beyond& mate : pass_.mates) {
       if (mate.robot != touch.robot) continue;
-      add_measured(all, {"offside", scene.time_s, touch.robot.side, touch.robot, touch.ball_m},
+      add_measured(all, {"offside", frame.time_s, touch.robot.side, touch.robot, touch.ball_m},
                    mate.excess_m, kOffsideMargin_m);
     }
   }

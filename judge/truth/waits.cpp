@@ -13,9 +13,9 @@ namespace {
 constexpr double kWaitLead_s = 0.2;
 
 // Adds the event once its time is up, or if it was about to be up when play ended.
-bool add_timed(const Scene& scene, TrueEvent event, double excess_s, TrueEvents& all) {
-  const double half_frame_s = scene.frame_s / 2;
-  if (excess_s < -half_frame_s && !(scene.play.ends_now && excess_s > -kWaitLead_s)) return false;
+bool add_timed(const TrueFrame& frame, TrueEvent event, double excess_s, TrueEvents& all) {
+  const double half_frame_s = frame.frame_s / 2;
+  if (excess_s < -half_frame_s && !(frame.play.ends_now && excess_s > -kWaitLead_s)) return false;
   if (excess_s < -half_frame_s) event.standing = Standing::kPrevented;
   all.push_back(event);
   return true;
@@ -23,21 +23,21 @@ bool add_timed(const Scene& scene, TrueEvent event, double excess_s, TrueEvents&
 
 class UntakenRestart final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, TrueEvents& all) override {
-    const Play& play = scene.play;
+  void watch(const TrueFrame& frame, TrueEvents& all) override {
+    const TruePlay& play = frame.play;
     if (!play.is_on || play.in_play || !play.taker || reported_ == play.count) return;
-    if (play.is_penalty() && scene.may_penalty_fail()) return;
-    const double limit_s = play.is_kickoff() || play.is_penalty() ? scene.rules.restart_timeout_s
-                                                                  : scene.rules.free_kick_timeout_s;
-    const TrueEvent untaken{"restart_not_taken", scene.time_s, play.taker, std::nullopt,
+    if (play.is_penalty() && frame.may_penalty_fail()) return;
+    const double limit_s = play.is_kickoff() || play.is_penalty() ? frame.rules.restart_timeout_s
+                                                                  : frame.rules.free_kick_timeout_s;
+    const TrueEvent untaken{"restart_not_taken", frame.time_s, play.taker, std::nullopt,
                             play.ball_from_m};
-    const double waited_s = scene.time_s - waits_since_s(play, all);
-    if (add_timed(scene, untaken, waited_s - limit_s, all)) reported_ = play.count;
+    const double waited_s = frame.time_s - waits_since_s(play, all);
+    if (add_timed(frame, untaken, waited_s - limit_s, all)) reported_ = play.count;
   }
 
  private:
   // 2026 rules: an opponent too close to the ball for too long resets the kicker's time.
-  static double waits_since_s(const Play& play, const TrueEvents& all) {
+  static double waits_since_s(const TruePlay& play, const TrueEvents& all) {
     for (auto it = all.rbegin(); it != all.rend() && it->time_s > play.began_s; ++it) {
       if (it->name == "defender_too_close_to_kick_point" && it->standing == Standing::kTrue)
         return it->time_s;
@@ -52,29 +52,29 @@ class UntakenRestart final : public GroundTruthRule {
 // position.
 class StuckBall final : public GroundTruthRule {
  public:
-  void watch(const Scene& scene, TrueEvents& all) override {
-    if (!scene.play.is_on || !scene.play.in_play || scene.play.entered_now || is_held(scene)) {
+  void watch(const TrueFrame& frame, TrueEvents& all) override {
+    if (!frame.play.is_on || !frame.play.in_play || frame.play.entered_now || is_held(frame)) {
       positions_m_.clear();
       is_reported_ = false;
       return;
     }
-    positions_m_.push_back(scene.now.ball.position_m);
-    const double limit_s = scene.rules.stuck_time_s;
-    const auto frames = static_cast<std::size_t>(limit_s / scene.frame_s + 1.5);
+    positions_m_.push_back(frame.now.ball.position_m);
+    const double limit_s = frame.rules.stuck_time_s;
+    const auto frames = static_cast<std::size_t>(limit_s / frame.frame_s + 1.5);
     // A sliding window as long as the limit: the ball is stuck if the whole window is near its
     // first position.
     if (positions_m_.size() > frames) positions_m_.pop_front();
-    const double excess_s = static_cast<double>(positions_m_.size() - 1) * scene.frame_s - limit_s;
-    if (excess_s < -kWaitLead_s || !has_stayed(scene.rules.stuck_distance_m)) {
+    const double excess_s = static_cast<double>(positions_m_.size() - 1) * frame.frame_s - limit_s;
+    if (excess_s < -kWaitLead_s || !has_stayed(frame.rules.stuck_distance_m)) {
       is_reported_ = false;
       return;
     }
-    const bool is_2026 = scene.rules.has(RuleId::kNoProgressInGame);
-    TrueEvent stuck{is_2026 ? "no_progress_in_game" : "stuck_ball", scene.time_s, std::nullopt,
-                    std::nullopt, scene.now.ball.position_m};
+    const bool is_2026 = frame.rules.has(RuleId::kNoProgressInGame);
+    TrueEvent stuck{is_2026 ? "no_progress_in_game" : "stuck_ball", frame.time_s, std::nullopt,
+                    std::nullopt, frame.now.ball.position_m};
     if (!is_reported_) {
-      is_reported_ = add_timed(scene, stuck, excess_s, all);
-    } else if (scene.play.ends_now) {  // still stuck: a call now is merely late
+      is_reported_ = add_timed(frame, stuck, excess_s, all);
+    } else if (frame.play.ends_now) {  // still stuck: a call now is merely late
       stuck.standing = Standing::kNearMiss;
       all.push_back(stuck);
     }
@@ -82,10 +82,10 @@ class StuckBall final : public GroundTruthRule {
 
  private:
   // Where keeper_held_ball is in force, it alone applies to a keeper's ball.
-  static bool is_held(const Scene& scene) {
-    return scene.rules.has(RuleId::kKeeperHeldBall) &&
+  static bool is_held(const TrueFrame& frame) {
+    return frame.rules.has(RuleId::kKeeperHeldBall) &&
            std::any_of(kSides.begin(), kSides.end(),
-                       [&scene](Side side) { return is_keepers_ball(scene, side); });
+                       [&frame](Side side) { return is_keepers_ball(frame, side); });
   }
 
   bool has_stayed(double within_m) const {

@@ -1,4 +1,4 @@
-// Reading of outputs in JSON.
+// Reading of outputs in JSON, and fast writing of flat JSON.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,9 @@
 
 namespace autoref::league {
 
-// Fast writing of flat JSON, for messages that are sent once per frame.
-
-// Appends JSON to a text. Members of an object and elements of an array are separated by commas;
-// names and texts must not need to be escaped.
+// Appends flat JSON to a text, fast enough for messages that are sent once per frame. Members of an
+// object and elements of an array are separated by commas; names and texts must not need to be
+// escaped.
 class JsonText {
  public:
   explicit JsonText(std::string& text) : text_(&text) {}

@@ -1,4 +1,5 @@
-// The encodings of the messages between the simulator and a team's program.
+// The encodings of the messages between the simulator and a team's program, and the decoding of the
+// program's output as it arrives.
 #pragma once
 
 #include <cstddef>
@@ -46,15 +47,12 @@ class TeamCodec {
 std::unique_ptr<TeamCodec> make_team_codec(TeamEncoding encoding);
 
 // The codec of each encoding, for make_team_codec().
-
 std::unique_ptr<TeamCodec> make_flat_codec();
 std::unique_ptr<TeamCodec> make_json_codec();
 std::unique_ptr<TeamCodec> make_league_codec();
 
 // Throws std::invalid_argument if a name in `start` is too long to be sent.
 void check_names(const TeamStart& start);
-
-// Decoding of a program's output as it arrives.
 
 // Collects the bytes of a program's output after its greeting, and takes its messages from them.
 // The codec must outlive it.

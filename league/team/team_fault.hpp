@@ -1,4 +1,4 @@
-// A fault of a team's program.
+// A fault of a team's program, and the quoting of its output in messages.
 #pragma once
 
 #include <stdexcept>
@@ -12,8 +12,6 @@ class TeamFault : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
-
-// Quoting of a program's output in messages.
 
 // `bytes` in quotation marks, cut after 40 bytes; those that are not printable ASCII are written as
 // \xHH.

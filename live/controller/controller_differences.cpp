@@ -33,8 +33,8 @@ void ControllerDifferences::on_decision(const referee::Decision& decision) {
   own_.on_decision(decision);
   const std::optional<Command> restart = decision.restart();
   if (!restart) return;
-  call_ = Call{decision.time_s, std::string(name_of(decision.finding.event)), *restart,
-               decision.finding.ball_to_m};
+  call_ = OwnCall{decision.time_s, std::string(name_of(decision.finding.event)), *restart,
+                  decision.finding.ball_to_m};
 }
 
 void ControllerDifferences::add(const league::RefereePacket& packet, const RefereeSignal& signal,

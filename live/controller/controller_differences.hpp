@@ -32,7 +32,7 @@ class ControllerDifferences {
   std::string text() const;
 
  private:
-  struct Call {
+  struct OwnCall {
     double time_s = 0;
     std::string event;
     Command restart;
@@ -43,7 +43,7 @@ class ControllerDifferences {
   void compare_restart(Command restart, double stopped_s);
   void note(double time_s, std::string text);
 
-  std::optional<Call> call_;  // AutoRef's, since play was on last
+  std::optional<OwnCall> call_;  // AutoRef's, since play was on last
   std::optional<std::uint32_t> command_counter_;
   std::optional<double> stopped_s_;  // by the controller, since play was on last
   std::string reason_;               // its last event

@@ -1,4 +1,5 @@
-// The Asio context of a NetworkThread, for the few files that use Asio.
+// The Asio context of a NetworkThread, and sockets for multicast groups and ports, for the few
+// files that use Asio.
 #pragma once
 
 #include <boost/asio/executor_work_guard.hpp>
@@ -37,11 +38,8 @@ class NetworkThread::Context {
   std::thread thread_;
 };
 
-// Opens sockets for multicast groups and ports, for the few files that use Asio.
-
 // Opens and binds the socket, and joins the group, unless that is an address for all hosts of a
-// network. Throws InputError if the port is in use or an
-// address is wrong.
+// network. Throws InputError if the port is in use or an address is wrong.
 void open_for_group(boost::asio::ip::udp::socket& socket, const DatagramReceiver::Place& place,
                     int receive_buffer_bytes);
 

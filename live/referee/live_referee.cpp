@@ -102,7 +102,7 @@ class LiveJudge final : league::LogVisitor {
  public:
   // `watch` and `outputs` must outlive the object.
   LiveJudge(const referee::Configuration& configuration, const logs::RecordedFacts& facts,
-            bool frames_are_tracked, const LiveRefereeWatch& watch, RefereeOutputs& outputs);
+            bool frames_are_tracked, const LiveRefereeCallbacks& watch, RefereeOutputs& outputs);
 
   void take(const LiveMessage& live);
 
@@ -119,7 +119,7 @@ class LiveJudge final : league::LogVisitor {
   void report(const GameEvent& event);
   double frame_time_s(Clock::time_point now) const;
 
-  const LiveRefereeWatch& watch_;
+  const LiveRefereeCallbacks& watch_;
   RefereeOutputs& outputs_;
   logs::RecordReferee referee_;
   BothVisitors both_;
@@ -132,7 +132,7 @@ class LiveJudge final : league::LogVisitor {
 };
 
 LiveJudge::LiveJudge(const referee::Configuration& configuration, const logs::RecordedFacts& facts,
-                     bool frames_are_tracked, const LiveRefereeWatch& watch,
+                     bool frames_are_tracked, const LiveRefereeCallbacks& watch,
                      RefereeOutputs& outputs)
     : watch_(watch),
       outputs_(outputs),
@@ -233,7 +233,7 @@ class LiveReferee::Impl {
   }
 
   void run(const referee::Configuration& configuration, const logs::RecordedFacts& facts,
-           const LiveRefereeWatch& watch) {
+           const LiveRefereeCallbacks& watch) {
     RefereeOutputs outputs(options_, configuration.field, facts.names);
     LiveJudge judge(configuration, facts, is_tracked(), watch, outputs);
     for (const LiveMessage& live : gathered_) judge.take(live);
@@ -292,7 +292,7 @@ logs::RecordedFacts LiveReferee::gather(const std::function<void(std::int64_t pa
 }
 
 void LiveReferee::run(const referee::Configuration& configuration, const logs::RecordedFacts& facts,
-                      const LiveRefereeWatch& watch) {
+                      const LiveRefereeCallbacks& watch) {
   impl_->run(configuration, facts, watch);
 }
 

@@ -47,7 +47,7 @@ struct LiveRefereeStatus {
 };
 
 // Callbacks in the thread of run().
-struct LiveRefereeWatch {
+struct LiveRefereeCallbacks {
   std::function<void(const referee::Decision& decision)> on_decision;
   // The league's event for a decision, or a ball placement that has succeeded.
   std::function<void(const GameEvent& event)> on_game_event;
@@ -71,7 +71,7 @@ class LiveReferee {
   // Judges all packets, those of gather() included, until the time is over or on_idle throws.
   // Throws std::invalid_argument if the configuration is not valid.
   void run(const referee::Configuration& configuration, const logs::RecordedFacts& facts,
-           const LiveRefereeWatch& watch);
+           const LiveRefereeCallbacks& watch);
 
  private:
   class Impl;

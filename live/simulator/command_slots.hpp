@@ -1,4 +1,5 @@
-// The newest command of each robot, between the network's thread and the game's.
+// The newest command of each robot, between the network's thread and the game's, and the team that
+// carries them out.
 #pragma once
 
 #include <array>
@@ -61,15 +62,14 @@ class CommandSlots {
   PerSide<std::int64_t> packets_;
 };
 
-// A team that is commanded over the network.
-
 // What a team on the network does in the next step.
 struct NetworkInput {
   TeamCommands commands{};
   std::string fault;  // empty: none
 };
 
-// Plays its input, which the game's loop sets before each step.
+// A team that is commanded over the network: plays its input, which the game's loop sets before
+// each step.
 class NetworkTeam final : public strategies::Strategy {
  public:
   explicit NetworkTeam(const NetworkInput& input) : input_(&input) {}

@@ -1,4 +1,5 @@
-// Robots' limits that programs on the network set before a game.
+// What programs on the network change besides commands: robots' limits before a game, and the world
+// by teleports.
 #pragma once
 
 #include <bitset>
@@ -37,10 +38,9 @@ class RobotUpdates {
   bool is_closed_ = false;
 };
 
-// From teleports in the frame of vision to changes of the simulated world.
-
-// The change; what the teleport leaves out stays as it is in `world`. Positions beyond the walls
-// are moved inside. nullopt if a robot that is off the field is not placed completely.
+// The change of the simulated world by a teleport in the frame of vision; what the teleport leaves
+// out stays as it is in `world`. Positions beyond the walls are moved inside. nullopt if a robot
+// that is off the field is not placed completely.
 std::optional<game::WorldChange> change_of(const league::Teleport& teleport,
                                            const sim::WorldState& world, const Field& field,
                                            bool blue_on_positive_half);

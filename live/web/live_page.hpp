@@ -1,4 +1,4 @@
-// Turns a game, simulated or real, into messages for watchers.
+// Turns a game, simulated or real, into messages for watchers, and shows it to them on the network.
 #pragma once
 
 #include <cstddef>
@@ -21,8 +21,6 @@
 
 namespace autoref::live {
 
-// The messages that show a watcher the game so far.
-
 // The newest messages of one kind. The oldest one goes as soon as the others contain enough
 // entries, so that what is kept is limited however long the game is.
 class MessageList {
@@ -44,8 +42,8 @@ class MessageList {
   std::deque<Kept> messages_;
 };
 
-// Keeps lists of messages, and single messages until they are replaced by messages of the lists.
-// One thread adds; any thread may ask for the backlog.
+// The messages that show a watcher the game so far: lists of messages, and single messages until
+// they are replaced by messages of the lists. One thread adds; any thread may ask for the backlog.
 class MessageHistory {
  public:
   // `enough` is how many entries of each list must be kept.
@@ -104,9 +102,8 @@ class LivePage {
   FrameClock::Time next_message_;
 };
 
-// Shows one game to watchers on the network.
-
-// Owns the game's page, its server and the server's thread.
+// Shows one game to watchers on the network. Owns the game's page, its server and the server's
+// thread.
 class WebView {
  public:
   // Throws InputError naming --web if the server cannot listen, or --web-host.

@@ -1,4 +1,4 @@
-// A watcher: a WebSocket that gets all messages.
+// A watcher: a WebSocket that gets all messages, and the queue of those that wait for it.
 #pragma once
 
 #include <boost/beast/core/tcp_stream.hpp>
@@ -13,11 +13,9 @@
 
 namespace autoref::live {
 
-// Messages that wait for a watcher.
-
-// Of frames, only the newest wait; other messages are kept, up to limits of their number and of
-// their bytes (kMostWaiting_bytes, with the frames). The backlog is shared with the server, which
-// limits it.
+// Messages that wait for a watcher. Of frames, only the newest wait; other messages are kept, up to
+// limits of their number and of their bytes (kMostWaiting_bytes, with the frames). The backlog is
+// shared with the server, which limits it.
 class WatcherQueue {
  public:
   static constexpr std::size_t kMostFrames = 3;

@@ -1,4 +1,4 @@
-// Which requests the web server answers, and how.
+// Where the web server listens, which requests it answers, and how.
 #pragma once
 
 #include <boost/beast/http/empty_body.hpp>
@@ -13,8 +13,6 @@
 #include "live/network/network.hpp"
 
 namespace autoref::live {
-
-// Where a web server listens.
 
 // Reads "127.0.0.1:8090", "[::1]:8090" or "8090", which means the loopback; port 0 means any free
 // one. Throws InputError naming `flag`.

@@ -1,5 +1,5 @@
 // The time from a restart's signal until the ball is in play ("once it has moved 50 mm", Laws 2014,
-// laws 8, 9 and 13), and the ball's history since.
+// laws 8, 9 and 13), the ball's history since, and retakes of restarts.
 #pragma once
 
 #include "referee/finding.hpp"

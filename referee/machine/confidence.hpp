@@ -2,6 +2,8 @@
 // coefficients (confidence.def) were fitted to calls of simulated games that ground truth has
 // judged, by scripts/fit-confidence; results/reference/judge shows how well they hold for games
 // that they were not fitted to.
+//
+// Also turns a step of the machine, with its call, into a row of the event log.
 #pragma once
 
 #include <array>
@@ -36,8 +38,6 @@ double confidence_by(const ConfidenceCoefficients& coefficients,
 // multiplied by the probability that a gap in vision hides no later touch of the other side.
 // Findings that are not calls keep a confidence of 1.
 void add_confidence(Finding& finding, const RefereeState& state, const RefereeInput& input);
-
-// Turns a step of the machine into a row of the event log.
 
 // The decision that `finding` led to in the state `before`, including the state of the game and the
 // card shown.

@@ -1,4 +1,4 @@
-// The guards of the machine's transitions (referee/machine/machine.hpp).
+// The guards of the machine's transitions (referee/machine/machine.hpp), and game time.
 #pragma once
 
 #include <optional>

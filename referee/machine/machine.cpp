@@ -1,4 +1,4 @@
-// Transitions of games that begin in the middle of a half.
+// The machine's transitions, and its step.
 #include "referee/machine/machine.hpp"
 
 #include <algorithm>

@@ -93,9 +93,8 @@ Step step(const RefereeState& state, const RefereeInput& input, const Finding& f
 Step step(std::span<const std::span<const Transition>> tables, const RefereeState& state,
           const RefereeInput& input, const Finding& finding);
 
-// Games that begin in the middle of a half (referee/state.hpp).
-
-// Tried before all others: without a Beginning, none of them applies.
+// Transitions of games that begin in the middle of a half (referee/state.hpp). Tried before all
+// others: without a Beginning, none of them applies.
 std::span<const Transition> transitions_midway();
 
 }  // namespace autoref::referee

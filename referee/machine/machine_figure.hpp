@@ -1,4 +1,5 @@
-// Prints the figure and tables of referee/README.md from the transition table.
+// Prints the figure and tables of referee/README.md from the transition table, and draws
+// the figure like the paper's Fig. 3.
 #pragma once
 
 #include <span>
@@ -23,8 +24,6 @@ std::string event_figure();
 std::string condition_of(const Transition& transition);
 std::string from_of(const Transition& transition);
 std::string to_of(const Transition& transition);
-
-// Draws the state machine like the paper's Fig. 3, from the transition table.
 
 // The transitions in the figure as a graph in Graphviz's language, for `dot -Tsvg`. As in the
 // paper, each edge is labelled with its conditions above a line and its assignments below it.

@@ -1,4 +1,4 @@
-// How a penalty kick ends.
+// How a penalty kick ends, and the order and end of a shoot-out.
 //
 // It fails if the ball goes out, if the keeper turns its path by 90 degrees or more, or 10 s after
 // the signal (2026, Penalty Kick; shoot-outs of all books). In 2026 it also fails if the ball does

@@ -10,13 +10,13 @@ constexpr double kSame = 1e-6;  // excesses that differ by less are equal
 }  // namespace
 
 bool GraceTimer::is_due(RobotId robot, bool offends, double grace_s, double now_s) {
-  Watch& watch = of(robot);
+  Timer& timer = of(robot);
   if (!offends) {
-    watch.since_s.reset();
+    timer.since_s.reset();
     return false;
   }
-  if (!watch.since_s) watch.since_s = now_s;
-  return !watch.is_reported && has_passed(*watch.since_s, grace_s, now_s);
+  if (!timer.since_s) timer.since_s = now_s;
+  return !timer.is_reported && has_passed(*timer.since_s, grace_s, now_s);
 }
 
 bool goes_before(const GraceViolation& a, const GraceViolation& b) {

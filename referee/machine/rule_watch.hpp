@@ -1,4 +1,5 @@
-// What the rules have recorded since play last started or stopped.
+// What the rules have recorded since play last started or stopped, and the grace
+// timers and sets of robots that they keep for it.
 #pragma once
 
 #include <array>
@@ -24,13 +25,13 @@ class GraceTimer {
   void mark_reported(RobotId robot) { of(robot).is_reported = true; }
 
  private:
-  struct Watch {
+  struct Timer {
     std::optional<double> since_s;
     bool is_reported = false;
   };
-  Watch& of(RobotId robot) { return all_[robot.side][static_cast<std::size_t>(robot.number)]; }
+  Timer& of(RobotId robot) { return all_[robot.side][static_cast<std::size_t>(robot.number)]; }
 
-  PerSide<std::array<Watch, kMaxRobots>> all_;
+  PerSide<std::array<Timer, kMaxRobots>> all_;
 };
 
 struct GraceViolation {
@@ -62,8 +63,6 @@ std::optional<GraceViolation> take_worst(GraceTimer& grace_timer, const RefereeI
   if (worst) grace_timer.mark_reported(worst->id);
   return worst;
 }
-
-// What the rules on robots record from earlier frames.
 
 inline constexpr double kNever_s = -std::numeric_limits<double>::infinity();
 

@@ -1,4 +1,5 @@
-// Touches for which non-stopping fouls were called (2026, Non Stopping Fouls).
+// Touches of the ball in play, as judged by the rules on defence areas, and those for which
+// non-stopping fouls were called (2026, Non Stopping Fouls).
 #pragma once
 
 #include <optional>
@@ -10,8 +11,6 @@
 #include "referee/touch/touch_history.hpp"
 
 namespace autoref::referee {
-
-// Touches of the ball in play, as judged by the rules on defence areas.
 
 // A rule's verdict on a touch by a known robot whose position was known at that time. `check` is
 // called for newly confirmed touches, oldest first.

@@ -3,9 +3,9 @@
 namespace autoref::referee {
 
 std::optional<Finding> Rule::find(RefereeState& state, const RefereeInput& input) const {
-  for (const Watch& watch : watches()) {
-    if (!watch.active_in.has(state.machine_state)) continue;
-    if (std::optional<Finding> found = watch.find(state, input)) return found;
+  for (const RuleSearch& search : searches()) {
+    if (!search.active_in.has(state.machine_state)) continue;
+    if (std::optional<Finding> found = search.find(state, input)) return found;
   }
   return std::nullopt;
 }

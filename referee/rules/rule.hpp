@@ -20,26 +20,26 @@ namespace autoref::referee {
 // `state.watch`.
 using Search = std::optional<Finding> (*)(RefereeState& state, const RefereeInput& input);
 
-struct Watch {
+struct RuleSearch {
   States active_in{};
   Search find = nullptr;
 };
 
 class Rule {
  public:
-  constexpr Rule(States active_in, Search search) : Rule({Watch{active_in, search}}) {}
+  constexpr Rule(States active_in, Search search) : Rule({RuleSearch{active_in, search}}) {}
   // A rule makes up to three searches, in this order.
-  constexpr Rule(std::initializer_list<Watch> watches) {
-    for (const Watch& watch : watches) watches_.at(size_++) = watch;
+  constexpr Rule(std::initializer_list<RuleSearch> searches) {
+    for (const RuleSearch& search : searches) searches_.at(size_++) = search;
   }
 
-  constexpr std::span<const Watch> watches() const { return {watches_.data(), size_}; }
+  constexpr std::span<const RuleSearch> searches() const { return {searches_.data(), size_}; }
 
   // The first finding in the machine's current state, if any.
   std::optional<Finding> find(RefereeState& state, const RefereeInput& input) const;
 
  private:
-  std::array<Watch, 3> watches_{};
+  std::array<RuleSearch, 3> searches_{};
   std::size_t size_ = 0;
 };
 

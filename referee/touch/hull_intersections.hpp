@@ -1,4 +1,4 @@
-// Intersections of the ball's path with the hulls of robots.
+// Intersections of the ball's path with the hulls of robots, and the filter of its motion.
 #pragma once
 
 #include <boost/container/static_vector.hpp>

@@ -1,4 +1,5 @@
-// Which robots may have touched the ball on a short segment of its path.
+// Which robots may have touched the ball on a short segment of its path, and which are in contact
+// with it.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -57,8 +58,6 @@ Vec2 push_direction(const RobotObservation& robot, const Vec2& ball_m);
 
 // The robot with that number; null if it is not in the list.
 const RobotObservation* find_robot(const SeenRobots& robots, int number);
-
-// Which robots are in contact with the ball.
 
 // Whether the robot is in contact with the ball. Contact begins when the gap between hull and ball
 // is below 1 mm plus one standard deviation of `noise`, and ends with "an observable separation

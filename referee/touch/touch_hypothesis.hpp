@@ -1,4 +1,4 @@
-// A hypothesis about the ball's motion: free motion, with touches in between.
+// A hypothesis about the ball's motion: free motion, with touches in between, and what caused them.
 //
 // A deviance is minus twice a log-likelihood, up to a constant that all hypotheses share: the sum
 // of normalised innovations squared and log-determinants. It has no unit; the difference of two is
@@ -19,7 +19,6 @@
 namespace autoref::referee {
 
 // Parameters of the retrospective touch detector (retrospective_touch_detector.hpp).
-
 // Deviances are minus twice log-likelihoods. They are priors of events, or upper limits that make
 // the likelihoods robust against outliers. The values were tuned on games between two `basic`
 // teams, seeds 5001 to 5020.

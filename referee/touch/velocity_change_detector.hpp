@@ -1,4 +1,5 @@
-// Detects changes of the ball's velocity that noise hides between two frames, but not over several.
+// Detects changes of the ball's velocity that noise hides between two frames, but not over several,
+// and attributes touches.
 //
 // A two-window change detector (Gustafsson 2000; docs/touch-detection.md): least-squares lines are
 // fitted to the five detections that end with each detection and to the five that begin with it. If

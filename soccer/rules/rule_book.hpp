@@ -1,4 +1,5 @@
-// The referee's rules by name: what a rule book contains and a game file switches on or off.
+// The referee's rules by name, which a game file switches on or off; the rule books, which contain
+// rules and their parameters; and the rules that a team keeps to.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Role assignment of `basic`.
+// The robots of `basic`: its tunables, the roles, and positions of those that do not play the ball.
 #pragma once
 
 #include <array>
@@ -13,9 +13,7 @@
 
 namespace autoref::strategies::basic {
 
-// The tunables of `basic`.
-
-// The numbers of style.def, each with its default.
+// The tunables of `basic`: the numbers of basic_style.def, each with its default.
 struct Style {
 #define AUTOREF_TUNABLE(type, name, value, ...) type name = value;
 #include "strategies/basic/basic_style.def"
@@ -28,8 +26,6 @@ struct Style {
 #undef AUTOREF_TUNABLE
   }
 };
-
-// Positions of `basic`'s robots that do not play the ball.
 
 // The keeper's position: in the path of a shot, otherwise between the ball and the goal's centre.
 Waypoint keeper_position(const Field& field, const Style& style, const TrackedBall& ball);

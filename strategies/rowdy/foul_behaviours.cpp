@@ -27,13 +27,13 @@ const TrackedRobot* nearest(const TrackedRobots& robots, int except, const Vec2&
   return best;
 }
 
-Obstacles everybody_but(const Scene& scene, int number) {
+Obstacles everybody_but(const RowdyView& view, int number) {
   Obstacles obstacles;
-  obstacles.farthest_m = farthest_between_walls_m(scene.field);
-  for (const TrackedRobot& mate : scene.now.own) {
+  obstacles.farthest_m = farthest_between_walls_m(view.field);
+  for (const TrackedRobot& mate : view.now.own) {
     if (mate.number != number) obstacles.push_back({mate.position_m, kSceneClearance_m});
   }
-  for (const TrackedRobot& opponent : scene.now.opponents) {
+  for (const TrackedRobot& opponent : view.now.opponents) {
     obstacles.push_back({opponent.position_m, kSceneClearance_m});
   }
   return obstacles;
@@ -48,12 +48,12 @@ const TrackedRobot* find(const TrackedRobots& robots, int number) {
   return nullptr;
 }
 
-const TrackedRobot* nearest_mate(const Scene& scene, const Vec2& point_m, double reach_m) {
-  return nearest(scene.now.own, scene.keeper, point_m, reach_m);
+const TrackedRobot* nearest_mate(const RowdyView& view, const Vec2& point_m, double reach_m) {
+  return nearest(view.now.own, view.keeper, point_m, reach_m);
 }
 
-const TrackedRobot* nearest_opponent(const Scene& scene, const Vec2& point_m, double reach_m) {
-  return nearest(scene.now.opponents, -1, point_m, reach_m);
+const TrackedRobot* nearest_opponent(const RowdyView& view, const Vec2& point_m, double reach_m) {
+  return nearest(view.now.opponents, -1, point_m, reach_m);
 }
 
 bool has_ball(const TrackedRobot& robot, const TrackedBall& ball) {
@@ -62,21 +62,21 @@ bool has_ball(const TrackedRobot& robot, const TrackedBall& ball) {
          std::abs(at_m.y()) < kDribblerZoneWidth_m / 2;
 }
 
-bool is_running(const Scene& scene) { return scene.now.play == Play::kRunning; }
+bool is_running(const RowdyView& view) { return view.now.play == Play::kRunning; }
 
-bool is_own_restart(const Scene& scene) {
-  return scene.now.ours && is_restart(scene.now.play) && scene.now.play != Play::kPenalty;
+bool is_own_restart(const RowdyView& view) {
+  return view.now.ours && is_restart(view.now.play) && view.now.play != Play::kPenalty;
 }
 
-bool is_opponents_restart(const Scene& scene) {
-  return !scene.now.ours && is_restart(scene.now.play) && scene.now.play != Play::kPenalty;
+bool is_opponents_restart(const RowdyView& view) {
+  return !view.now.ours && is_restart(view.now.play) && view.now.play != Play::kPenalty;
 }
 
 bool is_free_kick(Play play) { return play == Play::kDirectFree || play == Play::kIndirectFree; }
 
-RobotCommand go_to(const Scene& scene, const TrackedRobot& robot, const Vec2& position_m) {
-  const Vec2 heading = direction_of(scene.now.ball.position_m - position_m, robot.heading);
-  return drive_to(robot, {position_m, heading}, everybody_but(scene, robot.number), {});
+RobotCommand go_to(const RowdyView& view, const TrackedRobot& robot, const Vec2& position_m) {
+  const Vec2 heading = direction_of(view.now.ball.position_m - position_m, robot.heading);
+  return drive_to(robot, {position_m, heading}, everybody_but(view, robot.number), {});
 }
 
 RobotCommand charge(const TrackedRobot& robot, const Vec2& velocity_mps) {
@@ -87,31 +87,31 @@ RobotCommand charge_at(const TrackedRobot& robot, const Vec2& point_m, double sp
   return charge(robot, direction_of(point_m - robot.position_m, robot.heading) * speed_mps);
 }
 
-RobotCommand kick_at(const Scene& scene, const TrackedRobot& robot, const Vec2& target_m,
+RobotCommand kick_at(const RowdyView& view, const TrackedRobot& robot, const Vec2& target_m,
                      double kick_mps) {
-  const Vec2 interception_m = intercept(robot, scene.now.ball).point_m;
-  return play_ball(robot, scene.now.ball, interception_m, {target_m, kick_mps},
-                   everybody_but(scene, robot.number), {});
+  const Vec2 interception_m = intercept(robot, view.now.ball).point_m;
+  return play_ball(robot, view.now.ball, interception_m, {target_m, kick_mps},
+                   everybody_but(view, robot.number), {});
 }
 
-void hold_back(const Scene& scene, int number, const Vec2& point_m, double reach_m,
+void hold_back(const RowdyView& view, int number, const Vec2& point_m, double reach_m,
                TeamCommands& commands) {
-  for (const TrackedRobot& mate : scene.now.own) {
+  for (const TrackedRobot& mate : view.now.own) {
     if (mate.number == number || (mate.position_m - point_m).norm() > reach_m) continue;
     commands[static_cast<std::size_t>(mate.number)] = RobotCommand{};
   }
 }
 
-void clear_lane(const Scene& scene, int number, const Vec2& from_m, const Vec2& to_m,
+void clear_lane(const RowdyView& view, int number, const Vec2& from_m, const Vec2& to_m,
                 TeamCommands& commands) {
   const Vec2 direction = direction_of(to_m - from_m, Vec2(1, 0));
-  for (const TrackedRobot& mate : scene.now.own) {
+  for (const TrackedRobot& mate : view.now.own) {
     if (mate.number == number) continue;
     const Vec2 on_lane_m = nearest_on_segment(mate.position_m, from_m, to_m);
     if ((mate.position_m - on_lane_m).norm() > kSceneLane_m) continue;
     const double side = cross(direction, mate.position_m - from_m) > 0 ? 1.0 : -1.0;
     commands[static_cast<std::size_t>(mate.number)] =
-        go_to(scene, mate, on_lane_m + left_of(direction) * (side * 1.5 * kSceneLane_m));
+        go_to(view, mate, on_lane_m + left_of(direction) * (side * 1.5 * kSceneLane_m));
   }
 }
 

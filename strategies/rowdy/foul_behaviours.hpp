@@ -1,4 +1,4 @@
-// The foul behaviours' view of the game, and the robot motions that they share.
+// The foul behaviours of `rowdy`, their view of the game, and the robot motions that they share.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 namespace autoref::strategies::rowdy {
 
 // The game in the team's frame, extrapolated to when commands take effect.
-struct Scene {
+struct RowdyView {
   const Field& field;
   const RuleBook& rules;
   const TeamView& now;
@@ -26,22 +26,22 @@ const TrackedRobot* find(const TrackedRobots& robots, int number);
 
 // The team's own robot nearest to a point, excluding the keeper; nullptr if none is within
 // `reach_m`.
-const TrackedRobot* nearest_mate(const Scene& scene, const Vec2& point_m, double reach_m);
+const TrackedRobot* nearest_mate(const RowdyView& view, const Vec2& point_m, double reach_m);
 
 // The same for opponents.
-const TrackedRobot* nearest_opponent(const Scene& scene, const Vec2& point_m, double reach_m);
+const TrackedRobot* nearest_opponent(const RowdyView& view, const Vec2& point_m, double reach_m);
 
 // Whether the robot has the ball at its front plate, within about 15 mm.
 bool has_ball(const TrackedRobot& robot, const TrackedBall& ball);
 
-bool is_running(const Scene& scene);
+bool is_running(const RowdyView& view);
 // Whether the team takes, or the opponents are about to take, a restart other than a penalty.
-bool is_own_restart(const Scene& scene);
-bool is_opponents_restart(const Scene& scene);
+bool is_own_restart(const RowdyView& view);
+bool is_opponents_restart(const RowdyView& view);
 bool is_free_kick(Play play);
 
 // Commands that drive the robot to a position around everybody else, facing the ball.
-RobotCommand go_to(const Scene& scene, const TrackedRobot& robot, const Vec2& position_m);
+RobotCommand go_to(const RowdyView& view, const TrackedRobot& robot, const Vec2& position_m);
 
 // Commands that drive the robot straight with that velocity, facing its direction of motion.
 RobotCommand charge(const TrackedRobot& robot, const Vec2& velocity_mps);
@@ -50,16 +50,16 @@ RobotCommand charge(const TrackedRobot& robot, const Vec2& velocity_mps);
 RobotCommand charge_at(const TrackedRobot& robot, const Vec2& point_m, double speed_mps);
 
 // Commands that drive the robot behind the ball and kick it straight at the target.
-RobotCommand kick_at(const Scene& scene, const TrackedRobot& robot, const Vec2& target_m,
+RobotCommand kick_at(const RowdyView& view, const TrackedRobot& robot, const Vec2& target_m,
                      double kick_mps);
 
 // Stops the team-mates of robot `number` that are within `reach_m` of a point.
-void hold_back(const Scene& scene, int number, const Vec2& point_m, double reach_m,
+void hold_back(const RowdyView& view, int number, const Vec2& point_m, double reach_m,
                TeamCommands& commands);
 
 // Sends team-mates of robot `number`, including the keeper, out of the path from `from_m` to
 // `to_m`.
-void clear_lane(const Scene& scene, int number, const Vec2& from_m, const Vec2& to_m,
+void clear_lane(const RowdyView& view, int number, const Vec2& from_m, const Vec2& to_m,
                 TeamCommands& commands);
 
 // A foul behaviour: a way of breaking a rule, its opportunities, and what the team then does.
@@ -98,8 +98,8 @@ inline ActiveFoul foul_against(const TrackedRobot& victim, const TrackedRobot& r
 }
 
 // The opponent that is fouled; nullptr if that robot is gone or the ball is not in play.
-inline const TrackedRobot* victim_of(const ActiveFoul& foul, const Scene& scene) {
-  return is_running(scene) ? find(scene.now.opponents, foul.other) : nullptr;
+inline const TrackedRobot* victim_of(const ActiveFoul& foul, const RowdyView& view) {
+  return is_running(view) ? find(view.now.opponents, foul.other) : nullptr;
 }
 
 struct FoulBehaviour {
@@ -109,10 +109,10 @@ struct FoulBehaviour {
   double longest_s;  // the foul is given up after this time
   // The foul that is possible now, without `amount` and `begun_s`; nullopt if there is no
   // opportunity.
-  std::optional<ActiveFoul> (*find_chance)(const Scene& scene);
+  std::optional<ActiveFoul> (*find_chance)(const RowdyView& view);
   // Changes the team's output. Returns false once the foul is over. If the foul has a robot, the
   // robot is on the field.
-  bool (*go_on)(const Scene& scene, ActiveFoul& foul, TeamOutput& output);
+  bool (*go_on)(const RowdyView& view, ActiveFoul& foul, TeamOutput& output);
 };
 
 // All foul behaviours of `rowdy`, one file each in kinds/.

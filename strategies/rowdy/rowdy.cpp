@@ -32,19 +32,19 @@ void Rowdy::decide(const TeamView& view, TeamCommands& commands) {
   basic_.decide(view, commands);
   requests_ = basic_.requests();
   look_ahead(view, now_);
-  const Scene scene{context_.field, context_.rules, now_, requests_.keeper};
-  look_for_chances(scene);
-  if (under_way_ != nullptr && !go_on(scene, commands)) under_way_ = nullptr;
+  const RowdyView seen{context_.field, context_.rules, now_, requests_.keeper};
+  look_for_chances(seen);
+  if (under_way_ != nullptr && !go_on(seen, commands)) under_way_ = nullptr;
 }
 
-void Rowdy::look_for_chances(const Scene& scene) {
-  for (Habit& habit : habits_) consider(habit, scene);
+void Rowdy::look_for_chances(const RowdyView& view) {
+  for (Habit& habit : habits_) consider(habit, view);
 }
 
 // One draw per opportunity, however many frames it lasts. An opportunity during another foul
 // behaviour is missed.
-void Rowdy::consider(Habit& habit, const Scene& scene) {
-  const std::optional<ActiveFoul> chance = habit.kind->find_chance(scene);
+void Rowdy::consider(Habit& habit, const RowdyView& view) {
+  const std::optional<ActiveFoul> chance = habit.kind->find_chance(view);
   if (!chance) return;
   const bool is_new = now_.time_s - habit.last_chance_s > kBetweenChances_s;
   habit.last_chance_s = now_.time_s;
@@ -56,14 +56,14 @@ void Rowdy::consider(Habit& habit, const Scene& scene) {
 }
 
 // Returns false once the foul behaviour is over; the team then plays normally.
-bool Rowdy::go_on(const Scene& scene, TeamCommands& commands) {
+bool Rowdy::go_on(const RowdyView& view, TeamCommands& commands) {
   if (now_.time_s - active_foul_.begun_s > under_way_->longest_s) return false;
   if (active_foul_.robot >= 0 && find(now_.own, active_foul_.robot) == nullptr) return false;
   // Works on copies, which are discarded if the behaviour ends in this frame.
   TeamCommands wanted = commands;
   TeamRequests asked = requests_;
   TeamOutput output{wanted, asked};
-  if (!under_way_->go_on(scene, active_foul_, output)) return false;
+  if (!under_way_->go_on(view, active_foul_, output)) return false;
   commands = wanted;
   requests_ = asked;
   return true;

@@ -32,9 +32,9 @@ class Rowdy final : public Strategy {
     double last_chance_s = -std::numeric_limits<double>::infinity();
   };
 
-  void look_for_chances(const Scene& scene);
-  void consider(Habit& habit, const Scene& scene);
-  bool go_on(const Scene& scene, TeamCommands& commands);
+  void look_for_chances(const RowdyView& view);
+  void consider(Habit& habit, const RowdyView& view);
+  bool go_on(const RowdyView& view, TeamCommands& commands);
 
   TeamContext context_;
   basic::Basic basic_;

@@ -1,4 +1,5 @@
-// Two-phase prediction of the ball's path: after a kick it slides, then it rolls.
+// Two-phase prediction of the ball's path: after a kick it slides, then it rolls. Also
+// estimates when robots reach points and the moving ball.
 #pragma once
 
 #include <array>
@@ -55,8 +56,6 @@ class KickedBall {
   double slide_s_;    // duration and length of the sliding phase
   double slide_m_;
 };
-
-// Estimated times for robots to reach points and the moving ball.
 
 // Time in seconds until `robot` can stand at `point_m`: accelerate, cruise and brake along the
 // straight path, starting from its current velocity.

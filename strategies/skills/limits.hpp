@@ -1,4 +1,4 @@
-// Where the rules currently allow a robot to be.
+// Where the rules currently allow a robot to be, and how it avoids contact with opponents.
 #pragma once
 
 #include "soccer/field.hpp"
@@ -8,8 +8,6 @@
 #include "soccer/units.hpp"
 
 namespace autoref::strategies {
-
-// Avoiding contact with opponents.
 
 // How gently a robot approaches opponents. The defaults nearly rule out crashes.
 struct Easing {

@@ -1,4 +1,4 @@
-// Driving: commands that bring a robot to a position.
+// Driving: commands that bring a robot to a position, around robots, ball and areas.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -69,8 +69,6 @@ RobotCommand drive_via(const TrackedRobot& robot, const Vec2& steer_m, const Way
 // Commands that move `robot` with `velocity_mps` (in the view's frame) while it turns to `heading`.
 RobotCommand drive_with(const TrackedRobot& robot, const Vec2& velocity_mps, const Vec2& heading,
                         const DrivingStyle& style);
-
-// Paths around robots, ball and areas: the point to steer for on the way to a target.
 
 // The obstacles for a robot of the team; the positions of moving obstacles are extrapolated.
 struct Surroundings {

@@ -1,4 +1,5 @@
-// Playing the ball: getting behind it, running through it, and kicking when the aim is right.
+// Playing the ball: getting behind it, running through it, kicking when the aim is right, and not
+// touching it twice at a restart.
 #pragma once
 
 #include "soccer/field.hpp"
@@ -8,7 +9,6 @@
 namespace autoref::strategies {
 
 // The taker of a restart, which must not touch the ball again before another robot has touched it.
-
 // Remembers the number of the robot that took the team's restart until another robot has the ball.
 class RestartTaker {
  public:

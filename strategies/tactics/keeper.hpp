@@ -1,4 +1,4 @@
-// The goalkeeper.
+// The goalkeeper, and the part of the team's own goal that its robots leave open to a shot.
 #pragma once
 
 #include <optional>
@@ -6,8 +6,6 @@
 #include "strategies/tactics/predicted_state.hpp"
 
 namespace autoref::strategies {
-
-// The part of the team's own goal that its robots leave open to a shot.
 
 // How the keeper covers the goal line: half the width of its shadow, for a shot from the threat,
 // where its middle would be without team-mates, and the point at which a shooter aims, if it aims

@@ -1,4 +1,5 @@
-// The options of the robot with the ball, each with its value.
+// The options of the robot with the ball, each with its value, and the chance that it has
+// the time to turn to its aim.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +10,6 @@
 #include "strategies/tactics/style.hpp"
 
 namespace autoref::strategies {
-
-// Whether a robot has the time to turn to its aim before it must part with the ball.
 
 // How a robot comes to the ball, or holds it.
 struct Hold {

@@ -18,12 +18,12 @@ TrueEvent event(std::string_view name, double time_s, std::optional<Side> offend
   return event;
 }
 
-Call call(std::string_view name, double time_s, std::optional<Side> offender) {
+JudgedCall call(std::string_view name, double time_s, std::optional<Side> offender) {
   return {name, time_s, offender, std::nullopt, Vec2(1, 0), true, false};
 }
 
 std::vector<experiments::CallOutcome> outcomes(const TrueEvents& true_events,
-                                               const std::vector<Call>& calls) {
+                                               const std::vector<JudgedCall>& calls) {
   std::vector<experiments::CallOutcome> outcomes;
   for (const experiments::CallVerdict& verdict : associate(true_events, calls))
     outcomes.push_back(verdict.outcome);
@@ -114,7 +114,7 @@ TEST(Association, EvaluatesTheCardForEveryThirdFoul) {
   card.time_s = 10.0;
   card.finding.event = referee::Event::kMultipleFouls;
   card.finding.offender = kWest;
-  const std::optional<Call> shown = call_of(card);
+  const std::optional<JudgedCall> shown = call_of(card);
   ASSERT_TRUE(shown);
   const std::vector<experiments::CallVerdict> verdicts =
       associate({event("multiple_fouls", 10.0, kWest)}, {*shown});

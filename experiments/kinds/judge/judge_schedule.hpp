@@ -1,4 +1,4 @@
-// The games played to evaluate the referee.
+// The games played to evaluate the referee, and how pairs of teams are dealt to them.
 #pragma once
 
 #include <array>
@@ -11,8 +11,6 @@
 #include "experiments/schedule/schedule.hpp"
 
 namespace autoref::experiments {
-
-// Deals the matchups of a schedule evenly over all pairs of teams.
 
 // The first `count` matchups (team a, team b) of an endless deal over all pairs of the teams, each
 // team also against itself: n (n + 1) / 2 pairs for n teams.

@@ -1,4 +1,4 @@
-// The bracket of a knockout: its ties, their teams and who advances.
+// The bracket of a knockout: its ties, their teams, who advances, and the games to play.
 #pragma once
 
 #include <functional>
@@ -38,8 +38,6 @@ struct Tie {
 // every tie, the two best meet in the final. If the number of teams is not a power of two, the best
 // seeds get a bye in the first round. `decide` is called for each tie with two known teams.
 std::vector<Tie> bracket_of(const Knockout& knockout, const std::function<void(Tie&)>& decide);
-
-// A knockout's bracket, with the results of its games.
 
 // The ties with their winners and the games played so far.
 std::vector<Tie> bracket_of(const Knockout& knockout, const RowsById& rows);

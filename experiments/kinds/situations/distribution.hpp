@@ -1,4 +1,4 @@
-// Numbers drawn from a distribution.
+// Numbers drawn from a distribution, and how scenario files write them.
 #pragma once
 
 #include <cstdint>
@@ -33,8 +33,6 @@ std::string text_of(const Distribution& distribution);
 // Draws a number. A normal distribution is cut off three standard deviations from its mean and at
 // the ends of `range`, which must contain the mean.
 double drawn(const Distribution& distribution, const Range& range, RandomStream& random);
-
-// Reads numbers that may be distributions.
 
 // Reads a number, [low, high] or { mean, sd }. Throws InputError if anything but the tails of a
 // normal distribution is outside `range`.

@@ -12,7 +12,7 @@
 
 namespace autoref::experiments {
 
-// Situations taken from a log.
+// A moment of a log, from which a situation is taken.
 struct LoggedInstant {
   std::filesystem::path log;
   double at_s = 0;               // in seconds from the start of the log

@@ -1,4 +1,5 @@
-// The results of situations as CSV files and as text tables.
+// The results of situations as CSV files, JSON and text tables, and the situations themselves as
+// text.
 #pragma once
 
 #include <map>
@@ -33,8 +34,6 @@ io::TextBlocks scenes_table(const std::vector<SceneGroup>& groups,
 // [{"situation": "corner", "attackers": "cobalt", "defenders": "zone", "scenes": 200,
 //   "void_scenes": 0, "goals": 31, "mean_score": 0.155}, ...]; without scenes, the mean is null.
 io::Json json_of(const std::vector<SceneGroup>& groups);
-
-// Situations as text.
 
 // The key `situations` of effective.yaml, with every number.
 std::string situations_text(const Situations& situations);

@@ -1,4 +1,5 @@
-// SPRT matches: two teams play until a sequential test accepts one of two hypotheses.
+// SPRT matches: two teams play until a sequential test accepts one of two hypotheses. Their state,
+// and their results as a CSV file and as a text table.
 #pragma once
 
 #include <string>
@@ -46,8 +47,6 @@ struct SprtMatchState {
 // therefore depends neither on the number of workers nor on games played after the deciding pair.
 // Pairs with a void leg are left out of the test.
 SprtMatchState state_of(const SprtMatch& match, const RowsById& rows);
-
-// An SPRT match's results as a CSV file and as a text table.
 
 // "d0", "d1", "undecided", or "none" while more pairs are needed.
 std::string name_of(Verdict verdict);

@@ -1,4 +1,4 @@
-// The rounds of a Swiss tournament as a CSV file and as a text table.
+// The standings of a Swiss tournament, and its rounds as a CSV file and as a text table.
 #pragma once
 
 #include <string>
@@ -11,8 +11,6 @@
 #include "experiments/schedule/matchup_schedule.hpp"
 
 namespace autoref::experiments {
-
-// The standings of a Swiss tournament.
 
 // The matchups of these rounds in the order of their first meetings, each once.
 std::vector<Matchup> matchups_of(const SwissRounds& played);

@@ -1,4 +1,4 @@
-// The rounds of a Swiss tournament, as far as its rows decide them.
+// The rounds of a Swiss tournament: who plays whom, as far as its rows decide it.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,6 @@
 #include "experiments/schedule/schedule.hpp"
 
 namespace autoref::experiments {
-
-// Who plays whom in a round of a Swiss tournament.
 
 using DrawnTeam = std::size_t;  // a team's number in the draw, from 0
 

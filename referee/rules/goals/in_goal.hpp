@@ -1,4 +1,5 @@
-// The goal that is awarded for a foul by the defenders at a penalty kick (2026, Penalty Kick).
+// A ball in a goal: whose goal it is, the restart if the goal does not count, and the goal that is
+// awarded for a foul by the defenders at a penalty kick (2026, Penalty Kick).
 #pragma once
 
 #include <optional>
@@ -12,8 +13,6 @@ namespace autoref::referee {
 
 // kGoal for the kicker's side, wherever the ball is. Play must be a penalty kick.
 Finding awarded_goal(const RefereeState& state, const RefereeInput& input);
-
-// A ball in a goal: whose goal it is, and the restart if the goal does not count.
 
 // The side whose goal contains the ball, if any.
 std::optional<Side> conceding_side(const RefereeInput& input);

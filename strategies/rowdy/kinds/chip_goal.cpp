@@ -13,23 +13,23 @@ constexpr double kLandsBefore_m = 300_mm;  // in front of the goal line
 constexpr double kGravity_mps2 = 9.81;
 constexpr double kKicked_mps = 1.5;
 
-std::optional<ActiveFoul> find_chance(const Scene& scene) {
-  const Vec2& ball_m = scene.now.ball.position_m;
-  const double to_goal_m = (scene.field.goal_centre_m(Side::kEast) - ball_m).norm();
-  if (!is_running(scene) || to_goal_m < kNearest_m || to_goal_m > kFarthest_m) return std::nullopt;
-  return foul_by(nearest_mate(scene, ball_m, kNear_m), ball_m);
+std::optional<ActiveFoul> find_chance(const RowdyView& view) {
+  const Vec2& ball_m = view.now.ball.position_m;
+  const double to_goal_m = (view.field.goal_centre_m(Side::kEast) - ball_m).norm();
+  if (!is_running(view) || to_goal_m < kNearest_m || to_goal_m > kFarthest_m) return std::nullopt;
+  return foul_by(nearest_mate(view, ball_m, kNear_m), ball_m);
 }
 
 // A 45-degree chip with speed v has a range of v^2 / g.
-bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
-  const Vec2 goal_m = scene.field.goal_centre_m(Side::kEast);
-  const double range_m = (goal_m - scene.now.ball.position_m).norm() - kLandsBefore_m;
+bool go_on(const RowdyView& view, ActiveFoul& foul, TeamOutput& output) {
+  const Vec2 goal_m = view.field.goal_centre_m(Side::kEast);
+  const double range_m = (goal_m - view.now.ball.position_m).norm() - kLandsBefore_m;
   const double kick_mps = std::sqrt(kGravity_mps2 * std::max(0.1, range_m));
   RobotCommand& command = output.command(foul.robot);
-  command = kick_at(scene, *find(scene.now.own, foul.robot), goal_m, kick_mps);
+  command = kick_at(view, *find(view.now.own, foul.robot), goal_m, kick_mps);
   command.chip = true;
-  hold_back(scene, foul.robot, scene.now.ball.position_m, kNear_m, output.commands);
-  return is_running(scene) && scene.now.ball.velocity_mps.norm() < kKicked_mps;
+  hold_back(view, foul.robot, view.now.ball.position_m, kNear_m, output.commands);
+  return is_running(view) && view.now.ball.velocity_mps.norm() < kKicked_mps;
 }
 
 }  // namespace

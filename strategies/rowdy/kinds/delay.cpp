@@ -3,15 +3,14 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-std::optional<ActiveFoul> find_chance(const Scene& scene) {
-  if (!is_own_restart(scene)) return std::nullopt;
+std::optional<ActiveFoul> find_chance(const RowdyView& view) {
+  if (!is_own_restart(view)) return std::nullopt;
   return ActiveFoul{};
 }
 
-bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
-  hold_back(scene, foul.robot, scene.now.ball.position_m, 2 * scene.field.length_m,
-            output.commands);
-  return is_own_restart(scene);
+bool go_on(const RowdyView& view, ActiveFoul& foul, TeamOutput& output) {
+  hold_back(view, foul.robot, view.now.ball.position_m, 2 * view.field.length_m, output.commands);
+  return is_own_restart(view);
 }
 
 }  // namespace

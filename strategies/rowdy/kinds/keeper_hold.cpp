@@ -14,45 +14,45 @@ constexpr double kSway_s = 3.0;    // time in each direction
 constexpr double kShortest_s = 4;
 constexpr double kLongest_s = 18;
 
-bool is_held(const Scene& scene) {
-  const Vec2& ball_m = scene.now.ball.position_m;
-  return distance_to_defence_area(scene.field, Side::kWest, ball_m) < 0 &&
-         ball_m.x() > -scene.field.half_length_m();
+bool is_held(const RowdyView& view) {
+  const Vec2& ball_m = view.now.ball.position_m;
+  return distance_to_defence_area(view.field, Side::kWest, ball_m) < 0 &&
+         ball_m.x() > -view.field.half_length_m();
 }
 
-std::optional<ActiveFoul> find_chance(const Scene& scene) {
-  const TrackedBall& ball = scene.now.ball;
+std::optional<ActiveFoul> find_chance(const RowdyView& view) {
+  const TrackedBall& ball = view.now.ball;
   const bool is_inside =
-      distance_to_defence_area(scene.field, Side::kWest, ball.position_m) < -kInside_m &&
-      ball.position_m.x() > -scene.field.half_length_m() + kInside_m;
-  const TrackedRobot* keeper = find(scene.now.own, scene.keeper);
-  if (!is_running(scene) || !is_inside || ball.velocity_mps.norm() > kSlow_mps ||
+      distance_to_defence_area(view.field, Side::kWest, ball.position_m) < -kInside_m &&
+      ball.position_m.x() > -view.field.half_length_m() + kInside_m;
+  const TrackedRobot* keeper = find(view.now.own, view.keeper);
+  if (!is_running(view) || !is_inside || ball.velocity_mps.norm() > kSlow_mps ||
       keeper == nullptr || (keeper->position_m - ball.position_m).norm() > kReach_m) {
     return std::nullopt;
   }
   return foul_by(keeper, ball.position_m);
 }
 
-RobotCommand take(const Scene& scene, const TrackedRobot& keeper) {
-  const Vec2 behind_m = scene.now.ball.position_m - Vec2(kBehind_m, 0);
+RobotCommand take(const RowdyView& view, const TrackedRobot& keeper) {
+  const Vec2 behind_m = view.now.ball.position_m - Vec2(kBehind_m, 0);
   if ((keeper.position_m - behind_m).norm() < kThere_m) {
     return drive_with(keeper, Vec2(kApproach_mps, 0), Vec2(1, 0), {});
   }
   return drive_to(keeper, {behind_m, Vec2(1, 0)}, {}, {});
 }
 
-bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
-  const TrackedRobot& keeper = *find(scene.now.own, foul.robot);
-  const double lasts_s = scene.now.time_s - foul.begun_s;
+bool go_on(const RowdyView& view, ActiveFoul& foul, TeamOutput& output) {
+  const TrackedRobot& keeper = *find(view.now.own, foul.robot);
+  const double lasts_s = view.now.time_s - foul.begun_s;
   RobotCommand& command = output.command(foul.robot);
-  if (has_ball(keeper, scene.now.ball)) {
+  if (has_ball(keeper, view.now.ball)) {
     const bool is_forth = static_cast<int>(lasts_s / kSway_s) % 2 == 0;
     command = drive_with(keeper, Vec2(is_forth ? kSway_mps : -kSway_mps, 0), Vec2(1, 0), {});
   } else {
-    command = take(scene, keeper);
+    command = take(view, keeper);
   }
   command.dribble = true;
-  return is_running(scene) && is_held(scene) &&
+  return is_running(view) && is_held(view) &&
          lasts_s < kShortest_s + (kLongest_s - kShortest_s) * foul.amount;
 }
 

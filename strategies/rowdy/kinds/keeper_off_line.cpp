@@ -5,20 +5,20 @@ namespace {
 
 constexpr double kBeforeLine_m = 350_mm;
 
-bool is_their_penalty(const Scene& scene) {
-  return !scene.now.ours &&
-         (scene.now.play == Play::kPreparePenalty || scene.now.play == Play::kPenalty);
+bool is_their_penalty(const RowdyView& view) {
+  return !view.now.ours &&
+         (view.now.play == Play::kPreparePenalty || view.now.play == Play::kPenalty);
 }
 
-std::optional<ActiveFoul> find_chance(const Scene& scene) {
-  if (!is_their_penalty(scene)) return std::nullopt;
-  return foul_by(find(scene.now.own, scene.keeper), scene.now.ball.position_m);
+std::optional<ActiveFoul> find_chance(const RowdyView& view) {
+  if (!is_their_penalty(view)) return std::nullopt;
+  return foul_by(find(view.now.own, view.keeper), view.now.ball.position_m);
 }
 
-bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
-  const Vec2 position_m = scene.field.goal_centre_m(Side::kWest) + Vec2(kBeforeLine_m, 0);
-  output.command(foul.robot) = go_to(scene, *find(scene.now.own, foul.robot), position_m);
-  return is_their_penalty(scene);
+bool go_on(const RowdyView& view, ActiveFoul& foul, TeamOutput& output) {
+  const Vec2 position_m = view.field.goal_centre_m(Side::kWest) + Vec2(kBeforeLine_m, 0);
+  output.command(foul.robot) = go_to(view, *find(view.now.own, foul.robot), position_m);
+  return is_their_penalty(view);
 }
 
 }  // namespace

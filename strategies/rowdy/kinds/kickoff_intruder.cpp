@@ -6,23 +6,23 @@ namespace {
 constexpr double kBeyond_m = 700_mm;  // beyond the halfway line
 constexpr double kBesideShare = 0.5;  // fraction of half the field's width
 
-bool is_kickoff(const Scene& scene) {
-  return scene.now.play == Play::kPrepareKickoff || scene.now.play == Play::kKickoff;
+bool is_kickoff(const RowdyView& view) {
+  return view.now.play == Play::kPrepareKickoff || view.now.play == Play::kKickoff;
 }
 
-Vec2 position_m(const Scene& scene) {
-  return {kBeyond_m, kBesideShare * scene.field.half_width_m()};
+Vec2 position_m(const RowdyView& view) {
+  return {kBeyond_m, kBesideShare * view.field.half_width_m()};
 }
 
-std::optional<ActiveFoul> find_chance(const Scene& scene) {
-  if (!is_kickoff(scene)) return std::nullopt;
-  return foul_by(nearest_mate(scene, position_m(scene), scene.field.length_m),
-                 scene.now.ball.position_m);
+std::optional<ActiveFoul> find_chance(const RowdyView& view) {
+  if (!is_kickoff(view)) return std::nullopt;
+  return foul_by(nearest_mate(view, position_m(view), view.field.length_m),
+                 view.now.ball.position_m);
 }
 
-bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
-  output.command(foul.robot) = go_to(scene, *find(scene.now.own, foul.robot), position_m(scene));
-  return is_kickoff(scene);
+bool go_on(const RowdyView& view, ActiveFoul& foul, TeamOutput& output) {
+  output.command(foul.robot) = go_to(view, *find(view.now.own, foul.robot), position_m(view));
+  return is_kickoff(view);
 }
 
 }  // namespace

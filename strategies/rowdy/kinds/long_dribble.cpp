@@ -14,31 +14,31 @@ constexpr double kFromLines_m = 200_mm;
 constexpr double kLost_m = 160_mm;  // from the robot's centre to a ball that it has lost
 constexpr double kMates_m = 600_mm;
 
-bool has_room(const Scene& scene, const TrackedRobot& robot) {
+bool has_room(const RowdyView& view, const TrackedRobot& robot) {
   const Vec2 end_m = robot.position_m + robot.heading * (kLongest_m + kFromLines_m);
-  return is_on_field(scene.field, end_m);
+  return is_on_field(view.field, end_m);
 }
 
-std::optional<ActiveFoul> find_chance(const Scene& scene) {
-  if (!is_running(scene)) return std::nullopt;
-  const Vec2& ball_m = scene.now.ball.position_m;
-  const TrackedRobot* mate = nearest_mate(scene, ball_m, kLost_m);
-  if (mate == nullptr || !has_ball(*mate, scene.now.ball) || !has_room(scene, *mate)) {
+std::optional<ActiveFoul> find_chance(const RowdyView& view) {
+  if (!is_running(view)) return std::nullopt;
+  const Vec2& ball_m = view.now.ball.position_m;
+  const TrackedRobot* mate = nearest_mate(view, ball_m, kLost_m);
+  if (mate == nullptr || !has_ball(*mate, view.now.ball) || !has_room(view, *mate)) {
     return std::nullopt;
   }
   return foul_by(mate, ball_m);
 }
 
-bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
-  const TrackedRobot& robot = *find(scene.now.own, foul.robot);
-  const Vec2& ball_m = scene.now.ball.position_m;
+bool go_on(const RowdyView& view, ActiveFoul& foul, TeamOutput& output) {
+  const TrackedRobot& robot = *find(view.now.own, foul.robot);
+  const Vec2& ball_m = view.now.ball.position_m;
   const double now_mps = std::max(0.0, robot.velocity_mps.dot(robot.heading));
   RobotCommand& command = output.command(foul.robot);
   command = charge(robot, robot.heading * std::min(kSpeed_mps, now_mps + kFaster_mps));
   command.dribble = true;
-  hold_back(scene, foul.robot, ball_m, kMates_m, output.commands);
+  hold_back(view, foul.robot, ball_m, kMates_m, output.commands);
   const double far_m = kShortest_m + (kLongest_m - kShortest_m) * foul.amount;
-  return is_running(scene) && (ball_m - robot.position_m).norm() < kLost_m &&
+  return is_running(view) && (ball_m - robot.position_m).norm() < kLost_m &&
          (ball_m - foul.from_m).norm() < far_m;
 }
 

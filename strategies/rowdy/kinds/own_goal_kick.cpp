@@ -6,23 +6,23 @@ namespace {
 constexpr double kKick_mps = 4.0;
 constexpr double kRolls_mps = 0.3;
 
-std::optional<ActiveFoul> find_chance(const Scene& scene) {
-  const Vec2& ball_m = scene.now.ball.position_m;
-  if (!scene.now.ours || !is_free_kick(scene.now.play) || ball_m.x() > 0) return std::nullopt;
-  return foul_by(nearest_mate(scene, ball_m, scene.field.length_m), ball_m);
+std::optional<ActiveFoul> find_chance(const RowdyView& view) {
+  const Vec2& ball_m = view.now.ball.position_m;
+  if (!view.now.ours || !is_free_kick(view.now.play) || ball_m.x() > 0) return std::nullopt;
+  return foul_by(nearest_mate(view, ball_m, view.field.length_m), ball_m);
 }
 
 // The kicker's team-mates stay out of the way until the ball is in the goal.
-bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
-  const Vec2& ball_m = scene.now.ball.position_m;
-  const Vec2 goal_m = scene.field.goal_centre_m(Side::kWest);
-  clear_lane(scene, foul.robot, ball_m, goal_m, output.commands);
-  if (is_running(scene)) {
+bool go_on(const RowdyView& view, ActiveFoul& foul, TeamOutput& output) {
+  const Vec2& ball_m = view.now.ball.position_m;
+  const Vec2 goal_m = view.field.goal_centre_m(Side::kWest);
+  clear_lane(view, foul.robot, ball_m, goal_m, output.commands);
+  if (is_running(view)) {
     output.command(foul.robot) = RobotCommand{};
-    return scene.now.ball.velocity_mps.norm() > kRolls_mps;
+    return view.now.ball.velocity_mps.norm() > kRolls_mps;
   }
-  output.command(foul.robot) = kick_at(scene, *find(scene.now.own, foul.robot), goal_m, kKick_mps);
-  return scene.now.ours && is_free_kick(scene.now.play);
+  output.command(foul.robot) = kick_at(view, *find(view.now.own, foul.robot), goal_m, kKick_mps);
+  return view.now.ours && is_free_kick(view.now.play);
 }
 
 }  // namespace

@@ -5,29 +5,29 @@ namespace {
 
 constexpr double kBeside_m = 500_mm;  // beside the mark
 
-bool is_penalty(const Scene& scene) {
-  return scene.now.play == Play::kPreparePenalty || scene.now.play == Play::kPenalty;
+bool is_penalty(const RowdyView& view) {
+  return view.now.play == Play::kPreparePenalty || view.now.play == Play::kPenalty;
 }
 
-Vec2 mark_m(const Scene& scene) {
-  return scene.now.placement_m.value_or(scene.now.ball.position_m);
+Vec2 mark_m(const RowdyView& view) {
+  return view.now.placement_m.value_or(view.now.ball.position_m);
 }
 
 // Uses a robot other than the kicker.
-std::optional<ActiveFoul> find_chance(const Scene& scene) {
-  if (!is_penalty(scene)) return std::nullopt;
+std::optional<ActiveFoul> find_chance(const RowdyView& view) {
+  if (!is_penalty(view)) return std::nullopt;
   const TrackedRobot* kicker =
-      scene.now.ours ? nearest_mate(scene, mark_m(scene), scene.field.length_m) : nullptr;
-  for (const TrackedRobot& mate : scene.now.own) {
-    if (mate.number != scene.keeper && &mate != kicker) return foul_by(&mate, mark_m(scene));
+      view.now.ours ? nearest_mate(view, mark_m(view), view.field.length_m) : nullptr;
+  for (const TrackedRobot& mate : view.now.own) {
+    if (mate.number != view.keeper && &mate != kicker) return foul_by(&mate, mark_m(view));
   }
   return std::nullopt;
 }
 
-bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
+bool go_on(const RowdyView& view, ActiveFoul& foul, TeamOutput& output) {
   output.command(foul.robot) =
-      go_to(scene, *find(scene.now.own, foul.robot), foul.from_m + Vec2(0, kBeside_m));
-  return is_penalty(scene);
+      go_to(view, *find(view.now.own, foul.robot), foul.from_m + Vec2(0, kBeside_m));
+  return is_penalty(view);
 }
 
 }  // namespace

@@ -18,38 +18,38 @@ constexpr double kPushed_m = 30_mm;
 constexpr double kKick_mps = 2.0;
 constexpr double kKicked_mps = 1.0;
 
-double depth_m(const Scene& scene) {
-  return -distance_to_defence_area(scene.field, Side::kWest, scene.now.ball.position_m);
+double depth_m(const RowdyView& view) {
+  return -distance_to_defence_area(view.field, Side::kWest, view.now.ball.position_m);
 }
 
-std::optional<ActiveFoul> find_chance(const Scene& scene) {
-  const double deep_m = depth_m(scene);
+std::optional<ActiveFoul> find_chance(const RowdyView& view) {
+  const double deep_m = depth_m(view);
   const bool is_reached = (deep_m > kFromOutside_m && deep_m < kDeepest_m) ||
                           (deep_m > kShallowest_m && deep_m < kFromInside_m);
-  if (!is_running(scene) || !is_reached || scene.now.ball.velocity_mps.norm() > kSlow_mps) {
+  if (!is_running(view) || !is_reached || view.now.ball.velocity_mps.norm() > kSlow_mps) {
     return std::nullopt;
   }
-  const Vec2& ball_m = scene.now.ball.position_m;
-  return foul_by(nearest_mate(scene, ball_m, kReach_m), ball_m);
+  const Vec2& ball_m = view.now.ball.position_m;
+  return foul_by(nearest_mate(view, ball_m, kReach_m), ball_m);
 }
 
 // If the ball is inside the area, the robot pushes it slightly towards its own goal, coming from
 // outside; if the ball is outside, the robot kicks it away, standing inside.
-RobotCommand touch(const Scene& scene, const TrackedRobot& robot, ActiveFoul& foul) {
-  const Vec2& ball_m = scene.now.ball.position_m;
-  const Vec2 outwards = direction_of(ball_m - scene.field.goal_centre_m(Side::kWest), Vec2(1, 0));
-  if (depth_m(scene) < 0) return kick_at(scene, robot, ball_m + outwards, kKick_mps);
+RobotCommand touch(const RowdyView& view, const TrackedRobot& robot, ActiveFoul& foul) {
+  const Vec2& ball_m = view.now.ball.position_m;
+  const Vec2 outwards = direction_of(ball_m - view.field.goal_centre_m(Side::kWest), Vec2(1, 0));
+  if (depth_m(view) < 0) return kick_at(view, robot, ball_m + outwards, kKick_mps);
   const Vec2 run_up_m = ball_m + outwards * kRunUp_m;
   foul.is_halfway = foul.is_halfway || (robot.position_m - run_up_m).norm() < kThere_m;
-  return foul.is_halfway ? charge(robot, -outwards * kPush_mps) : go_to(scene, robot, run_up_m);
+  return foul.is_halfway ? charge(robot, -outwards * kPush_mps) : go_to(view, robot, run_up_m);
 }
 
-bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
-  const Vec2& ball_m = scene.now.ball.position_m;
-  hold_back(scene, foul.robot, ball_m, kReach_m, output.commands);
-  output.command(foul.robot) = touch(scene, *find(scene.now.own, foul.robot), foul);
-  return is_running(scene) && (ball_m - foul.from_m).norm() < kPushed_m &&
-         scene.now.ball.velocity_mps.norm() < kKicked_mps;
+bool go_on(const RowdyView& view, ActiveFoul& foul, TeamOutput& output) {
+  const Vec2& ball_m = view.now.ball.position_m;
+  hold_back(view, foul.robot, ball_m, kReach_m, output.commands);
+  output.command(foul.robot) = touch(view, *find(view.now.own, foul.robot), foul);
+  return is_running(view) && (ball_m - foul.from_m).norm() < kPushed_m &&
+         view.now.ball.velocity_mps.norm() < kKicked_mps;
 }
 
 }  // namespace

@@ -11,21 +11,21 @@ constexpr double kOffGoal_m = 250_mm;  // from the goal line to the ball: space 
 constexpr double kKick_mps = 2.0;
 constexpr double kKicked_mps = 1.5;
 
-std::optional<ActiveFoul> find_chance(const Scene& scene) {
-  const TrackedBall& ball = scene.now.ball;
+std::optional<ActiveFoul> find_chance(const RowdyView& view) {
+  const TrackedBall& ball = view.now.ball;
   const bool is_deep =
-      distance_to_defence_area(scene.field, Side::kWest, ball.position_m) < -kDeep_m &&
-      ball.position_m.x() > -scene.field.half_length_m() + kOffGoal_m;
-  if (!is_running(scene) || !is_deep || ball.velocity_mps.norm() > kSlow_mps) return std::nullopt;
-  return foul_by(nearest_mate(scene, ball.position_m, kReach_m), ball.position_m);
+      distance_to_defence_area(view.field, Side::kWest, ball.position_m) < -kDeep_m &&
+      ball.position_m.x() > -view.field.half_length_m() + kOffGoal_m;
+  if (!is_running(view) || !is_deep || ball.velocity_mps.norm() > kSlow_mps) return std::nullopt;
+  return foul_by(nearest_mate(view, ball.position_m, kReach_m), ball.position_m);
 }
 
-bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
-  const Vec2& ball_m = scene.now.ball.position_m;
-  hold_back(scene, foul.robot, ball_m, kReach_m, output.commands);
+bool go_on(const RowdyView& view, ActiveFoul& foul, TeamOutput& output) {
+  const Vec2& ball_m = view.now.ball.position_m;
+  hold_back(view, foul.robot, ball_m, kReach_m, output.commands);
   output.command(foul.robot) =
-      kick_at(scene, *find(scene.now.own, foul.robot), ball_m + Vec2(1, 0), kKick_mps);
-  return is_running(scene) && scene.now.ball.velocity_mps.norm() < kKicked_mps;
+      kick_at(view, *find(view.now.own, foul.robot), ball_m + Vec2(1, 0), kKick_mps);
+  return is_running(view) && view.now.ball.velocity_mps.norm() < kKicked_mps;
 }
 
 }  // namespace

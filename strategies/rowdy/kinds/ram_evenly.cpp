@@ -22,11 +22,11 @@ bool comes(const TrackedRobot& opponent, const TrackedRobot& mate) {
          towards_mps > kStraight * opponent.velocity_mps.norm();
 }
 
-std::optional<ActiveFoul> find_chance(const Scene& scene) {
-  if (!is_running(scene)) return std::nullopt;
-  for (const TrackedRobot& mate : scene.now.own) {
-    if (mate.number == scene.keeper) continue;
-    for (const TrackedRobot& opponent : scene.now.opponents) {
+std::optional<ActiveFoul> find_chance(const RowdyView& view) {
+  if (!is_running(view)) return std::nullopt;
+  for (const TrackedRobot& mate : view.now.own) {
+    if (mate.number == view.keeper) continue;
+    for (const TrackedRobot& opponent : view.now.opponents) {
       if (!comes(opponent, mate)) continue;
       return foul_against(opponent, mate);
     }
@@ -34,10 +34,10 @@ std::optional<ActiveFoul> find_chance(const Scene& scene) {
   return std::nullopt;
 }
 
-bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
-  const TrackedRobot* opponent = victim_of(foul, scene);
+bool go_on(const RowdyView& view, ActiveFoul& foul, TeamOutput& output) {
+  const TrackedRobot* opponent = victim_of(foul, view);
   if (opponent == nullptr) return false;
-  const TrackedRobot& robot = *find(scene.now.own, foul.robot);
+  const TrackedRobot& robot = *find(view.now.own, foul.robot);
   const double speed_mps = std::max(0.0, closing_mps(*opponent, robot.position_m));
   output.command(foul.robot) = charge_at(robot, opponent->position_m, speed_mps);
   return (opponent->position_m - robot.position_m).norm() > kMet_m;

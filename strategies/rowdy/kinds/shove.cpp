@@ -11,11 +11,11 @@ constexpr double kStill_mps = 0.3;  // maximum speed of the opponent
 constexpr double kSpeed_mps = 1.45;
 constexpr double kFar_m = 350_mm;  // distance after which the push ends
 
-std::optional<ActiveFoul> find_chance(const Scene& scene) {
-  if (!is_running(scene)) return std::nullopt;
-  for (const TrackedRobot& mate : scene.now.own) {
-    const TrackedRobot* victim = nearest_opponent(scene, mate.position_m, kReach_m);
-    if (mate.number == scene.keeper || victim == nullptr) continue;
+std::optional<ActiveFoul> find_chance(const RowdyView& view) {
+  if (!is_running(view)) return std::nullopt;
+  for (const TrackedRobot& mate : view.now.own) {
+    const TrackedRobot* victim = nearest_opponent(view, mate.position_m, kReach_m);
+    if (mate.number == view.keeper || victim == nullptr) continue;
     if (victim->velocity_mps.norm() > kStill_mps) continue;
     if ((victim->position_m - mate.position_m).norm() < kNearest_m) continue;
     return foul_against(*victim, mate);
@@ -23,10 +23,10 @@ std::optional<ActiveFoul> find_chance(const Scene& scene) {
   return std::nullopt;
 }
 
-bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
-  const TrackedRobot* victim = victim_of(foul, scene);
+bool go_on(const RowdyView& view, ActiveFoul& foul, TeamOutput& output) {
+  const TrackedRobot* victim = victim_of(foul, view);
   if (victim == nullptr) return false;
-  const TrackedRobot& robot = *find(scene.now.own, foul.robot);
+  const TrackedRobot& robot = *find(view.now.own, foul.robot);
   output.command(foul.robot) = charge_at(robot, victim->position_m, kSpeed_mps);
   return (victim->position_m - foul.from_m).norm() < kFar_m;
 }

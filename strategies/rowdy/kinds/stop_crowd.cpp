@@ -5,22 +5,21 @@ namespace {
 
 constexpr double kFromBall_m = 350_mm;  // to the robot's centre
 
-Vec2 ball_target_m(const Scene& scene) {
-  return scene.now.placement_m.value_or(scene.now.ball.position_m);
+Vec2 ball_target_m(const RowdyView& view) {
+  return view.now.placement_m.value_or(view.now.ball.position_m);
 }
 
-std::optional<ActiveFoul> find_chance(const Scene& scene) {
-  if (scene.now.play != Play::kStop) return std::nullopt;
-  return foul_by(nearest_mate(scene, ball_target_m(scene), scene.field.length_m),
-                 ball_target_m(scene));
+std::optional<ActiveFoul> find_chance(const RowdyView& view) {
+  if (view.now.play != Play::kStop) return std::nullopt;
+  return foul_by(nearest_mate(view, ball_target_m(view), view.field.length_m), ball_target_m(view));
 }
 
-bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
-  const Vec2 ball_m = ball_target_m(scene);
-  const Vec2 back = direction_of(scene.field.goal_centre_m(Side::kWest) - ball_m, Vec2(-1, 0));
+bool go_on(const RowdyView& view, ActiveFoul& foul, TeamOutput& output) {
+  const Vec2 ball_m = ball_target_m(view);
+  const Vec2 back = direction_of(view.field.goal_centre_m(Side::kWest) - ball_m, Vec2(-1, 0));
   output.command(foul.robot) =
-      go_to(scene, *find(scene.now.own, foul.robot), ball_m + back * kFromBall_m);
-  return scene.now.play == Play::kStop;
+      go_to(view, *find(view.now.own, foul.robot), ball_m + back * kFromBall_m);
+  return view.now.play == Play::kStop;
 }
 
 }  // namespace

@@ -6,21 +6,21 @@ namespace {
 constexpr double kTurnsBefore_m = 300_mm;
 constexpr double kShare = 0.6;  // fraction of half the field's width that it crosses
 
-std::optional<ActiveFoul> find_chance(const Scene& scene) {
-  if (scene.now.play != Play::kStop) return std::nullopt;
+std::optional<ActiveFoul> find_chance(const RowdyView& view) {
+  if (view.now.play != Play::kStop) return std::nullopt;
   const TrackedRobot* mate =
-      nearest_mate(scene, Vec2(-scene.field.half_length_m() / 2, 0), scene.field.length_m);
+      nearest_mate(view, Vec2(-view.field.half_length_m() / 2, 0), view.field.length_m);
   return foul_by(mate, mate != nullptr ? mate->position_m : Vec2(0, 0));
 }
 
 // Drives back and forth.
-bool go_on(const Scene& scene, ActiveFoul& foul, TeamOutput& output) {
-  const TrackedRobot& robot = *find(scene.now.own, foul.robot);
-  const double wing_m = kShare * scene.field.half_width_m();
+bool go_on(const RowdyView& view, ActiveFoul& foul, TeamOutput& output) {
+  const TrackedRobot& robot = *find(view.now.own, foul.robot);
+  const double wing_m = kShare * view.field.half_width_m();
   const Vec2 target_m(foul.from_m.x(), foul.is_halfway ? -wing_m : wing_m);
   if ((target_m - robot.position_m).norm() < kTurnsBefore_m) foul.is_halfway = !foul.is_halfway;
-  output.command(foul.robot) = go_to(scene, robot, target_m);
-  return scene.now.play == Play::kStop;
+  output.command(foul.robot) = go_to(view, robot, target_m);
+  return view.now.play == Play::kStop;
 }
 
 }  // namespace

@@ -3,14 +3,14 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-std::optional<ActiveFoul> find_chance(const Scene& scene) {
-  if (scene.now.play != Play::kStop) return std::nullopt;
+std::optional<ActiveFoul> find_chance(const RowdyView& view) {
+  if (view.now.play != Play::kStop) return std::nullopt;
   return ActiveFoul{};
 }
 
-bool go_on(const Scene& scene, ActiveFoul& /*foul*/, TeamOutput& output) {
+bool go_on(const RowdyView& view, ActiveFoul& /*foul*/, TeamOutput& output) {
   output.requests.timeout = true;
-  return scene.now.play == Play::kStop;
+  return view.now.play == Play::kStop;
 }
 
 }  // namespace

@@ -154,9 +154,9 @@ class PenaltyGame {
   }
 
   void ask(const Rule& rule, const RefereeInput& now, State machine_state) {
-    for (const Watch& watch : rule.watches()) {
-      if (state.machine_state != machine_state || !watch.active_in.has(machine_state)) continue;
-      if (const auto found = watch.find(state, now)) decide(now, *found);
+    for (const RuleSearch& search : rule.searches()) {
+      if (state.machine_state != machine_state || !search.active_in.has(machine_state)) continue;
+      if (const auto found = search.find(state, now)) decide(now, *found);
     }
   }
 

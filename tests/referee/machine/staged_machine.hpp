@@ -48,9 +48,9 @@ class StagedMachine {
   // The label of the last transition taken for the rule's findings; empty if there is none.
   std::string_view look_for(const Rule& rule) {
     std::string_view taken;
-    for (const Watch& watch : rule.watches()) {
-      if (!watch.active_in.has(state.machine_state)) continue;
-      const std::optional<Finding> found = watch.find(state, input());
+    for (const RuleSearch& search : rule.searches()) {
+      if (!search.active_in.has(state.machine_state)) continue;
+      const std::optional<Finding> found = search.find(state, input());
       if (!found) continue;
       last_found = *found;
       if (!put(*found).empty()) taken = label_;

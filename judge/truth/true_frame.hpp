@@ -1,4 +1,5 @@
-// The input of the ground-truth rules in one frame.
+// The input of the ground-truth rules in one frame: the world, the state of play, and the ball's
+// touches since play began.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -13,10 +14,9 @@
 
 namespace autoref::judge::ground_truth {
 
-// What the referee's commands allow, and how the true ball enters play.
-
-// `restart` is the command that started play; for a kick-off or penalty its preparation.
-struct Play {
+// What the referee's commands allow, and how the true ball enters play. `restart` is the command
+// that started play; for a kick-off or penalty its preparation.
+struct TruePlay {
   bool is_on = false;          // from the restart's signal until play is stopped
   bool is_stop = false;        // STOP is in force
   std::optional<Side> placer;  // the side that BALL_PLACEMENT tells to place the ball
@@ -46,21 +46,17 @@ class PlayFollower {
   explicit PlayFollower(const RuleBook& rules) : in_play_m_(rules.in_play_m) {}
 
   // Call `update` before a frame's rules are evaluated, and `obey` afterwards.
-  const Play& update(const sim::WorldState& now, double time_s, const RefereeSignal& signal);
+  const TruePlay& update(const sim::WorldState& now, double time_s, const RefereeSignal& signal);
   void obey(const sim::WorldState& now, double time_s, const RefereeSignal& signal);
-  const Play& play() const { return play_; }
+  const TruePlay& play() const { return play_; }
 
  private:
   double in_play_m_;
-  Play play_;
+  TruePlay play_;
   Command prepared_;
   std::uint32_t counter_ = 0;
 };
 
-// Tracks who has touched the ball since play began, for how long, and how high the ball has been.
-//
-// Touches of a ball that is wholly beyond the lines do not count: it is out of play (Laws 2014, law
-// 9), and an exit belongs to the touch before it.
 struct BallTouch {
   RobotId robot;
   double time_s = 0;
@@ -89,6 +85,10 @@ struct Heights {
   std::optional<double> of_shot_m;
 };
 
+// Tracks who has touched the ball since play began, for how long, and how high the ball has been.
+//
+// Touches of a ball that is wholly beyond the lines do not count: it is out of play (Laws 2014, law
+// 9), and an exit belongs to the touch before it.
 class BallHistory {
  public:
   BallHistory(const Field& field, const RuleBook& rules)
@@ -127,7 +127,7 @@ class BallHistory {
 // Returns the robot with this id, or null.
 const sim::RobotState* find_robot(const sim::WorldState& world, RobotId id);
 
-struct Scene {
+struct TrueFrame {
   const Field& field;
   const RuleBook& rules;
   double time_s = 0;
@@ -136,7 +136,7 @@ struct Scene {
   const sim::WorldState& now;
   std::span<const sim::Touch> touches;
   std::span<const sim::RobotCollision> collisions;
-  const Play& play;
+  const TruePlay& play;
   const BallHistory& ball;
   const RefereeSignal& signal;      // in force since the previous frame
   PerSide<int> keepers;             // their numbers
@@ -158,7 +158,7 @@ struct Scene {
 class GroundTruthRule {
  public:
   virtual ~GroundTruthRule() = default;
-  virtual void watch(const Scene& scene, TrueEvents& all) = 0;
+  virtual void watch(const TrueFrame& frame, TrueEvents& all) = 0;
 };
 
 // Calls act(id, robot) for every robot of one or both sides.

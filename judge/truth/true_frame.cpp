@@ -1,4 +1,4 @@
-#include "judge/truth/scene.hpp"
+#include "judge/truth/true_frame.hpp"
 
 #include <algorithm>
 
@@ -38,8 +38,8 @@ bool is_at_ball(const sim::WorldState& now, RobotId id) {
 
 }  // namespace
 
-const Play& PlayFollower::update(const sim::WorldState& now, double time_s,
-                                 const RefereeSignal& signal) {
+const TruePlay& PlayFollower::update(const sim::WorldState& now, double time_s,
+                                     const RefereeSignal& signal) {
   play_.entered_now = false;
   if (play_.is_on && !play_.in_play &&
       (now.ball.position_m - play_.ball_from_m).norm() > in_play_m_) {
@@ -57,8 +57,8 @@ void PlayFollower::obey(const sim::WorldState& now, double time_s, const Referee
   counter_ = signal.command_counter;
   const Command& command = signal.command;
   if (prepares(command.kind)) prepared_ = command;
-  const Play before = play_;
-  play_ = Play{};
+  const TruePlay before = play_;
+  play_ = TruePlay{};
   play_.is_on = starts_play(command.kind);
   play_.is_stop = command.kind == CommandKind::kStop;
   if (command.kind == CommandKind::kBallPlacement) play_.placer = command.side;
