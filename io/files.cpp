@@ -131,8 +131,6 @@ bool is_open_as(const fs::path& path, int descriptor) {
          opened.st_ino == named.st_ino;
 }
 
-namespace fs = std::filesystem;
-
 fs::path running_program() {
   std::error_code error;
   return fs::read_symlink("/proc/self/exe", error);

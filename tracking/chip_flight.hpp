@@ -11,10 +11,7 @@
 
 namespace autoref::tracking {
 
-// Least-squares fits of a ballistic flight and of a path on the carpet to what vision reports: the
-// accumulated normal equations that ChipFlight compares. Detections have weight 1, so a
-// misfit, the sum of squared residuals, is chi-square times the variance of a reported coordinate.
-// Positions are relative to the kick's.
+// Where vision reports the ball, and where the camera is.
 struct BallDetection {
   double time_s = 0;
   Vec2 reported_m{0, 0};  // on the plane through the centre of a ball on the carpet
@@ -30,6 +27,10 @@ inline Vec2 slant_of(const Vec2& position_m, const BallDetection& seen) {
 // The unknowns of a flight at time 0: position (2), velocity (2), height, vertical speed.
 using FlightRow = Eigen::Matrix<double, 6, 1>;
 
+// Least-squares fits of a ballistic flight and of a path on the carpet to what vision reports: the
+// accumulated normal equations that the detector compares. Detections have weight 1, so a misfit,
+// the sum of squared residuals, is chi-square times the variance of a reported coordinate.
+// Positions are relative to the kick's.
 struct FlightSums {
   Eigen::Matrix<double, 6, 6> rows = Eigen::Matrix<double, 6, 6>::Zero();
   FlightRow values = FlightRow::Zero();

@@ -62,8 +62,6 @@ void hold_back(const RowdyView& view, int number, const Vec2& point_m, double re
 void clear_lane(const RowdyView& view, int number, const Vec2& from_m, const Vec2& to_m,
                 TeamCommands& commands);
 
-// A foul behaviour: a way of breaking a rule, its opportunities, and what the team then does.
-
 // A foul behaviour under way.
 struct ActiveFoul {
   int robot = -1;      // number of the offending robot; -1: the whole team
@@ -102,6 +100,8 @@ inline const TrackedRobot* victim_of(const ActiveFoul& foul, const RowdyView& vi
   return is_running(view) ? find(view.now.opponents, foul.other) : nullptr;
 }
 
+// A way of breaking a rule, its opportunities, and what the team then does. Each is a file in
+// kinds/.
 struct FoulBehaviour {
   std::string_view name;  // name of the parameter that sets `share`
   std::string_view about;
@@ -114,8 +114,6 @@ struct FoulBehaviour {
   // robot is on the field.
   bool (*go_on)(const RowdyView& view, ActiveFoul& foul, TeamOutput& output);
 };
-
-// All foul behaviours of `rowdy`, one file each in kinds/.
 
 extern const FoulBehaviour kAimlessKick;
 extern const FoulBehaviour kAttackInArea;
