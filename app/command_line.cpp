@@ -3,13 +3,17 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <exception>
+#include <string>
+#include <vector>
 
 #include "app/description/completion.hpp"
+#include "app/former_names.hpp"
 #include "app/mistyped.hpp"
-#include "app/program.hpp"
+#include "app/verbs.hpp"
 #include "io/build_id.hpp"
 #include "io/errors.hpp"
 #include "league/log_file.hpp"
@@ -24,10 +28,15 @@ int fail(std::string_view program, io::ExitCode code, std::string_view message) 
   return code;
 }
 
-// Parses the arguments, which chooses the work to do, and does it.
-int run_parsed(CLI::App& app, int argc, const char* const* argv, const Chosen& chosen) {
+std::vector<CLI::App*> all_verbs(CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+// Parses the words after the program's name, which chooses the work to do, and does it.
+int run_parsed(CLI::App& app, std::vector<std::string> words, const Chosen& chosen) {
   try {
-    app.parse(argc, argv);
+    std::reverse(words.begin(), words.end());  // as CLI11 expects them
+    app.parse(std::move(words));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == io::kDone) return app.exit(error);
     throw io::InputError({}, "", message_of(app, error));
@@ -35,9 +44,40 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv, const Chosen& c
   return chosen();
 }
 
+// The program itself if the name is empty.
+CLI::App& group_of(CLI::App& app, const std::string& name) {
+  return name.empty() ? app : *app.get_subcommand(name);
+}
+
+void add_group(CLI::App& app, const char* heading, const char* name, const char* about) {
+  app.add_subcommand(name, about)->require_subcommand(1)->group(heading);
+}
+
+// Adds the verbs to the description: "Examine a recorded game: info, draw."
+void describe(CLI::App& group) {
+  std::vector<std::string> names;
+  for (const CLI::App* verb : all_verbs(group)) names.push_back(verb->get_name());
+  group.description(fmt::format("{}: {}.", group.get_description(), fmt::join(names, ", ")));
+  group.footer(fmt::format("`autoref help {} VERB` explains a verb.", group.get_name()));
+}
+
+void add_verbs(CLI::App& app, Chosen& chosen) {
+  app.get_formatter()->label("SUBCOMMAND", "VERB");
+  app.group("Verbs");  // the heading that verbs inherit
+#define AUTOREF_GROUP(heading, name, about) add_group(app, heading, name, about);
+#define AUTOREF_VERB(group, add) add(group_of(app, group), chosen);
+#include "app/verbs.def"
+#undef AUTOREF_GROUP
+#undef AUTOREF_VERB
+  for (CLI::App* verb : all_verbs(app)) {
+    for (CLI::App* nested : all_verbs(*verb)) nested->group(app.get_group());
+    if (!all_verbs(*verb).empty()) describe(*verb);
+  }
+}
+
 }  // namespace
 
-int exit_code_of(const Chosen& work, std::string_view program) {
+int exit_code_of(const std::function<int()>& work, std::string_view program) {
   try {
     const int code = work();
     // A full disk may go unnoticed until this flush, or an earlier unchecked write may have failed.
@@ -65,51 +105,26 @@ int run_command_line(int argc, const char* const* argv) {
   app.set_version_flag("--version", fmt::format("autoref {}", io::build_id()));
   app.require_subcommand(1);
   app.footer(
-      "`autoref help VERB` explains a verb.\n\n"
+      "`autoref help VERB` explains a verb or a group.\n\n"
       "Example, an experiment of 36 games:\n  autoref run scenarios/first-look.yaml\n\n"
       "A scenario that is not in the current folder is looked up among the installed ones, in\n"
       "share/autoref beside the program's folder bin.\n\n"
       "Exit codes: 0 done; 2 bad input; 3 too many void games; 4 a replayed game differs;\n"
       "70 internal error; 74 input/output error; 75 interrupted (repeat the command to continue).");
   Chosen chosen;
-  add_play_verb(app, chosen);
-  add_live_verb(app, chosen);
-  add_run_verb(app, chosen);
-  add_tune_verb(app, chosen);
-  add_submit_verb(app, chosen);
-  add_check_verb(app, chosen);
-  add_status_verb(app, chosen);
-  add_report_verb(app, chosen);
-  add_verify_verb(app, chosen);
-  add_replay_verb(app, chosen);
-  add_export_verb(app, chosen);
-  add_judge_verb(app, chosen);
-  add_info_verb(app, chosen);
-  add_referee_verb(app, chosen);
-  add_lab_verb(app, chosen);
-  add_view_verb(app, chosen);
-  add_draw_verb(app, chosen);
-  add_sample_size_verb(app, chosen);
-  add_rules_verb(app, chosen);
-  add_teams_verb(app, chosen);
-  add_team_verb(app, chosen);
-  add_bench_verb(app, chosen);
-  add_completion_verb(app, chosen);
-  add_man_verb(app, chosen);
-  add_reference_verb(app, chosen);
-  add_help_verb(app, chosen);
-  app.get_formatter()->label("SUBCOMMAND", "VERB");
-  for (CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) verb->group("Verbs");
-  const std::string word = argc > 1 ? argv[1] : "";
-  // For the scripts of `autoref completion`, which pass any words: not a verb like the others.
-  if (word == "complete") {
-    return exit_code_of([&] { return complete_verb(described(app), {argv + 2, argv + argc}); });
+  add_verbs(app, chosen);
+  const std::vector<std::string> given(argv + std::min(argc, 1), argv + argc);
+  // For the scripts of `autoref show completion`, which pass any words: not a verb like the others.
+  if (!given.empty() && given.front() == "complete") {
+    return exit_code_of([&] {
+      return complete_verb(described(app), {given.begin() + 1, given.end()});
+    });
   }
-  if (argc == 1) return exit_code_of([&app] { return help_verb(app, {}); });
-  if (!word.starts_with('-') && !is_verb(app, word)) {
-    return fail("autoref", io::kBadInput, unknown_verb_message(app, word));
-  }
-  return exit_code_of([&] { return run_parsed(app, argc, argv, chosen); });
+  const std::vector<std::string> words =
+      given.empty() ? std::vector<std::string>{"help"} : with_present_names(given);
+  if (!words.front().starts_with('-') && !is_verb(app, words.front()))
+    return fail("autoref", io::kBadInput, unknown_verb_message(app, words.front()));
+  return exit_code_of([&] { return run_parsed(app, words, chosen); });
 }
 
 }  // namespace autoref::app

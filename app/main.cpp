@@ -4,7 +4,7 @@
 
 #include <csignal>
 
-#include "app/program.hpp"
+#include "app/command_line.hpp"
 
 namespace {
 

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <vector>
 
+#include "app/former_names.hpp"
 #include "io/words.hpp"
 
 namespace autoref::app {
@@ -54,8 +56,9 @@ std::string extras_message(const CLI::App& verb, const std::vector<std::string>&
 // The punctuation that separates `message` from the next clause.
 std::string_view end_of(std::string_view message) { return message.ends_with('?') ? "" : ";"; }
 
+// Those that help lists.
 std::vector<const CLI::App*> nested_verbs(const CLI::App& app) {
-  return app.get_subcommands([](const CLI::App*) { return true; });
+  return app.get_subcommands([](const CLI::App* verb) { return !verb->get_group().empty(); });
 }
 
 std::vector<std::string> names_of_verbs(const std::vector<const CLI::App*>& verbs) {
@@ -71,6 +74,31 @@ std::string words_to(const CLI::App& verb) {
   if (parent == nullptr) return {};
   const std::string before = words_to(*parent);
   return before.empty() ? verb.get_name() : before + " " + verb.get_name();
+}
+
+// What calls a verb: "results replay" by the name "replay".
+using CallsByName = std::map<std::string, std::string>;
+
+// The verbs of `app`; for the program also those in groups and former names.
+CallsByName calls_known_to(const CLI::App& app) {
+  CallsByName calls;
+  for (const CLI::App* verb : nested_verbs(app)) calls[verb->get_name()] = verb->get_name();
+  if (app.get_parent() != nullptr) return calls;
+  for (const CLI::App* group : nested_verbs(app)) {
+    for (const CLI::App* verb : nested_verbs(*group))
+      calls.emplace(verb->get_name(), words_to(*verb));
+  }
+  for (const FormerName& name : former_names()) calls.emplace(name.former, name.present);
+  return calls;
+}
+
+std::string verb_suggestion(const std::string& word, const CLI::App& app) {
+  const CallsByName calls = calls_known_to(app);
+  std::vector<std::string> names;
+  for (const auto& [name, call] : calls) names.push_back(name);
+  std::vector<std::string> meant = io::suggested_words(word, names);
+  for (std::string& name : meant) name = calls.at(name);
+  return io::suggestion_text(meant);
 }
 
 // The verb that an error is about: the first one on the line with unexpected words, otherwise the
@@ -133,13 +161,12 @@ bool is_verb(const CLI::App& app, const std::string& word) {
 
 std::string unknown_verb_message(const CLI::App& app, const std::string& word) {
   const std::string before = words_to(app);
-  const std::vector<std::string> known = names_of_verbs(nested_verbs(app));
-  if (known.empty()) {
+  if (nested_verbs(app).empty()) {
     return fmt::format(
         "'{0}' has no verbs of its own, such as '{1}'; `autoref help {0}` explains it", before,
         word);
   }
-  const std::string nearest = io::suggestion(word, known);
+  const std::string nearest = verb_suggestion(word, app);
   const std::string end = nearest.empty() ? ";" : nearest;
   if (!before.empty()) {
     return fmt::format("'{0}' has no verb '{1}'{2} `autoref help {0}` lists them", before, word,
@@ -157,8 +184,8 @@ std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
   const std::string message = message_about(verb, error);
   if (&verb == &app)
     return fmt::format("{}{} `autoref help` lists the verbs", message, end_of(message));
-  return fmt::format("{0}: {1}{2} `autoref help {0}` lists its options", words_to(verb), message,
-                     end_of(message));
+  return fmt::format("{0}: {1}{2} `autoref help {0}` {3}", words_to(verb), message, end_of(message),
+                     nested_verbs(verb).empty() ? "lists its options" : "explains them");
 }
 
 }  // namespace autoref::app

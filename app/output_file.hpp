@@ -1,8 +1,10 @@
 // Output files that are named by command-line flags.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/files.hpp"
@@ -25,5 +27,33 @@ void check_outputs(const std::vector<NamedFile>& outputs, const std::vector<std:
 // empty if the path is empty. Throws InputError naming `flag`.
 std::optional<io::PendingFile>& open_output(std::optional<io::PendingFile>& file, const char* flag,
                                             const std::string& path);
+
+// An output file that grows line by line. Lines go to the disk in pieces, so that a long game needs
+// no more memory than a short one; the file appears under its name at commit(). What is not a
+// regular file (a pipe, for example) gets all lines at commit(), since its reader must not delay
+// the game.
+class LineOutput {
+ public:
+  static constexpr std::size_t kMostWaiting_bytes = 64 * 1024;  // of a regular file
+
+  // Opens nothing if the path is empty. Throws InputError naming `flag`.
+  LineOutput(const char* flag, const std::string& path);
+
+  bool is_open() const { return file_.has_value(); }
+
+  // Adds a line, given without its end. The file must be open. Throws InputOutputError.
+  void add(std::string_view line);
+
+  // Does nothing if no file is open. Throws InputOutputError.
+  void commit();
+
+  std::size_t waiting_bytes() const { return waiting_.size(); }  // not written yet
+
+ private:
+  std::string path_;
+  std::optional<io::PendingFile> file_;
+  bool is_regular_ = false;
+  std::string waiting_;
+};
 
 }  // namespace autoref::app

@@ -45,11 +45,11 @@ experiments::Section judge_commands_section(const experiments::ResultFolder& fol
           experiments::Paragraph{
               "Run these in the folder of this report to judge all games again, to replay five and "
               "compare them, and to replay the game of a fault, given its id in faults.csv:"},
-          experiments::Verbatim{
-              fmt::format("autoref judge {0} -o again\n"
-                          "autoref verify {1}{2} --sample 5\n"
-                          "autoref replay {1}{2} ID --view game.html --events events.jsonl\n",
-                          effective, direction, build)}};
+          experiments::Verbatim{fmt::format(
+              "autoref judge {0} -o again\n"
+              "autoref results verify {1}{2} --sample 5\n"
+              "autoref results replay {1}{2} ID --view game.html --events events.jsonl\n",
+              effective, direction, build)}};
 }
 
 std::string markdown_row(const std::vector<std::string>& cells) {

@@ -119,6 +119,15 @@ std::string text_of(const league::LogError& error, const std::string& copy,
   return what.starts_with(copy) ? path + std::string(what.substr(copy.size())) : std::string(what);
 }
 
+RecordedFacts read_facts(const std::string& path, const std::string& copy,
+                         league::FrameSource source) {
+  try {
+    return facts_of(copy, source);
+  } catch (const league::LogError& error) {
+    throw io::InputError({}, "", text_of(error, copy, path));
+  }
+}
+
 std::vector<std::string> texts_of(const league::MessageFaults& faults) {
   std::vector<std::string> texts;
   const auto add = [&texts](std::int64_t count, std::string_view what, std::string_view text) {

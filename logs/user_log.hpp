@@ -14,6 +14,10 @@ namespace autoref::logs {
 // opened, and InputOutputError if it cannot be copied.
 std::string seekable_log(const std::string& path);
 
+// Reads all of the log from such a copy. Throws InputError if the file is not a log.
+RecordedFacts read_facts(const std::string& path, const std::string& copy,
+                         league::FrameSource source = league::FrameSource::kFirst);
+
 // The message of an error in such a copy, with the name that the user gave.
 std::string text_of(const league::LogError& error, const std::string& copy,
                     const std::string& path);

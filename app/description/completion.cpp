@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/description/described_verb.hpp"
+#include "app/former_names.hpp"
 #include "io/errors.hpp"
 
 namespace autoref::app {
@@ -52,6 +53,14 @@ BegunLine begun_line(const DescribedVerb& program, const std::vector<std::string
     }
   }
   return line;
+}
+
+// With a former name of a verb replaced, unless it is still being typed.
+std::vector<std::string> present_words(const std::vector<std::string>& words) {
+  if (words.empty()) return words;
+  std::vector<std::string> present = with_present_names({words.begin(), words.end() - 1});
+  present.push_back(words.back());
+  return present;
 }
 
 void add_if_begun(const std::string& word, const std::string& about, const std::string& begun,
@@ -128,7 +137,8 @@ std::vector<Proposal> all_proposals(const DescribedVerb& program, const BegunLin
 
 std::vector<Proposal> proposals_for(const DescribedVerb& program,
                                     const std::vector<std::string>& words) {
-  std::vector<Proposal> proposals = all_proposals(program, begun_line(program, words));
+  std::vector<Proposal> proposals =
+      all_proposals(program, begun_line(program, present_words(words)));
   if (proposals.size() > kMostProposals) proposals.resize(kMostProposals);
   return proposals;
 }
@@ -139,89 +149,6 @@ int complete_verb(const DescribedVerb& program, const std::vector<std::string>& 
     fmt::print("{}\t{}\n", one.word, one.about);
   }
   return io::kDone;
-}
-
-// The scripts (declared in described_verb.hpp) ask the program itself. bash splits words at '=',
-// ':' and '@', and completes only what follows the last of these; the program gets whole words.
-std::string bash_completion() {
-  return R"(# Completion of autoref in bash, printed by `autoref completion bash`.
-_autoref() {
-  local -a words=() replies=()
-  local i word before='' prefix='' last=${COMP_WORDS[COMP_CWORD]}
-  for ((i = 1; i <= COMP_CWORD; i++)); do
-    word=${COMP_WORDS[i]}
-    if ((${#words[@]})) && { [[ $word =~ ^[=:@]+$ ]] || [[ $before =~ ^[=:@]+$ ]]; }; then
-      words[-1]+=$word
-    else
-      words+=("$word")
-    fi
-    before=$word
-  done
-  if [[ ${words[-1]} != "$last" ]]; then
-    prefix=${words[-1]}
-    [[ $last =~ ^[=:@]+$ ]] || prefix=${prefix%"$last"}
-  fi
-  mapfile -t replies < <("${COMP_WORDS[0]/#\~/$HOME}" complete "${words[@]}" 2>/dev/null)
-  COMPREPLY=()
-  for word in "${replies[@]}"; do
-    word=${word%%$'\t'*}
-    word=${word#"$prefix"}
-    [[ $word == *[!-A-Za-z0-9_./=:@~+]* ]] && printf -v word %q "$word"
-    COMPREPLY+=("$word")
-  done
-  [[ ${COMPREPLY[0]} == *[.=] ]] && compopt -o nospace 2>/dev/null
-  return 0
-}
-complete -o default -F _autoref autoref
-)";
-}
-
-std::string zsh_completion() {
-  return R"(#compdef autoref
-# Completion of autoref in zsh, printed by `autoref completion zsh`.
-_autoref() {
-  local -a replies whole begun
-  local reply word
-  replies=("${(@f)$(${(Q)words[1]/#\~/$HOME} complete "${(@Q)words[2,CURRENT-1]}" "${(Q)PREFIX}" 2>/dev/null)}")
-  for reply in $replies; do
-    word=${${reply%%$'\t'*}//:/\\:}
-    if [[ $word == *[.=] ]]; then
-      begun+=("$word:${reply#*$'\t'}")
-    else
-      whole+=("$word:${reply#*$'\t'}")
-    fi
-  done
-  if ((${#whole} + ${#begun} == 0)); then
-    _files
-    return
-  fi
-  _describe -t words word whole
-  _describe -t words word begun -S ''
-}
-if [[ $funcstack[1] == _autoref ]]; then
-  _autoref "$@"
-else
-  compdef _autoref autoref
-fi
-)";
-}
-
-std::string fish_completion() {
-  return R"(# Completion of autoref in fish, printed by `autoref completion fish`.
-function __autoref_complete
-    set -l words (commandline -opc)
-    set -l program $words[1]
-    set -e words[1]
-    set -l last (commandline -ct)
-    set -l replies ($program complete $words "$last" 2>/dev/null)
-    if test (count $replies) -gt 0
-        printf '%s\n' $replies
-    else
-        __fish_complete_path "$last"
-    end
-end
-complete -c autoref -f -a '(__autoref_complete)'
-)";
 }
 
 }  // namespace autoref::app

@@ -30,9 +30,4 @@ DescribedVerb described(const CLI::App& app);
 // The man page autoref(1), as roff source. `version` is what --version prints.
 std::string man_page(const DescribedVerb& program, const std::string& version);
 
-// Scripts that complete command lines with what `autoref complete` prints (completion.hpp).
-std::string bash_completion();
-std::string zsh_completion();
-std::string fish_completion();
-
 }  // namespace autoref::app

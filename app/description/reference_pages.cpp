@@ -6,8 +6,8 @@
 #include <memory>
 #include <stdexcept>
 
-#include "app/command_line.hpp"
-#include "app/one_of.hpp"
+#include "app/shared_options.hpp"
+#include "app/verbs.hpp"
 #include "io/errors.hpp"
 #include "soccer/parameters.hpp"
 #include "strategies/registry.hpp"
@@ -110,6 +110,7 @@ std::string reference_page(const std::string& name, const DescribedVerb& program
 
 void add_reference_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb = app.add_subcommand("reference", "Print a page of the manual's reference.");
+  verb->group("");  // help does not list it: it is for those who write the manual
   auto page = std::make_shared<std::string>();
   verb->add_option("PAGE", *page,
                    fmt::format("One of {}.", fmt::join(reference_page_names(), ", ")))

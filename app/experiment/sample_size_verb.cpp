@@ -4,7 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "app/command_line.hpp"
+#include "app/shared_options.hpp"
+#include "app/verbs.hpp"
 #include "experiments/statistics/sample_size.hpp"
 #include "io/errors.hpp"
 #include "io/json.hpp"
@@ -12,6 +13,13 @@
 
 namespace autoref::app {
 namespace {
+
+struct SampleSizeArguments {
+  std::string delta;
+  std::string sd;
+  std::string power = "0.8";
+  bool json = false;
+};
 
 // Parses a flag's value. Throws InputError unless it is above 0.
 double positive(const std::string& flag, const std::string& text) {
@@ -62,8 +70,6 @@ std::string json_of(const experiments::DifferenceSought& sought, double power, i
          "\n";
 }
 
-}  // namespace
-
 int sample_size_verb(const SampleSizeArguments& arguments) {
   const experiments::DifferenceSought sought{positive("--delta", arguments.delta),
                                              positive("--sd", arguments.sd)};
@@ -72,6 +78,8 @@ int sample_size_verb(const SampleSizeArguments& arguments) {
   fmt::print("{}", arguments.json ? json_of(sought, power, games) : text_of(sought, power, games));
   return io::kDone;
 }
+
+}  // namespace
 
 void add_sample_size_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb = app.add_subcommand("sample-size",
@@ -87,12 +95,12 @@ void add_sample_size_verb(CLI::App& app, Chosen& chosen) {
   verb->add_option("--power", arguments->power,
                    "Probability of detecting it, between 0 and 1. Default: 0.8.")
       ->type_name("SHARE");
-  verb->add_flag("--json", arguments->json, "Print one JSON object.");
+  add_json_flag(*verb, arguments->json);
   verb->footer(
       "The unit of the test is the pair of legs, as in an experiment's intervals: a two-sided\n"
       "t test (level 0.05) of the pairs' mean goal differences. Legs are assumed independent, so\n"
       "the standard deviation of a pair's mean is that of a game divided by sqrt(2).\n\n"
-      "Example:\n  autoref sample-size --delta 0.5 --sd 2 --power 0.8");
+      "Example:\n  autoref experiment sample-size --delta 0.5 --sd 2 --power 0.8");
   verb->callback(
       [arguments, &chosen] { chosen = [arguments] { return sample_size_verb(*arguments); }; });
 }

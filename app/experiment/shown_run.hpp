@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "app/web_flags.hpp"
+#include "app/network_flags.hpp"
 #include "experiments/run/run_experiment.hpp"
 #include "experiments/schedule/schedule.hpp"
 #include "live/web/web_run.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/web_flags.hpp"
+#include "app/network_flags.hpp"
 #include "game/loop/game_configuration.hpp"
 #include "game/loop/game_record.hpp"
 #include "game/loop/observer.hpp"

@@ -1,14 +1,13 @@
 #include "app/game/play_one.hpp"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <chrono>
 #include <csignal>
 #include <optional>
 #include <utility>
 
 #include "app/game/page_recorder.hpp"
-#include "app/output_file.hpp"
+#include "app/shared_options.hpp"
 #include "experiments/results/game_report.hpp"
 #include "game/loop/event_log.hpp"
 #include "game/loop/game_configuration.hpp"
@@ -143,23 +142,6 @@ game::GameRecord played(const game::GameConfiguration& configuration,
 
 }  // namespace
 
-LineOutput::LineOutput(const char* flag, const std::string& path) : path_(path) {
-  open_output(file_, flag, path);
-  struct stat status {};
-  is_regular_ = file_ && fstat(file_->descriptor(), &status) == 0 && S_ISREG(status.st_mode);
-}
-
-void LineOutput::add(std::string_view line) {
-  waiting_.append(line).append(1, '\n');
-  if (!is_regular_ || waiting_.size() <= kMostWaiting_bytes) return;
-  io::write_all(file_->descriptor(), waiting_, path_);
-  waiting_.clear();
-}
-
-void LineOutput::commit() {
-  if (file_) file_->commit(waiting_);
-}
-
 double speed_factor_in(const std::string& text, std::string_view others) {
   const std::optional<double> factor = io::number_in(text);
   if (factor && *factor >= league::kSlowestSimulation && *factor <= league::kFastestSimulation)
@@ -201,7 +183,7 @@ void add_output_options(CLI::App& verb, GameOutput& output) {
   add_web_flags(verb, output.web,
                 "Show the game in browsers, at this address of this computer, such as "
                 "127.0.0.1:8090; without address, for browsers on this computer only.");
-  verb.add_flag("--json", output.json, "Print one JSON object.");
+  add_json_flag(verb, output.json);
 }
 
 void add_speed_option(CLI::App& verb, GameOutput& output) {

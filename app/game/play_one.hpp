@@ -1,8 +1,7 @@
-// A single game and its outputs, for `play` and `replay`, and the flag --speed.
+// A single game and its outputs, and the flag --speed.
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -10,40 +9,12 @@
 #include <string_view>
 #include <vector>
 
-#include "app/web_flags.hpp"
+#include "app/network_flags.hpp"
+#include "app/output_file.hpp"
 #include "game/loop/game.hpp"
 #include "game/team_programs/program_games.hpp"
-#include "io/files.hpp"
 
 namespace autoref::app {
-
-// An output file that grows line by line. Lines go to the disk in pieces, so that a long game needs
-// no more memory than a short one; the file appears under its name at commit(). What is not a
-// regular file (a pipe, for example) gets all lines at commit(), since its reader must not delay
-// the game.
-class LineOutput {
- public:
-  static constexpr std::size_t kMostWaiting_bytes = 64 * 1024;  // of a regular file
-
-  // Opens nothing if the path is empty. Throws InputError naming `flag`.
-  LineOutput(const char* flag, const std::string& path);
-
-  bool is_open() const { return file_.has_value(); }
-
-  // Adds a line, given without its end. The file must be open. Throws InputOutputError.
-  void add(std::string_view line);
-
-  // Does nothing if no file is open. Throws InputOutputError.
-  void commit();
-
-  std::size_t waiting_bytes() const { return waiting_.size(); }  // not written yet
-
- private:
-  std::string path_;
-  std::optional<io::PendingFile> file_;
-  bool is_regular_ = false;
-  std::string waiting_;
-};
 
 // The factor of real time in `text`, from 0.01 to 1000. Throws InputError otherwise, which also
 // names the other values that --speed takes, such as "max or lockstep".

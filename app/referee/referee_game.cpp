@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "app/shared_options.hpp"
 #include "game/settings/fields.hpp"
 #include "io/errors.hpp"
 #include "logs/log_game.hpp"
@@ -19,6 +21,41 @@ bool assigns(const game::Assignments& assignments, const std::string& path) {
 }
 
 }  // namespace
+
+void add_referee_options(CLI::App& verb, RefereeArguments& arguments,
+                         const std::string& default_control, const std::string& default_source) {
+  verb.add_option("--rules", arguments.rules,
+                  "Rule book (autoref show rules lists them); guessed from the field and the date "
+                  "by default.")
+      ->type_name("BOOK");
+  verb.add_option("--first-kickoff", arguments.first_kickoff,
+                  "Side of the first kick-off, overriding the packets.")
+      ->type_name("west|east");
+  verb.add_option("--control", arguments.control,
+                  fmt::format("Who commands the game: human, the other referee ({}); none, play is "
+                              "on throughout; or autoref.",
+                              default_control))
+      ->type_name("human|none|autoref");
+  verb.add_option("--source", arguments.source,
+                  fmt::format("Where robots and ball come from: the packets of vision ({}) or "
+                              "those of a tracker.",
+                              default_source))
+      ->type_name("vision|tracker")
+      ->check(one_of({"vision", "tracker"}));
+  verb.add_option("--camera", arguments.camera, "Camera preset that describes the vision noise.")
+      ->type_name("PRESET");
+  add_set_option(verb, arguments.sets);
+}
+
+void add_decision_outputs(CLI::App& verb, RefereeArguments& arguments) {
+  verb.add_option("--events", arguments.events,
+                  "Write AutoRef's decisions to FILE, one JSON object per line.")
+      ->type_name("FILE");
+  verb.add_option("--game-events", arguments.game_events,
+                  "Write AutoRef's decisions to FILE as the league's game events, one JSON object "
+                  "per line.")
+      ->type_name("FILE");
+}
 
 void refuse_book_among(const game::Assignments& assignments) {
   for (const game::Assignment& assignment : assignments) {

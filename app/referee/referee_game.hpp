@@ -1,14 +1,34 @@
-// The game that `autoref referee` judges, from a log or from the network.
+// The game that `autoref referee` judges, from a log or from the network, and the options of both.
 #pragma once
 
+#include <CLI/App.hpp>
 #include <string>
+#include <vector>
 
-#include "app/command_line.hpp"
 #include "game/settings/assignments.hpp"
 #include "game/settings/game_settings.hpp"
 #include "logs/recorded_facts.hpp"
 
 namespace autoref::app {
+
+struct RefereeArguments {
+  std::string rules;          // empty: guessed from the field and the date
+  std::string first_kickoff;  // empty: as announced
+  std::string control;        // empty: the default of the verb
+  std::string source;         // vision or tracker; empty: the default of the verb
+  std::string camera;  // camera preset; empty: no vision error except the rounding in the packets
+  std::vector<std::string> sets;  // "key=value"
+  std::string events;             // output file for AutoRef's decisions; empty: none
+  std::string game_events;        // output file for its game events; empty: none
+};
+
+// Adds the options of a game, --rules to --set. `default_control` and `default_source` describe
+// what the verb assumes without --control and --source.
+void add_referee_options(CLI::App& verb, RefereeArguments& arguments,
+                         const std::string& default_control, const std::string& default_source);
+
+// Adds --events and --game-events.
+void add_decision_outputs(CLI::App& verb, RefereeArguments& arguments);
 
 // The rule book must be chosen first: it provides field, robots and lengths, which the facts then
 // override. Throws InputError if an assignment chooses it.

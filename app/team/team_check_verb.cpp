@@ -7,8 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "app/command_line.hpp"
-#include "app/team/team_play.hpp"
+#include "app/shared_options.hpp"
+#include "app/team/team_game.hpp"
+#include "app/verbs.hpp"
 #include "game/settings/game_settings.hpp"
 #include "game/team_programs/program_check.hpp"
 #include "io/errors.hpp"
@@ -16,6 +17,12 @@
 
 namespace autoref::app {
 namespace {
+
+struct TeamCheckArguments {
+  std::string command;
+  std::vector<std::string> sets;  // "key=value"
+  bool json = false;
+};
 
 // The element of sorted values below which a share of them lies; 0 if there is none.
 double answer_quantile_ms(const std::vector<double>& sorted, double share) {
@@ -101,8 +108,6 @@ std::string json_of(const game::TeamCheck& check) {
 
 constexpr double kCheckedHalf_s = 5;
 
-}  // namespace
-
 int team_check_verb(const TeamCheckArguments& arguments) {
   const game::TeamCheck check = game::check_team(
       game::resolved(team_game(arguments.command, "basic", kCheckedHalf_s, arguments.sets)));
@@ -110,12 +115,14 @@ int team_check_verb(const TeamCheckArguments& arguments) {
   return check.fault.empty() ? io::kDone : io::kTooManyVoid;
 }
 
+}  // namespace
+
 void add_team_check_verb(CLI::App& team, Chosen& chosen) {
   CLI::App* verb = team.add_subcommand("check", "Try out a team that is a program.");
   auto arguments = std::make_shared<TeamCheckArguments>();
   add_program_argument(*verb, arguments->command);
   add_set_option(*verb, arguments->sets);
-  verb->add_flag("--json", arguments->json, "Print one JSON object.");
+  add_json_flag(*verb, arguments->json);
   verb->footer(
       "Plays two halves of five seconds against basic, twice with the same seed. Prints what the\n"
       "program asks for, how fast it answers, whether it repeats its commands, and what is "

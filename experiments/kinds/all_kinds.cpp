@@ -29,11 +29,11 @@ const Kind* find_kind(std::string_view name) {
   return found == all.end() ? nullptr : *found;
 }
 
-std::string kinds_played_by(const std::vector<std::string>& verbs) {
+std::string kinds_played_by(std::string_view verb) {
   std::string text;
   std::string last;
   for (const Kind* kind : kinds_of_experiments()) {
-    if (std::find(verbs.begin(), verbs.end(), kind->verb) == verbs.end()) continue;
+    if (kind->verb != verb) continue;
     if (!last.empty()) text += (text.empty() ? "" : ", ") + last;
     last = kind->name;
   }

@@ -16,7 +16,7 @@ std::span<const Kind* const> kinds_of_experiments();
 // Null if none has this name.
 const Kind* find_kind(std::string_view name);
 
-// The names of the kinds that these verbs play: "sweep, roundrobin or tune".
-std::string kinds_played_by(const std::vector<std::string>& verbs);
+// The names of the kinds that the verb plays: "sweep, roundrobin or tune".
+std::string kinds_played_by(std::string_view verb);
 
 }  // namespace autoref::experiments

@@ -70,10 +70,12 @@ class Experiment {
   // Whether these rows make all remaining games unnecessary. Throws like games().
   virtual bool is_decided(const RowsById& rows) const;
   // The games of a round, if all games are played in equally large rounds that depend on all rows
-  // of earlier ones. Then a shard that has to wait for others says so and ends with exit code 75
-  // (it waits in `autoref tune`), and `autoref submit` makes one task of the experiment unless it
-  // is given a number. Throws like games().
+  // of earlier ones. Then a shard that has waited for others in vain says so and ends with exit
+  // code 75, and `autoref experiment submit` makes one task of the experiment unless it is given a
+  // number. Throws like games().
   virtual std::optional<std::size_t> games_of_a_round() const { return std::nullopt; }
+  // How long a shard waits for games of others that its next ones depend on, in s.
+  virtual double default_wait_s() const { return 0; }
   // Why it has no number of pairs, if none of its keys is one.
   virtual std::string why_no_pairs() const { return {}; }
 

@@ -50,7 +50,7 @@ class ScenarioReader {
     const std::string text = kind.value.IsScalar() ? kind.value.Scalar() : "";
     if (text == "lab") {
       top_.file().refuse(game::value_location(kind), "kind",
-                         "this is a scene; play it with: autoref lab FILE");
+                         "this is a scene; play it with: autoref experiment lab FILE");
     }
     if (text == "robot") {
       top_.file().refuse(game::value_location(kind), "kind",

@@ -163,7 +163,7 @@ Section commands_section(const ResultFolder& folder, const std::string& directio
                       "again, to replay five and compare them, and to write the report again:",
                       folder.build)},
       Verbatim{fmt::format("autoref {2} {0} -o again\n"
-                           "autoref verify {1} --sample 5\n"
+                           "autoref results verify {1} --sample 5\n"
                            "autoref report {1}\n",
                            effective_file(direction), folder_and_build, verb_of(folder.scenario))}};
 }

@@ -49,7 +49,7 @@ trap 'end asked' TERM  # cancelled, or pre-empted
 code=75
 for try in 1 2 3 4 5 6; do
   [[ -z $ending ]] || break
-  {program} {verb} {file} -o {folder} --shard "$SLURM_ARRAY_TASK_ID/{tasks}" -j {workers}{overrides} &
+  {program} run {file} -o {folder} --shard "$SLURM_ARRAY_TASK_ID/{tasks}" -j {workers}{overrides} &
   run=$!
   wait "$run"; code=$?
   [[ -z $ending ]] || {{ wait "$run"; code=$?; }}
@@ -77,7 +77,7 @@ std::string array_script(const SlurmArray& array) {
       "#!/bin/bash\n"
       "# Plays an experiment as a Slurm job array; each task plays its share of the games. "
       "Written\n"
-      "# by autoref submit. Submit it again to play the missing games.\n";
+      "# by autoref experiment submit. Submit it again to play the missing games.\n";
   text += option(shell_word("--job-name=" + name));
   text += option(fmt::format("--array=0-{}", array.tasks - 1));
   text += option(fmt::format("--cpus-per-task={}", array.workers));
@@ -91,7 +91,6 @@ std::string array_script(const SlurmArray& array) {
                             fmt::arg("folder", shell_word(array.folder.string())),
                             fmt::arg("tasks", array.tasks), fmt::arg("workers", array.workers),
                             fmt::arg("overrides", words_of(array.overrides)),
-                            fmt::arg("verb", array.verb),
                             fmt::arg("requeue_if", array.waits ? kTimeOrWaitedInVain : kTime));
 }
 
@@ -100,7 +99,7 @@ std::string merge_script(const SlurmArray& array) {
   std::string text =
       "#!/bin/bash\n"
       "# Merges the rows of an experiment's tasks and writes its results. Written by autoref "
-      "submit.\n";
+      "experiment submit.\n";
   text += option(shell_word("--job-name=" + name));
   text += output_option(array, "%j-merge.log");
   text += common_options(array);

@@ -14,7 +14,6 @@ struct SlurmArray {
   std::filesystem::path file;          // the experiment
   std::filesystem::path folder;        // of the results
   std::vector<std::string> overrides;  // additional options of autoref run, such as "--seed=7"
-  std::string verb = "run";            // or "tune"
   bool waits =
       false;  // tasks depend on each other's games; one that waited in vain requeues itself
   int tasks = 8;

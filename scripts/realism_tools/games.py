@@ -39,7 +39,16 @@ def _measure(program, runs, game):
     with tempfile.TemporaryDirectory() as folder:
         log, events = Path(folder) / "game.log", Path(folder) / "events.jsonl"
         _autoref(
-            program, "replay", str(runs), game, "--log", str(log), "--events", str(events), limit_s=LONGEST_REPLAY_S
+            program,
+            "results",
+            "replay",
+            str(runs),
+            game,
+            "--log",
+            str(log),
+            "--events",
+            str(events),
+            limit_s=LONGEST_REPLAY_S,
         )
         return {"game_id": game, **logged_game.read(log, events)}
 

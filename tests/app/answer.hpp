@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <iterator>
+#include <sstream>
 #include <string>
 #include <vector>
 
-#include "app/program.hpp"
+#include "app/command_line.hpp"
 
 namespace autoref::app {
 
@@ -25,6 +27,16 @@ inline Answer answer_to(std::vector<const char*> arguments) {
   answer.out = testing::internal::GetCapturedStdout();
   answer.err = testing::internal::GetCapturedStderr();
   return answer;
+}
+
+// The same for a verb, such as "results status", and the words after it.
+inline Answer answer_to(const std::string& verb, const std::vector<const char*>& more) {
+  std::istringstream text(verb);
+  std::vector<std::string> names{std::istream_iterator<std::string>(text), {}};
+  std::vector<const char*> arguments;
+  for (const std::string& name : names) arguments.push_back(name.c_str());
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return answer_to(arguments);
 }
 
 }  // namespace autoref::app

@@ -7,9 +7,14 @@
 #include <stdio_ext.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <functional>
+#include <sstream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "io/errors.hpp"
 #include "tests/app/answer.hpp"
@@ -24,17 +29,47 @@ const std::string kPaperGame = kScenarios + "paper-game.yaml";
 const std::string kScene = kScenarios + "lab/chip.yaml";
 const std::string kSpeedSweep = kScenarios + "handicap-speed.yaml";
 
+// "play", "results status": the reference page has a section for each, and for the groups.
+std::vector<std::string> listed_verbs() {
+  const std::string kSection = "## autoref ";
+  std::vector<std::string> verbs;
+  std::istringstream page(answer_to({"reference", "verbs"}).out);
+  for (std::string line; std::getline(page, line);) {
+    if (!line.starts_with(kSection)) continue;
+    const std::string verb = line.substr(kSection.size());
+    if (!verbs.empty() && verb.starts_with(verbs.back() + " ")) verbs.pop_back();  // a group
+    verbs.push_back(verb);
+  }
+  return verbs;
+}
+
 TEST(CommandLine, ShowsAnExampleForEachVerb) {
-  for (const char* verb :
-       {"play",    "live",        "run",    "tune",  "submit", "check", "status", "report",
-        "verify",  "replay",      "export", "judge", "lab",    "view",  "draw",   "info",
-        "referee", "sample-size", "rules",  "teams", "bench",  "help"}) {
-    const Answer answer = answer_to({verb, "--help"});
+  const std::vector<std::string> verbs = listed_verbs();
+  EXPECT_GT(verbs.size(), 25U);
+  for (const std::string& verb : verbs) {
+    const Answer answer = answer_to(verb, {"--help"});
     EXPECT_EQ(answer.code, io::kDone);
     const std::size_t example = answer.out.find("\nExample");
     ASSERT_NE(example, std::string::npos) << verb;
-    EXPECT_NE(answer.out.find(std::string("\n  autoref ") + verb, example), std::string::npos);
+    EXPECT_NE(answer.out.find("\n  autoref " + verb, example), std::string::npos) << verb;
   }
+}
+
+TEST(CommandLine, ListsAboutTenVerbsAndTheGroups) {
+  const std::string help = answer_to({"--help"}).out;
+  const std::size_t verbs = help.find("\nVerbs:\n");
+  const std::size_t groups = help.find("\nMore verbs, in groups:\n");
+  ASSERT_LT(verbs, groups);
+  ASSERT_NE(groups, std::string::npos);
+  EXPECT_LE(std::count(help.begin() + verbs, help.begin() + groups, '\n'), 14);
+  EXPECT_NE(help.find(": status, verify, replay, export.", groups), std::string::npos) << help;
+  EXPECT_EQ(help.find("\n  reference"), std::string::npos) << "for those who write the manual";
+}
+
+TEST(CommandLine, ExplainsAGroupByItsVerbs) {
+  const std::string help = answer_to({"help", "results"}).out;
+  EXPECT_NE(help.find("\n  status "), std::string::npos) << help;
+  EXPECT_NE(help.find("`autoref help results VERB` explains a verb."), std::string::npos) << help;
 }
 
 TEST(CommandLine, PrintsItsVersion) {
@@ -69,12 +104,13 @@ TEST(CommandLine, NamesTheFlagOrFileThatIsWrong) {
            {{"run", "none.yaml"}, "none.yaml: the file cannot be read"},
            {{"play", kSpeedSweep.c_str()}, "autoref run"},
            {{"run", kPaperGame.c_str()}, "autoref play"},
-           {{"play", kScene.c_str()}, "autoref lab"},
-           {{"lab", "none.yaml"}, "none.yaml: the file cannot be read"},
-           {{"lab", kPaperGame.c_str()}, "kind: expected lab, found 'game'"},
-           {{"lab", kScene.c_str(), "--csv", "/nonexistent/x"}, "/nonexistent/x cannot be"},
+           {{"play", kScene.c_str()}, "autoref experiment lab"},
+           {{"experiment", "lab", "none.yaml"}, "none.yaml: the file cannot be read"},
+           {{"experiment", "lab", kPaperGame.c_str()}, "kind: expected lab, found 'game'"},
+           {{"experiment", "lab", kScene.c_str(), "--csv", "/nonexistent/x"},
+            "/nonexistent/x cannot be"},
            {{"run", kSpeedSweep.c_str(), "--shard", "2/2"}, "--shard: expected I/N"},
-           {{"status", "none"}, "none: holds no results"},
+           {{"results", "status", "none"}, "none: holds no results"},
            {{"play", kPaperGame.c_str(), "--seed", "x"}, "--seed: "},
            {{"play", kPaperGame.c_str(), "--seed", "-1"}, "-1"},
            {{"play", kPaperGame.c_str(), "--set", "b.robots"},
@@ -86,7 +122,8 @@ TEST(CommandLine, NamesTheFlagOrFileThatIsWrong) {
            {{"play", kPaperGame.c_str(), "--set", "a.params.x=1"}, "no parameter 'x'"},
            {{"play", kPaperGame.c_str(), "--set", "a.params.shot_mps=9"},
             "from 0 to 8 m/s, found '9'"},
-           {{"teams", "basik"}, "unknown team 'basik'; did you mean 'basic'"},
+           {{"show", "teams", "basik"}, "unknown team 'basik'; did you mean 'basic'"},
+           {{"show", "rules", "2014", "--machine"}, "--machine: prints a graph"},
            {{"play", kPaperGame.c_str(), "--events", "/nonexistent/e"},
             "/nonexistent/e cannot be"}}) {
     const Answer answer = answer_to(wrong.arguments);
@@ -97,11 +134,12 @@ TEST(CommandLine, NamesTheFlagOrFileThatIsWrong) {
 }
 
 TEST(CommandLine, PrintsTeamsAndTheirParameters) {
-  const Answer all = answer_to({"teams"});
+  const Answer all = answer_to({"show", "teams"});
   EXPECT_EQ(all.code, io::kDone);
   EXPECT_NE(all.out.find("\ndummy "), std::string::npos) << all.out;
-  EXPECT_NE(answer_to({"teams", "basic"}).out.find("\nshot_mps "), std::string::npos);
-  EXPECT_TRUE(answer_to({"teams", "basic", "--json"}).out.starts_with("{\"name\": \"basic\""));
+  EXPECT_NE(answer_to({"show", "teams", "basic"}).out.find("\nshot_mps "), std::string::npos);
+  EXPECT_TRUE(
+      answer_to({"show", "teams", "basic", "--json"}).out.starts_with("{\"name\": \"basic\""));
 }
 
 TEST(CommandLine, ReportsAFolderThatCannotBeWrittenAsInputOutput) {
@@ -120,7 +158,7 @@ TEST(ExitCode, DependsOnTheException) {
 }
 
 // The exit code of `work` if the disk behind standard output is full.
-int code_on_a_full_disk(const Chosen& work) {
+int code_on_a_full_disk(const std::function<int()>& work) {
   std::fflush(stdout);
   const int former = dup(STDOUT_FILENO);
   const int full = open("/dev/full", O_WRONLY);

@@ -89,8 +89,9 @@ TEST(Messages, DoNotBeginWithTheNameOfAnArgument) {
     EXPECT_EQ(answer.code, io::kBadInput);
     return answer.err;
   };
-  EXPECT_EQ(message({"rules", "nosuch"}).find("autoref: unknown rule book 'nosuch'. Known"), 0U);
-  EXPECT_EQ(message({"teams", "nosuch"}).find("autoref: unknown team 'nosuch'. Known"), 0U);
+  EXPECT_EQ(message({"show", "rules", "nosuch"}).find("autoref: unknown rule book 'nosuch'. Known"),
+            0U);
+  EXPECT_EQ(message({"show", "teams", "nosuch"}).find("autoref: unknown team 'nosuch'. Known"), 0U);
   EXPECT_EQ(message({"reference", "verb"}),
             "autoref: reference: expected one of settings, verbs, rules, teams, scenario-files, "
             "found 'verb'; did you mean 'verbs'? `autoref help reference` lists its options\n");
@@ -107,7 +108,8 @@ TEST(Messages, DoNotBeginWithTheNameOfAnArgument) {
 }
 
 TEST(UnknownRuleBook, IsAnsweredWithThoseThatBeginSo) {
-  EXPECT_TRUE(says(answer_to({"rules", "2026"}), "did you mean '2026-b' or '2026-a'? Known here:"));
+  EXPECT_TRUE(
+      says(answer_to({"show", "rules", "2026"}), "did you mean '2026-b' or '2026-a'? Known here:"));
 }
 
 TEST(UnknownOption, IsAnsweredWithThoseThatBeginSo) {
@@ -151,7 +153,7 @@ TEST(UnknownOption, IsAnsweredWithTheClosestOne) {
   const Answer play = answer_to({"play", kMistypedGame.c_str(), "--sed", "1"});
   EXPECT_EQ(play.code, io::kBadInput);
   EXPECT_TRUE(says(play, "unknown option '--sed'; did you mean '--seed'?")) << play.err;
-  const Answer verify = answer_to({"verify", "--sampel=5"});
+  const Answer verify = answer_to({"results", "verify", "--sampel=5"});
   EXPECT_TRUE(says(verify, "unknown option '--sampel'; did you mean '--sample'?")) << verify.err;
   const Answer version = answer_to({"--verison"});
   EXPECT_TRUE(says(version, "did you mean '--version'?")) << version.err;

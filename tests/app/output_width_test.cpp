@@ -22,10 +22,10 @@ void expect_fits(const Answer& answer) {
 }
 
 TEST(OutputWidth, OfTeamsAndRulesFits) {
-  expect_fits(answer_to({"teams"}));
-  expect_fits(answer_to({"teams", "cobalt"}));
-  expect_fits(answer_to({"rules", "2026-b"}));
-  expect_fits(answer_to({"rules", "paper"}));
+  expect_fits(answer_to({"show", "teams"}));
+  expect_fits(answer_to({"show", "teams", "cobalt"}));
+  expect_fits(answer_to({"show", "rules", "2026-b"}));
+  expect_fits(answer_to({"show", "rules", "paper"}));
 }
 
 TEST(OutputWidth, OfAnExperimentsTablesFits) {
@@ -43,7 +43,7 @@ TEST(OutputWidth, OfAnExperimentsTablesFits) {
   EXPECT_FALSE(has(run.out, "transitions")) << run.out;
   EXPECT_TRUE(has(run.out, "a_team_with_a_rather_long_name")) << run.out;
   expect_fits(answer_to({"check", file.c_str()}));
-  expect_fits(answer_to({"status", results.c_str()}));
+  expect_fits(answer_to({"results", "status", results.c_str()}));
   expect_fits(answer_to({"report", results.c_str()}));
 }
 

@@ -124,13 +124,13 @@ TEST_F(Outputs, OfOtherVerbsDoNotOverwriteTheirInputs) {
   const auto refused = [&](const std::vector<const char*>& arguments, const char* start) {
     expect_refused(answer_to(arguments), start);
   };
-  refused({"referee", "--log", log.c_str(), "--events", again.c_str()}, "--events");
+  refused({"referee", "log", log.c_str(), "--events", again.c_str()}, "--events");
   refused({"view", log.c_str(), "-o", again.c_str()}, "-o");
   refused({"view", log.c_str(), "--events", events.c_str(), "-o", events.c_str()}, "-o");
-  refused({"draw", log.c_str(), "--at", "1", "-o", again.c_str()}, "-o");
+  refused({"log", "draw", log.c_str(), "--at", "1", "-o", again.c_str()}, "-o");
   const std::string scene = in("scene.yaml");
   write_content(scene, "schema: 1\nkind: lab\nduration_s: 0.1\n");
-  refused({"lab", scene.c_str(), "--csv", scene.c_str()}, "--csv");
+  refused({"experiment", "lab", scene.c_str(), "--csv", scene.c_str()}, "--csv");
   EXPECT_TRUE(content_of(log).starts_with("SSL_LOG_FILE"));
 }
 
@@ -143,9 +143,9 @@ TEST_F(Outputs, OfReplayDoNotOverwriteTheResults) {
   ASSERT_EQ(answer_to({"run", sweep.c_str(), "-o", results.c_str(), "-j", "1"}).code, io::kDone);
   for (const char* name : {"effective.yaml", "results.csv", "games/shard-0-of-1.csv"}) {
     const std::string path = results + "/" + name;
-    expect_refused(
-        answer_to({"replay", results.c_str(), "b.robots=6-p0001-1", "--log", path.c_str()}),
-        "--log");
+    expect_refused(answer_to({"results", "replay", results.c_str(), "b.robots=6-p0001-1", "--log",
+                              path.c_str()}),
+                   "--log");
   }
 }
 

@@ -72,17 +72,17 @@ TEST_F(ScenarioHere, IsFoundInTheFolderScenarios) {
 }
 
 TEST_F(ScenarioHere, IsSuggestedByEveryVerbThatReadsOne) {
-  for (const char* verb : {"play", "live", "run", "tune", "check", "judge", "lab"}) {
-    const Answer answer = answer_to({verb, "shrot-game.yaml"});
+  for (const char* verb : {"play", "live", "run", "check", "judge", "experiment lab"}) {
+    const Answer answer = answer_to(verb, {"shrot-game.yaml"});
     EXPECT_EQ(answer.code, io::kBadInput);
     EXPECT_EQ(answer.err,
               "autoref: shrot-game.yaml: the file cannot be read: No such file or directory; did "
               "you mean 'scenarios/short-game.yaml'?\n")
         << verb;
   }
-  const Answer submission = answer_to({"submit", "shrot-game.yaml", "--slurm"});
+  const Answer submission = answer_to({"experiment", "submit", "shrot-game.yaml", "--slurm"});
   EXPECT_NE(submission.err.find("did you mean 'scenarios/short-game.yaml'?"), std::string::npos);
-  const Answer drawing = answer_to({"draw", "bonce.yaml", "--situation", "x", "-o", "x.svg"});
+  const Answer drawing = answer_to({"show", "situation", "bonce.yaml", "x", "-o", "x.svg"});
   EXPECT_NE(drawing.err.find("did you mean 'scenarios/lab/bounce.yaml'?"), std::string::npos)
       << drawing.err;
 }
@@ -94,7 +94,8 @@ TEST_F(ScenarioHere, IsNotNeededForHelp) {
 }
 
 TEST_F(ScenarioHere, IsSuggestedIfItsFolderIsMissingOrItsNameIsBegun) {
-  EXPECT_NE(answer_to({"lab", "bounce.yaml"}).err.find("did you mean 'scenarios/lab/bounce.yaml'?"),
+  EXPECT_NE(answer_to({"experiment", "lab", "bounce.yaml"})
+                .err.find("did you mean 'scenarios/lab/bounce.yaml'?"),
             std::string::npos);
   EXPECT_NE(answer_to({"run", "cup"}).err.find("did you mean 'cup-game.yaml'?"), std::string::npos);
   EXPECT_EQ(answer_to({"run", "xy.yaml"}).err.find("did you mean"), std::string::npos);

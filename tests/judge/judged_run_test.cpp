@@ -35,9 +35,9 @@ class JudgedRun : public testing::Test {
   }
   static app::Answer ask(const char* verb, const std::string& results,
                          const std::vector<const char*>& more = {}) {
-    std::vector<const char*> arguments = {verb, results.c_str()};
+    std::vector<const char*> arguments = {results.c_str()};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    return app::answer_to(arguments);
+    return app::answer_to(verb, arguments);
   }
   static std::string rows_file(const std::string& results) {
     return results + "/games/shard-0-of-1.csv";
@@ -174,9 +174,10 @@ TEST_F(JudgedRun, RefusesAnUnknownSeed) {
 
 TEST_F(JudgedRun, ShowsItsProgress) {
   judge(whole_);
-  EXPECT_TRUE(ask("status", whole_).out.starts_with(whole_ + "   4 of 4 games done, 0 void\n"));
+  EXPECT_TRUE(
+      ask("results status", whole_).out.starts_with(whole_ + "   4 of 4 games done, 0 void\n"));
   tear(whole_, 2);
-  const app::Answer half = ask("status", whole_);
+  const app::Answer half = ask("results status", whole_);
   EXPECT_EQ(half.code, io::kDone) << half.err;
   EXPECT_TRUE(half.out.starts_with(whole_ + "   2 of 4 games done, 0 void\n")) << half.out;
   EXPECT_NE(half.out.find("| F1 of | rules | none | realistic |"), std::string::npos) << half.out;
@@ -207,7 +208,8 @@ TEST_F(JudgedRun, GivesEachFaultAnIdThatReplaysItsGame) {
   EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), ids.size());
   const std::string& id = ids.back();
   const std::string events = in("events.jsonl");
-  const app::Answer answer = ask("replay", whole_, {id.c_str(), "--events", events.c_str()});
+  const app::Answer answer =
+      ask("results replay", whole_, {id.c_str(), "--events", events.c_str()});
   EXPECT_EQ(answer.code, io::kDone) << answer.err;
   EXPECT_NE(answer.out.find("rowdy"), std::string::npos) << answer.out;
   const bool says_fault = answer.err.starts_with("autoref: " + id + ": missed ") ||
@@ -218,11 +220,11 @@ TEST_F(JudgedRun, GivesEachFaultAnIdThatReplaysItsGame) {
 
 TEST_F(JudgedRun, ReplaysAGameByEitherIdAndRefusesUnknownIds) {
   judge(whole_);
-  EXPECT_EQ(ask("replay", whole_, {"paper none rowdy~basic 2"}).code, io::kDone);
-  EXPECT_EQ(ask("replay", whole_, {"paper+none+rowdy~basic-p0001-2"}).code, io::kDone);
+  EXPECT_EQ(ask("results replay", whole_, {"paper none rowdy~basic 2"}).code, io::kDone);
+  EXPECT_EQ(ask("results replay", whole_, {"paper+none+rowdy~basic-p0001-2"}).code, io::kDone);
   for (const char* id : {"paper+none+rowdy~basic-p0001-3", "paper+none+rowdy~basic-p0001-2-f999",
                          "paper+none+rowdy~basic-p0001-2-f0"}) {
-    const app::Answer answer = ask("replay", whole_, {id});
+    const app::Answer answer = ask("results replay", whole_, {id});
     EXPECT_EQ(answer.code, io::kBadInput) << id;
     EXPECT_NE(answer.err.find("did you mean 'paper+none+rowdy~basic-p0001-"), std::string::npos)
         << answer.err;
@@ -231,7 +233,7 @@ TEST_F(JudgedRun, ReplaysAGameByEitherIdAndRefusesUnknownIds) {
 
 TEST_F(JudgedRun, IsVerifiedByReplayingItsGames) {
   judge(whole_);
-  const app::Answer answer = ask("verify", whole_, {"--sample", "2", "-j", "1"});
+  const app::Answer answer = ask("results verify", whole_, {"--sample", "2", "-j", "1"});
   EXPECT_EQ(answer.code, io::kDone) << answer.err;
   EXPECT_NE(answer.out.find("2 of 2 games match their rows"), std::string::npos);
 }

@@ -77,11 +77,12 @@ class DisturbedLog : public testing::Test {
     ASSERT_TRUE(std::regex_search(judged_.out, calls, std::regex(", (\\d+) by AutoRef")));
     ASSERT_GE(std::stoi(calls[1]), 5) << judged_.out;
     ASSERT_EQ(judged_.err, "");
-    cameras_ = packets_of_cameras(app::answer_to({"info", log.c_str()}).out);
+    cameras_ = packets_of_cameras(app::answer_to({"log", "info", log.c_str()}).out);
   }
 
   static app::Answer referee_answer(const std::string& log) {
-    return app::answer_to({"referee", log.c_str(), "--camera", "realistic", "--rules", "2026-b"});
+    return app::answer_to(
+        {"referee", "log", log.c_str(), "--camera", "realistic", "--rules", "2026-b"});
   }
 
   void write(const Records& records, const std::string& name = "disturbed.log") const {
@@ -104,7 +105,7 @@ class DisturbedLog : public testing::Test {
     EXPECT_EQ(answer.code, io::kDone);
     EXPECT_EQ(answer.out, judged_.out);
     EXPECT_EQ(answer.err, said.empty() ? "" : "autoref: " + log_ + ": " + said + "\n");
-    EXPECT_EQ(packets_of_cameras(app::answer_to({"info", log_.c_str()}).out), cameras_);
+    EXPECT_EQ(packets_of_cameras(app::answer_to({"log", "info", log_.c_str()}).out), cameras_);
   }
 
   static inline Records whole_;
@@ -200,7 +201,7 @@ TEST_F(DisturbedLog, WithLostPacketsLosesNothingElse) {
   });
   EXPECT_GT(lost, 20);
   EXPECT_EQ(referee_answer(log_).err, "");
-  const std::string info = app::answer_to({"info", log_.c_str(), "--json"}).out;
+  const std::string info = app::answer_to({"log", "info", log_.c_str(), "--json"}).out;
   EXPECT_NE(info.find("\"late\": 0"), std::string::npos) << info;
   std::ptrdiff_t used = 0;
   const std::regex packets("\"packets\": (\\d+)");
@@ -231,7 +232,7 @@ TEST_F(DisturbedLog, FromAPipe) {
         [this] { write_content(log_, content_of(folder_ / "game.log.gz"), std::ios::app); });
     const app::Answer answer = verb == std::string("referee")
                                    ? referee_answer(log_)
-                                   : app::answer_to({"info", log_.c_str()});
+                                   : app::answer_to({"log", "info", log_.c_str()});
     writer.join();
     EXPECT_EQ(answer.code, io::kDone) << answer.err;
     if (verb == std::string("referee")) {
@@ -287,7 +288,7 @@ TEST_F(DisturbedLog, OfARecorderThatWasKilled) {
       if (last_ns > 13'700'000'000) break;
     }
     write_content(log_, content_of(path));  // as it is on the disk now
-    const app::Answer info = app::answer_to({"info", log_.c_str(), "--json"});
+    const app::Answer info = app::answer_to({"log", "info", log_.c_str(), "--json"});
     const std::size_t at = info.out.find("\"length_s\": ");
     ASSERT_NE(at, std::string::npos) << info.err;
     EXPECT_GT(std::stod(info.out.substr(at + 12)), 1e-9 * static_cast<double>(last_ns) - 1.02)

@@ -22,11 +22,11 @@ class ForeignLog : public testing::Test {
  protected:
   void write(const SketchedLog& sketch) { write_sketch(sketch, log_); }
 
-  app::Answer referee(std::vector<const char*> more = {}) const { return run("referee", more); }
+  app::Answer referee(std::vector<const char*> more = {}) const { return run("referee log", more); }
   app::Answer run(const char* verb, const std::vector<const char*>& more) const {
-    std::vector<const char*> arguments = {verb, log_.c_str()};
+    std::vector<const char*> arguments = {log_.c_str()};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    return app::answer_to(arguments);
+    return app::answer_to(verb, arguments);
   }
 
   // Checks that every verb that reads logs accepts the log, and that the referee reports `said`
@@ -43,10 +43,10 @@ class ForeignLog : public testing::Test {
   void expect_shown() const {
     const std::string page = folder_ / "game.html";
     const std::string drawing = folder_ / "frame.svg";
-    EXPECT_EQ(run("info", {}).code, io::kDone);
+    EXPECT_EQ(run("log info", {}).code, io::kDone);
     const app::Answer viewed = run("view", {"-o", page.c_str()});
     EXPECT_EQ(viewed.code, io::kDone) << viewed.err;
-    const app::Answer drawn = run("draw", {"--at", "1", "-o", drawing.c_str()});
+    const app::Answer drawn = run("log draw", {"--at", "1", "-o", drawing.c_str()});
     EXPECT_EQ(drawn.code, io::kDone) << drawn.err;
   }
 
@@ -122,7 +122,7 @@ TEST_F(ForeignLog, WithoutAreasAndMarksUsesThoseOfTheRuleBook) {
 TEST_F(ForeignLog, WithChangingGeometryIsJudgedOnTheLastField) {
   write({.change_field_later = [](league::FieldSize& size) { size.set_field_length(9000); }});
   expect_judged("the field changes 1 times; using the last one");
-  EXPECT_NE(run("info", {}).out.find("field     9 x 4.05 m"), std::string::npos);
+  EXPECT_NE(run("log info", {}).out.find("field     9 x 4.05 m"), std::string::npos);
 }
 
 TEST_F(ForeignLog, WithoutARefereeIsJudged) {
@@ -198,7 +198,7 @@ TEST_F(ForeignLog, WithARestartingCameraClockIsJudgedThroughout) {
            return time_s < 5 ? 1.5e9 + time_s : time_s < 10 ? time_s - 5 : 3e9 + time_s;
          }});
   expect_judged("the cameras' clock restarts 2 times");
-  const app::Answer info = run("info", {"--json"});
+  const app::Answer info = run("log info", {"--json"});
   EXPECT_NE(info.out.find("\"frames\": 1192"), std::string::npos) << info.out;
 }
 
@@ -223,7 +223,7 @@ TEST_F(ForeignLog, WithoutABallSaysSo) {
 
 TEST_F(ForeignLog, WithoutVisionIsRefused) {
   write({.has_vision = false});
-  EXPECT_EQ(run("info", {}).code, io::kDone);
+  EXPECT_EQ(run("log info", {}).code, io::kDone);
   const app::Answer answer = referee();
   EXPECT_EQ(answer.code, io::kBadInput);
   EXPECT_NE(answer.err.find("contains neither vision nor tracker packets to referee"),
@@ -256,7 +256,7 @@ TEST_F(OwnLog, OfAKnockoutGameWithAShootOutIsJudged) {
     play({book, "match.knockout=true", "match.half_s=2", "match.extra_half_s=1", "a.strategy=basic",
           "b.strategy=basic"},
          log_);
-    EXPECT_NE(run("info", {}).out.find("POST_GAME"), std::string::npos) << book;
+    EXPECT_NE(run("log info", {}).out.find("POST_GAME"), std::string::npos) << book;
     expect_judged();
     const app::Answer answer = referee({"--rules", book + std::string("match.rules=").size(),
                                         "--control", "autoref", "--events", events.c_str()});

@@ -118,7 +118,7 @@ class LogWithGameEvents : public testing::Test {
     write_sketch(sketch, log_);
   }
   nlohmann::json compare() const {
-    const app::Answer answer = app::answer_to({"referee", log_.c_str(), "--json"});
+    const app::Answer answer = app::answer_to({"referee", "log", log_.c_str(), "--json"});
     return nlohmann::json::parse(answer.out)["game_events"];
   }
 
@@ -132,14 +132,14 @@ TEST_F(LogWithGameEvents, IsComparedWithAutoRef) {
   EXPECT_EQ(events["recorded"], 1);
   EXPECT_EQ(events["right"], 1) << events;
   EXPECT_EQ(events["not_judged"][0]["type"], "BOT_SUBSTITUTION");
-  const app::Answer text = app::answer_to({"referee", log_.c_str()});
+  const app::Answer text = app::answer_to({"referee", "log", log_.c_str()});
   EXPECT_NE(text.out.find("not judged  1 BOT_SUBSTITUTION"), std::string::npos) << text.out;
 }
 
 TEST_F(LogWithGameEvents, HasNoTableWithoutThem) {
   write(false);
   EXPECT_TRUE(compare().is_null());
-  const app::Answer text = app::answer_to({"referee", log_.c_str()});
+  const app::Answer text = app::answer_to({"referee", "log", log_.c_str()});
   EXPECT_EQ(text.out.find("game event"), std::string::npos) << text.out;
 }
 
@@ -147,7 +147,7 @@ TEST_F(LogWithGameEvents, IsRefereedIntoAFileOfGameEvents) {
   write(true);
   const std::string file = folder_ / "events.jsonl";
   const app::Answer answer =
-      app::answer_to({"referee", log_.c_str(), "--game-events", file.c_str()});
+      app::answer_to({"referee", "log", log_.c_str(), "--game-events", file.c_str()});
   EXPECT_EQ(answer.code, 0) << answer.err;
   const nlohmann::json event = nlohmann::json::parse(content_of(file));
   EXPECT_EQ(event["type"], "BALL_LEFT_FIELD_TOUCH_LINE");

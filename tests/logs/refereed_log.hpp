@@ -15,7 +15,7 @@ struct RefereedLog {
   Field field;                // of the first game
   std::vector<Frame> frames;  // in the log's coordinates
   std::vector<referee::Decision> decisions;
-  std::string report;  // whatever `autoref referee` and `autoref info` write about the log
+  std::string report;  // whatever `autoref referee` and `autoref log info` write about the log
 };
 
 // Judges the log as `autoref referee --camera realistic` does, by the rule book that its field and

@@ -71,7 +71,7 @@ class Commands(Case):
         self.assert_fails("    why", "```sh", "echo why", "false", "```")
 
     def test_find_the_program_with_and_without_its_folder(self):
-        self.assert_passes("```sh", "autoref info", "build/release/bin/autoref info", "```")
+        self.assert_passes("```sh", "autoref log info", "build/release/bin/autoref log info", "```")
 
     def test_that_cannot_be_run_are_counted_with_their_reason(self):
         output = self.assert_passes("<!-- not run: needs a robot -->", "```sh", "false", "```")

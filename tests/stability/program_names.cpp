@@ -4,6 +4,7 @@
 #include <regex>
 #include <sstream>
 
+#include "app/former_names.hpp"
 #include "game/settings/fields.hpp"
 #include "io/errors.hpp"
 #include "live/live_options.hpp"
@@ -57,6 +58,9 @@ Names command_line_names() {
     for (std::sregex_iterator name(cell.begin(), cell.end(), option_name), end; name != end; ++name)
       names.push_back(verb.empty() ? name->str(1) : verb + " " + name->str(1));
   }
+  // A former name calls the same verb.
+  for (const app::FormerName& name : app::former_names())
+    names.push_back(fmt::format("{} is {}", name.former, name.present));
   return names;
 }
 

@@ -198,7 +198,7 @@ std::vector<Artefact> written_csv() {
          return head_of(
              judge::report_of(experiments::JudgeSchedule{}, experiments::RowsById{}).faults_csv);
        }},
-      {"lab --csv", lab_columns},
+      {"experiment lab --csv", lab_columns},
       {"Table settings", experiments::settings_columns},
       {"Table events", experiments::events_columns},
   };

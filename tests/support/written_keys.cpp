@@ -160,9 +160,9 @@ WrittenNames progress_keys() {
 
 std::vector<Artefact> written_json() {
   return {
-      {"Event lines", event_keys, true},      {"Game event lines", game_event_keys, true},
-      {"referee --json", referee_keys, true}, {"play --json", game_keys, true},
-      {"judge --json", judge_keys, true},     {"run --progress json", progress_keys, true},
+      {"Event lines", event_keys, true},          {"Game event lines", game_event_keys, true},
+      {"referee log --json", referee_keys, true}, {"play --json", game_keys, true},
+      {"judge --json", judge_keys, true},         {"run --progress json", progress_keys, true},
   };
 }
 

@@ -418,7 +418,7 @@ class ComparedPageTest(BrowserTest):
         mine, cls.annotated_page = pathlib.Path(folder.name) / "mine.csv", pathlib.Path(folder.name) / "mine.html"
         mine.write_text("time,call,side\n20,goal,yellow\n")
         done = subprocess.run(
-            [GamePage.autoref, "referee", log, "--report", str(cls.page), "--json"],
+            [GamePage.autoref, "referee", "log", log, "--report", str(cls.page), "--json"],
             check=True,
             capture_output=True,
             text=True,

@@ -159,7 +159,7 @@ std::vector<std::string> spelt(const ParamValues& values) {
 }
 
 constinit const Kind Tuning::kKind = {
-    "tune", "A team's parameters, improved by playing; see [tuning](../tuning.md).", make, "tune"};
+    "tune", "A team's parameters, improved by playing; see [tuning](../tuning.md).", make};
 
 void check(const Tuning& tuning) {
   game::check_game(tuning.base);

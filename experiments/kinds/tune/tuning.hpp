@@ -62,6 +62,7 @@ struct Tuning : ExperimentOf<Tuning> {
   Schedule schedule(const RowsById& rows) const override;
   bool is_decided(const RowsById& rows) const override;
   std::optional<std::size_t> games_of_a_round() const override;
+  double default_wait_s() const override { return 600; }
   std::vector<std::string> value_columns() const override;
   ExperimentResults results(const RowsById& rows) const override;
 };

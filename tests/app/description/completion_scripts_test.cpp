@@ -1,4 +1,4 @@
-// The scripts of `autoref completion`, in the shells themselves.
+// The scripts of `autoref show completion`, in the shells themselves.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -23,7 +23,7 @@ class CompletionScript : public testing::Test {
 
   // What the lines print, in the folder, after the script of the shell has been read.
   std::string printed(const std::string& shell, const std::string& lines) const {
-    const Answer script = answer_to({"completion", shell.c_str()});
+    const Answer script = answer_to({"show", "completion", shell.c_str()});
     EXPECT_EQ(script.code, io::kDone);
     write_content(folder_ / "completion", script.out);
     write_content(folder_ / "try", lines);
@@ -59,7 +59,7 @@ TEST_F(CompletionScript, InBashProposesVerbsAndOptions) {
 }
 
 TEST_F(CompletionScript, InBashProposesValues) {
-  EXPECT_EQ(in_bash("autoref rules 2026"), "2026-b 2026-a\n");
+  EXPECT_EQ(in_bash("autoref show rules 2026"), "2026-b 2026-a\n");
   EXPECT_EQ(in_bash("autoref team play --opponent ba"), "basic\n");
   EXPECT_EQ(in_bash("autoref team new --language py"), "python\n");
   EXPECT_EQ(in_bash("autoref play --set match.half_"), "match.half_s=\n");
@@ -72,8 +72,8 @@ TEST_F(CompletionScript, InBashCompletesTheLastPieceOfAWord) {
   EXPECT_EQ(in_bash("autoref play --set match.rules ="), "paper 2014 2014-double 2026-b 2026-a\n");
   EXPECT_EQ(in_bash("autoref view x --rules = 2026-b"), "2026-b\n");
   EXPECT_EQ(in_bash("autoref play --set match.rules=2026-b"), "match.rules=2026-b\n");
-  EXPECT_EQ(in_bash("autoref replay cup b.handicap = 0"), "0.8-p0001-1\n");
-  EXPECT_EQ(in_bash("autoref replay cup ''"), "b.handicap=0.8-p0001-1\n");
+  EXPECT_EQ(in_bash("autoref results replay cup b.handicap = 0"), "0.8-p0001-1\n");
+  EXPECT_EQ(in_bash("autoref results replay cup ''"), "b.handicap=0.8-p0001-1\n");
 }
 
 TEST_F(CompletionScript, InBashIsSilentWithoutTheProgram) {
@@ -112,15 +112,15 @@ TEST_F(CompletionScript, InFishProposesVerbsOptionsAndValues) {
   EXPECT_EQ(in_fish("autoref pl"), "play\n");
   EXPECT_EQ(in_fish("autoref play --ev"), "--events\n");
   EXPECT_EQ(in_fish("autoref play --set match.half_"), "match.half_s=\n");
-  EXPECT_EQ(in_fish("autoref rules 2026"), "2026-a\n2026-b\n");
+  EXPECT_EQ(in_fish("autoref show rules 2026"), "2026-a\n2026-b\n");
 }
 
 TEST(Completion, IsRefusedForOtherShells) {
-  const Answer answer = answer_to({"completion", "fihs"});
+  const Answer answer = answer_to({"show", "completion", "fihs"});
   EXPECT_EQ(answer.code, io::kBadInput);
   EXPECT_EQ(answer.err,
-            "autoref: completion: expected one of bash, zsh, fish, found 'fihs'; did you mean "
-            "'fish'? `autoref help completion` lists its options\n");
+            "autoref: show completion: expected one of bash, zsh, fish, found 'fihs'; did you mean "
+            "'fish'? `autoref help show completion` lists its options\n");
 }
 
 }  // namespace

@@ -76,14 +76,14 @@ TEST(Complete, ProposesTheWordsThatASettingAllows) {
 TEST(Complete, ProposesWhatTheRegistriesHold) {
   Words teams;
   for (const strategies::Entry& team : strategies::all_strategies()) teams.emplace_back(team.name);
-  EXPECT_EQ(proposed({"teams", ""}), teams);
+  EXPECT_EQ(proposed({"show", "teams", ""}), teams);
   EXPECT_EQ(proposed({"team", "play", "--opponent", ""}), teams);
-  EXPECT_EQ(proposed({"rules", ""}), rule_book_names());
+  EXPECT_EQ(proposed({"show", "rules", ""}), rule_book_names());
   EXPECT_EQ(proposed({"view", "x.log", "--rules", ""}), rule_book_names());
-  EXPECT_EQ(proposed({"referee", "--camera", ""}), sim::camera_preset_names());
+  EXPECT_EQ(proposed({"referee", "log", "--camera", ""}), sim::camera_preset_names());
   EXPECT_EQ(proposed({"team", "new", "--language", ""}), game::template_languages());
-  EXPECT_EQ(proposed({"completion", ""}), (Words{"bash", "zsh", "fish"}));
-  EXPECT_EQ(proposed({"referee", "--first-kickoff", ""}), (Words{"west", "east"}));
+  EXPECT_EQ(proposed({"show", "completion", ""}), (Words{"bash", "zsh", "fish"}));
+  EXPECT_EQ(proposed({"referee", "log", "--first-kickoff", ""}), (Words{"west", "east"}));
   EXPECT_EQ(proposed({"live", "x.yaml", "--speed", ""}), (Words{"max", "lockstep"}));
 }
 
@@ -101,7 +101,7 @@ TEST_F(CompleteHere, ProposesScenarios) {
   std::filesystem::create_directories(folder_ / "scenarios/lab");
   for (const char* file : {"mine.yaml", "notes.txt", "scenarios/cup.yaml", "scenarios/lab/a.yaml"})
     write_content(folder_ / file, "");
-  for (const char* verb : {"play", "run", "lab", "judge", "check", "tune", "submit", "live"}) {
+  for (const char* verb : {"play", "run", "judge", "check", "live"}) {
     EXPECT_EQ(proposed({verb, ""}),
               (Words{"mine.yaml", "scenarios/cup.yaml", "scenarios/lab/a.yaml"}))
         << verb;
@@ -113,18 +113,18 @@ TEST_F(CompleteHere, ProposesScenarios) {
 TEST_F(CompleteHere, ProposesTheGamesOfAFolder) {
   std::filesystem::create_directories(folder_ / "cup/games");
   write_content(folder_ / "cup/games/shard-0-of-1.csv", "game_id,seed\na~b-p0002-1,1\nc~d-1,2\n");
-  EXPECT_EQ(proposed({"replay", "cup", ""}), (Words{"a~b-p0002-1", "c~d-1"}));
+  EXPECT_EQ(proposed({"results", "replay", "cup", ""}), (Words{"a~b-p0002-1", "c~d-1"}));
   write_content(folder_ / "cup/results.csv", "game_id,seed\na~b-p0001-1,1\n");
-  EXPECT_EQ(proposed({"replay", "cup", "a"}), Words{"a~b-p0001-1"});
-  EXPECT_EQ(proposed({"replay", "nowhere", ""}), Words{});
+  EXPECT_EQ(proposed({"results", "replay", "cup", "a"}), Words{"a~b-p0001-1"});
+  EXPECT_EQ(proposed({"results", "replay", "nowhere", ""}), Words{});
 }
 
 TEST_F(CompleteHere, LimitsHowManyGamesItProposes) {
   std::string rows = "game_id,seed\n";
   for (int i = 0; i < 1000; ++i) rows += fmt::format("a~b-p{:04}-1,1\n", i);
   write_content(folder_ / "results.csv", rows);
-  EXPECT_EQ(proposed({"replay", ".", ""}).size(), 200U);
-  EXPECT_EQ(proposed({"replay", ".", "a~b-p0999"}), Words{"a~b-p0999-1"});
+  EXPECT_EQ(proposed({"results", "replay", ".", ""}).size(), 200U);
+  EXPECT_EQ(proposed({"results", "replay", ".", "a~b-p0999"}), Words{"a~b-p0999-1"});
 }
 
 TEST_F(CompleteHere, IsSilentAboutLinesThatMakeNoSense) {

@@ -30,18 +30,18 @@ const std::vector<Part> kParts = {
     {"situations: one situation", "run",
      "kind: situations\nattackers: {x: {strategy: basic}}\ndefenders: {y: {strategy: basic}}\n"
      "situations: {corner: {zzz: 1}}\n"},
-    {"tune: a parameter", "tune",
+    {"tune: a parameter", "run",
      "kind: tune\nseed: 1\nteam: {strategy: basic}\niterations: 1\npairs: 1\n"
      "tune: {shot_mps: {zzz: 1}}\n"},
-    {"tune: the test", "tune",
+    {"tune: the test", "run",
      "kind: tune\nseed: 1\nteam: {strategy: basic}\niterations: 1\npairs: 1\n"
      "tune: {shot_mps: {start: 5}}\ntest: {zzz: 1}\n"},
     {"judge: seeds", "judge",
      "kind: judge\nrules: [paper]\ncameras: [none]\nteams: [basic]\ngames: 2\nseeds: {zzz: 1}\n"},
-    {"lab", "lab", "kind: lab\nzzz: 1\n"},
-    {"lab: the ball", "lab", "kind: lab\nduration_s: 1\nball: {zzz: 1}\n"},
-    {"lab: a robot", "lab", "kind: lab\nduration_s: 1\nrobots: [{zzz: 1}]\n"},
-    {"lab: a command", "lab",
+    {"lab", "experiment lab", "kind: lab\nzzz: 1\n"},
+    {"lab: the ball", "experiment lab", "kind: lab\nduration_s: 1\nball: {zzz: 1}\n"},
+    {"lab: a robot", "experiment lab", "kind: lab\nduration_s: 1\nrobots: [{zzz: 1}]\n"},
+    {"lab: a command", "experiment lab",
      "kind: lab\nduration_s: 1\nrobots: [{side: west, commands: [{zzz: 1}]}]\n"}};
 
 // Those, and each kind of experiment.
@@ -78,7 +78,7 @@ std::string complaint(std::string_view verb, const std::string& text) {
   const TemporaryFolder folder;
   const std::string file = (folder / "file.yaml").string();
   write_content(file, "schema: 1\n" + text);
-  const Answer answer = answer_to({std::string(verb).c_str(), file.c_str()});
+  const Answer answer = answer_to(std::string(verb), {file.c_str()});
   EXPECT_EQ(answer.code, io::kBadInput) << text;
   return answer.err;
 }

@@ -79,8 +79,8 @@ TEST_F(RunVerb, UsesPairsAsTheMaximumOfAnSprt) {
 TEST_F(RunVerb, HasPairsAndSeedInCommonWithCheckAndSubmit) {
   const Answer games = answer_to({"check", file_.c_str(), "--games", "--pairs", "3"});
   EXPECT_EQ(std::count(games.out.begin(), games.out.end(), '\n'), 12);
-  const Answer submitted = answer_to({"submit", file_.c_str(), "-o", results_.c_str(), "--slurm",
-                                      "--dry-run", "--pairs", "3", "--seed", "7"});
+  const Answer submitted = answer_to({"experiment", "submit", file_.c_str(), "-o", results_.c_str(),
+                                      "--slurm", "--dry-run", "--pairs", "3", "--seed", "7"});
   EXPECT_EQ(submitted.code, io::kDone) << submitted.err;
   EXPECT_TRUE(holds(submitted.out, "12 games in 6 tasks")) << submitted.out;
   const std::string script = content_of(folder_ / "results/submit.sbatch");
@@ -141,7 +141,7 @@ TEST_F(RunVerb, ReportsTheRowsThatFewerPairsLeaveOut) {
   EXPECT_TRUE(answer.err.starts_with("the folder had 3 pairs, now 1: 8 surplus rows do not count"))
       << answer.err;
   EXPECT_TRUE(holds(answer.err, "count again with --pairs 3")) << answer.err;
-  const Answer status = answer_to({"status", results_.c_str()});
+  const Answer status = answer_to({"results", "status", results_.c_str()});
   EXPECT_TRUE(holds(status.out, "4 of 4 games done")) << status.out;
   EXPECT_TRUE(holds(status.out, "8 rows do not belong to any game of the experiment"))
       << status.out;
@@ -174,7 +174,7 @@ TEST_F(RunVerb, UpdatesAStaleReport) {
   EXPECT_TRUE(holds(content_of(folder_ / "results/report.md"), "| games | 8 of 8 |"));
   EXPECT_TRUE(holds(content_of(folder_ / "results/report.html"), "8 of 8"));
   EXPECT_FALSE(holds(run({"--pairs", "2"}).out, "updated"));
-  EXPECT_FALSE(holds(answer_to({"status", results_.c_str()}).out, "report.html"));
+  EXPECT_FALSE(holds(answer_to({"results", "status", results_.c_str()}).out, "report.html"));
 }
 
 TEST_F(RunVerb, ReportsTheGamesMissingFromAReport) {
@@ -185,7 +185,7 @@ TEST_F(RunVerb, ReportsTheGamesMissingFromAReport) {
                     "report.html lacks 4 of the 8 games; update it with: autoref "
                     "report"))
       << shard.out << shard.err;
-  const Answer status = answer_to({"status", results_.c_str()});
+  const Answer status = answer_to({"results", "status", results_.c_str()});
   EXPECT_TRUE(holds(status.out, "report.html lacks 4 of the 8 games")) << status.out;
 }
 

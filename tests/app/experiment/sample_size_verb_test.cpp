@@ -33,7 +33,7 @@ TEST(SampleSizeVerb, ExplainsItself) {
   const Answer answer = answer_to_sample_size({"--help"});
   EXPECT_EQ(answer.code, io::kDone);
   EXPECT_EQ(answer.out, R"(Compute how many games are needed to detect a difference.
-Usage: autoref sample-size [OPTIONS]
+Usage: autoref experiment sample-size [OPTIONS]
 
 Options:
   -h,--help                   Print this help message and exit
@@ -47,7 +47,7 @@ t test (level 0.05) of the pairs' mean goal differences. Legs are assumed indepe
 the standard deviation of a pair's mean is that of a game divided by sqrt(2).
 
 Example:
-  autoref sample-size --delta 0.5 --sd 2 --power 0.8
+  autoref experiment sample-size --delta 0.5 --sd 2 --power 0.8
 )");
 }
 

@@ -1,5 +1,5 @@
-// Tests `autoref submit` with a fake sbatch, which records the arguments that Slurm would get.
-// tests/slurm/ uses a real sbatch.
+// Tests `autoref experiment submit` with a fake sbatch, which records the arguments that Slurm
+// would get. tests/slurm/ uses a real sbatch.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -47,7 +47,8 @@ class Submit : public testing::Test {
 
   Answer submit(std::vector<const char*> further) {
     const PathTo path(folder_.path());
-    std::vector<const char*> words = {"submit", file_.c_str(), "--slurm", "-o", results_.c_str()};
+    std::vector<const char*> words = {"experiment", "submit", file_.c_str(),
+                                      "--slurm",    "-o",     results_.c_str()};
     words.insert(words.end(), further.begin(), further.end());
     return answer_to(words);
   }

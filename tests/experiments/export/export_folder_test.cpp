@@ -64,8 +64,8 @@ class Export : public testing::Test {
 };
 
 TEST_F(Export, WritesEveryGameWithTheRowsOfResults) {
-  const app::Answer answer =
-      app::answer_to({"export", results_.c_str(), "--sqlite", database_.c_str(), "--no-events"});
+  const app::Answer answer = app::answer_to(
+      {"results", "export", results_.c_str(), "--sqlite", database_.c_str(), "--no-events"});
   ASSERT_EQ(answer.code, io::kDone);
   EXPECT_EQ(rows_of(database_, "SELECT name FROM sqlite_master ORDER BY name"),
             (std::vector<std::string>{"games", "settings"}));
@@ -88,7 +88,8 @@ TEST_F(Export, WritesEveryGameWithTheRowsOfResults) {
 }
 
 TEST_F(Export, WritesSettingsByPath) {
-  app::answer_to({"export", results_.c_str(), "--sqlite", database_.c_str(), "--no-events"});
+  app::answer_to(
+      {"results", "export", results_.c_str(), "--sqlite", database_.c_str(), "--no-events"});
   EXPECT_EQ(rows_of(database_,
                     "SELECT value, typeof(value) FROM settings WHERE setting IN "
                     "('base.match.rules', 'pairs', 'base.match.half_s') ORDER BY 1"),
@@ -96,14 +97,15 @@ TEST_F(Export, WritesSettingsByPath) {
 }
 
 TEST_F(Export, WritesTheEventsOfEachGame) {
-  ASSERT_EQ(
-      app::answer_to({"export", results_.c_str(), "--sqlite", database_.c_str(), "-j", "2"}).code,
-      io::kDone);
+  ASSERT_EQ(app::answer_to(
+                {"results", "export", results_.c_str(), "--sqlite", database_.c_str(), "-j", "2"})
+                .code,
+            io::kDone);
   const std::string log = (folder_ / "events.jsonl").string();
-  ASSERT_EQ(
-      app::answer_to({"replay", results_.c_str(), "b.robots=5-p0001-2", "--events", log.c_str()})
-          .code,
-      io::kDone);
+  ASSERT_EQ(app::answer_to({"results", "replay", results_.c_str(), "b.robots=5-p0001-2", "--events",
+                            log.c_str()})
+                .code,
+            io::kDone);
   const std::string lines = content_of(log);
   const auto count = std::count(lines.begin(), lines.end(), '\n');
   EXPECT_EQ(rows_of(database_,
@@ -119,8 +121,9 @@ TEST_F(Export, WritesTheEventsOfEachGame) {
 
 TEST_F(Export, HasTheValuesOfTheEventLog) {
   const std::string log = (folder_ / "events.jsonl").string();
-  app::answer_to({"export", results_.c_str(), "--sqlite", database_.c_str()});
-  app::answer_to({"replay", results_.c_str(), "b.robots=5-p0001-2", "--events", log.c_str()});
+  app::answer_to({"results", "export", results_.c_str(), "--sqlite", database_.c_str()});
+  app::answer_to(
+      {"results", "replay", results_.c_str(), "b.robots=5-p0001-2", "--events", log.c_str()});
   const std::string text = content_of(log);
   for (const game::DecisionField& field : game::decision_fields()) {
     const std::string column = game::column_of(field);
@@ -141,13 +144,13 @@ TEST_F(Export, HasTheValuesOfTheEventLog) {
 
 TEST_F(Export, RepeatsByteForByte) {
   const std::string again = (folder_ / "again.sqlite").string();
-  app::answer_to({"export", results_.c_str(), "--sqlite", database_.c_str(), "-j", "2"});
-  app::answer_to({"export", results_.c_str(), "--sqlite", again.c_str(), "-j", "1"});
+  app::answer_to({"results", "export", results_.c_str(), "--sqlite", database_.c_str(), "-j", "2"});
+  app::answer_to({"results", "export", results_.c_str(), "--sqlite", again.c_str(), "-j", "1"});
   EXPECT_EQ(content_of(database_), content_of(again));
 }
 
 TEST_F(Export, DeclaresTheTypesOfColumns) {
-  app::answer_to({"export", results_.c_str(), "--sqlite", database_.c_str()});
+  app::answer_to({"results", "export", results_.c_str(), "--sqlite", database_.c_str()});
   EXPECT_EQ(rows_of(database_,
                     "SELECT name, type FROM pragma_table_info('games') WHERE name IN "
                     "('game_id', 'goals_a', 'sim_s', 'state_hash') ORDER BY 1"),
@@ -161,12 +164,12 @@ TEST_F(Export, DeclaresTheTypesOfColumns) {
 
 TEST_F(Export, ReplacesAnExistingFileOnlyOnRequest) {
   write_content(database_, "precious");
-  const app::Answer refused =
-      app::answer_to({"export", results_.c_str(), "--sqlite", database_.c_str(), "--no-events"});
+  const app::Answer refused = app::answer_to(
+      {"results", "export", results_.c_str(), "--sqlite", database_.c_str(), "--no-events"});
   EXPECT_EQ(refused.code, io::kBadInput);
   EXPECT_NE(refused.err.find("--force"), std::string::npos) << refused.err;
   EXPECT_EQ(content_of(database_), "precious");
-  EXPECT_EQ(app::answer_to({"export", results_.c_str(), "--sqlite", database_.c_str(),
+  EXPECT_EQ(app::answer_to({"results", "export", results_.c_str(), "--sqlite", database_.c_str(),
                             "--no-events", "--force"})
                 .code,
             io::kDone);
@@ -175,8 +178,8 @@ TEST_F(Export, ReplacesAnExistingFileOnlyOnRequest) {
 
 TEST_F(Export, LeavesAnExistingFileAloneIfItFails) {
   write_content(database_, "precious");
-  const app::Answer answer =
-      app::answer_to({"export", (folder_ / "nowhere").c_str(), "--sqlite", database_.c_str()});
+  const app::Answer answer = app::answer_to(
+      {"results", "export", (folder_ / "nowhere").c_str(), "--sqlite", database_.c_str()});
   EXPECT_EQ(answer.code, io::kBadInput);
   EXPECT_EQ(content_of(database_), "precious");
 }

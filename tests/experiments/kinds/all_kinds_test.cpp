@@ -93,9 +93,9 @@ INSTANTIATE_TEST_SUITE_P(Of, EveryKind,
                          [](const auto& test) { return std::string(test.param->name); });
 
 TEST(Kinds, AreListedByTheirVerbs) {
-  EXPECT_EQ(kinds_played_by({"tune"}), "tune");
-  EXPECT_EQ(kinds_played_by({"tune", "judge"}), "tune or judge");
-  EXPECT_EQ(kinds_played_by({"nothing"}), "");
+  EXPECT_EQ(kinds_played_by("judge"), "judge");
+  EXPECT_TRUE(kinds_played_by("run").ends_with(" or tune"));
+  EXPECT_EQ(kinds_played_by("nothing"), "");
 }
 
 TEST(Kinds, OfOtherNamesAreUnknown) { EXPECT_EQ(find_kind("zzz"), nullptr); }

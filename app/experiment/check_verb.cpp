@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "app/experiment/batch_arguments.hpp"
+#include "app/shared_options.hpp"
+#include "app/verbs.hpp"
+#include "experiments/kinds/scenario.hpp"
+#include "experiments/run/rehearsal.hpp"
+#include "game/team_programs/program_games.hpp"
+#include "io/errors.hpp"
+#include "io/processes/progress.hpp"
+#include "io/table.hpp"
+#include "io/terminal.hpp"
+
+namespace autoref::app {
+namespace {
+
+struct CheckArguments : BatchArguments {
+  bool games = false;
+};
+
+std::string verdict_on(const experiments::Rehearsal& rehearsal) {
+  if (!rehearsal.void_reason.empty()) return "void: " + rehearsal.void_reason;
+  if (!rehearsal.was_tried) return "not tried: would take too long";
+  if (rehearsal.share >= 1) return "plays";
+  const double percent = 100 * rehearsal.share;
+  return fmt::format("plays; estimated from {} % of a game",
+                     percent < 1 ? "less than 1" : fmt::format("{:.0f}", percent));
+}
+
+std::string table_of(const std::vector<experiments::Rehearsal>& rehearsals) {
+  std::vector<io::Cells> rows = {{"variant", "games", "s per game (est.)", ""}};
+  for (const experiments::Rehearsal& rehearsal : rehearsals) {
+    rows.push_back({rehearsal.played, std::to_string(rehearsal.games),
+                    fmt::format("{:.1f}", rehearsal.wall_s_a_game), verdict_on(rehearsal)});
+  }
+  return io::table_text(
+      {std::move(rows), {io::Align::kLeft, io::Align::kRight, io::Align::kRight, io::Align::kLeft}},
+      io::text_width(stdout));
+}
+
+// In the order of summary.csv.
+std::vector<experiments::Rehearsal> sorted(std::vector<experiments::Rehearsal> rehearsals) {
+  std::stable_sort(rehearsals.begin(), rehearsals.end(),
+                   [](const experiments::Rehearsal& one, const experiments::Rehearsal& other) {
+                     return one.variant < other.variant;
+                   });
+  return rehearsals;
+}
+
+int check_verb(const CheckArguments& arguments) {
+  const experiments::Scenario scenario = read_experiment(arguments);
+  const experiments::Experiment& experiment = scenario.experiment();
+  const std::vector<experiments::ScheduledGame> games = experiment.games();
+  if (arguments.games) {
+    for (const experiments::ScheduledGame& game : games) fmt::print("{}\n", game.id);
+    return io::kDone;
+  }
+  const int workers = worker_count(arguments.workers);
+  const std::vector<experiments::Rehearsal> rehearsals = experiments::rehearse(
+      experiment.rehearsed(games), {[](const game::GameConfiguration& game, double most_wall_s) {
+                                      return experiments::play_part(
+                                          game, most_wall_s, game::make_program_or_registered_team);
+                                    },
+                                    workers});
+  fmt::print("{}\n{} games, about {} with {} in parallel\n", table_of(sorted(rehearsals)),
+             games.size(), io::duration_text(experiments::duration_s(rehearsals, workers)),
+             workers);
+  const std::string programs = experiments::cost_of_programs(rehearsals, workers);
+  if (!programs.empty()) fmt::print("{}\n", io::wrapped(programs, io::text_width(stdout)));
+  const std::string caveat = experiment.caveat();
+  if (!caveat.empty()) fmt::print("{}\n", caveat);
+  const bool all_play = std::all_of(
+      rehearsals.begin(), rehearsals.end(),
+      [](const experiments::Rehearsal& rehearsal) { return rehearsal.void_reason.empty(); });
+  return all_play ? io::kDone : io::kTooManyVoid;
+}
+
+}  // namespace
+
+void add_check_verb(CLI::App& app, Chosen& chosen) {
+  CLI::App* verb =
+      app.add_subcommand("check", "Validate an experiment and estimate how long it takes.");
+  auto arguments = std::make_shared<CheckArguments>();
+  add_experiment_argument(*verb, *arguments, "run");
+  add_workers_option(*verb, arguments->workers, "Parallel games to assume in the estimate.");
+  add_set_option(*verb, arguments->sets);
+  add_override_options(*verb, *arguments);
+  verb->add_flag("--games", arguments->games, "Only print the id of every game.");
+  verb->footer(
+      "Takes at most ten seconds. Plays a few seconds of every variant and continues as far as "
+      "time\n"
+      "allows; a variant whose games take too long is estimated from a part of a game. If teams "
+      "are\n"
+      "programs, the last line names how much of the time each of them takes. The estimate "
+      "assumes\n"
+      "that the machine stays as busy as it is now.\n\n"
+      "Example:\n  autoref check scenarios/handicap-speed.yaml");
+  verb->callback([arguments, &chosen] { chosen = [arguments] { return check_verb(*arguments); }; });
+}
+
+}  // namespace autoref::app

@@ -1,0 +1,73 @@
+#include "app/former_names.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+namespace autoref::app {
+namespace {
+
+using Words = std::vector<std::string>;
+
+bool has_option(const Words& words, const std::string& option) {
+  return std::any_of(words.begin(), words.end(), [&option](const std::string& word) {
+    return word == option || word.starts_with(option + "=");
+  });
+}
+
+// The name that replaces the first word; empty if that is not a former name.
+std::string_view present_name_of(const Words& words) {
+  // `draw` also drew situations.
+  if (words.front() == "draw" && has_option(words, "--situation")) return "show situation";
+  for (const FormerName& name : former_names())
+    if (name.former == words.front()) return name.present;
+  return {};
+}
+
+// `referee` had the flag --live instead of verbs.
+Words with_verb_of_referee(Words words) {
+  static const Words kPresent = {"log", "live", "-h", "--help"};
+  if (std::find(kPresent.begin(), kPresent.end(), words[1]) != kPresent.end()) return words;
+  const bool is_live = std::erase(words, "--live") > 0;
+  words.insert(words.begin() + 1, is_live ? "live" : "log");
+  return words;
+}
+
+}  // namespace
+
+const std::vector<FormerName>& former_names() {
+  static const std::vector<FormerName> kNames = {{"status", "results status"},
+                                                 {"verify", "results verify"},
+                                                 {"replay", "results replay"},
+                                                 {"export", "results export"},
+                                                 {"info", "log info"},
+                                                 {"draw", "log draw"},
+                                                 {"tune", "run"},
+                                                 {"submit", "experiment submit"},
+                                                 {"sample-size", "experiment sample-size"},
+                                                 {"lab", "experiment lab"},
+                                                 {"rules", "show rules"},
+                                                 {"teams", "show teams"},
+                                                 {"bench", "show speed"},
+                                                 {"man", "show man"},
+                                                 {"completion", "show completion"}};
+  return kNames;
+}
+
+std::vector<std::string> with_present_names(std::vector<std::string> words) {
+  if (words.empty()) return words;
+  if (words.front() == "help") {
+    Words explained = with_present_names({words.begin() + 1, words.end()});
+    explained.insert(explained.begin(), "help");
+    return explained;
+  }
+  if (words.front() == "referee" && words.size() > 1) return with_verb_of_referee(std::move(words));
+  const std::string_view present = present_name_of(words);
+  if (present.empty()) return words;
+  std::istringstream names{std::string(present)};
+  Words replaced;
+  for (std::string name; names >> name;) replaced.push_back(name);
+  replaced.insert(replaced.end(), words.begin() + 1, words.end());
+  return replaced;
+}
+
+}  // namespace autoref::app

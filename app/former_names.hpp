@@ -1,0 +1,21 @@
+// Names that verbs had before they were in groups. They keep working, but help does not list them.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace autoref::app {
+
+struct FormerName {
+  std::string_view former;   // "status"
+  std::string_view present;  // "results status"
+};
+
+const std::vector<FormerName>& former_names();
+
+// The words after the program's name, with a former name at their front, or after `help`, replaced:
+// "results status DIR" for "status DIR".
+std::vector<std::string> with_present_names(std::vector<std::string> words);
+
+}  // namespace autoref::app

@@ -1,0 +1,174 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <memory>
+
+#include "app/game/play_one.hpp"
+#include "app/game/scenario_game.hpp"
+#include "app/network_flags.hpp"
+#include "app/scenario_argument.hpp"
+#include "app/shared_options.hpp"
+#include "app/verbs.hpp"
+#include "game/settings/assignments.hpp"
+#include "game/settings/game_settings.hpp"
+#include "io/errors.hpp"
+#include "live/simulator/live_game.hpp"
+#include "soccer/side.hpp"
+
+namespace autoref::app {
+namespace {
+
+struct LiveArguments {
+  std::string file;
+  std::string seed;               // empty: the scenario's seed
+  std::vector<std::string> sets;  // "key=value"
+  std::string speed = "1";        // a factor, "max" or "lockstep"
+  live::LiveOptions options;      // without the speed
+  bool broadcasts = false;        // instead of sending to the groups
+  GameOutput output;
+};
+
+live::LiveSpeed speed_of(const std::string& text) {
+  if (text == "max") return {live::Pace::kPackets};
+  if (text == "lockstep") return {live::Pace::kLockStep};
+  return {live::Pace::kClock, speed_factor_in(text, "max or lockstep")};
+}
+
+void say_team(Side side, const live::LiveReport& report) {
+  const live::TeamTraffic& traffic = report.traffic[side];
+  const std::array<std::int64_t, 3>& ages = report.command_ages[side];
+  const std::int64_t frames = ages[0] + ages[1] + ages[2];
+  if (frames == 0) return;
+  const double recent = static_cast<double>(ages[0] + ages[1]) / static_cast<double>(frames);
+  io::write_message(
+      stderr,
+      fmt::format("{}: {} packets, {} wrong, {} from another computer; in {:.1f} % "
+                  "of the frames a command at most one frame old\n",
+                  colour_of(side), traffic.packets, traffic.wrong, traffic.foreign, 100 * recent));
+  if (!traffic.last_error.empty())
+    io::write_message(stderr,
+                      fmt::format("{}: last error: {}\n", colour_of(side), traffic.last_error));
+}
+
+void say_connections(const live::StreamTroubles& troubles) {
+  if (troubles.refused + troubles.invalid + troubles.unread == 0) return;
+  io::write_message(
+      stderr, fmt::format("TCP: {} connections too many were refused; closed: {} because of a "
+                          "wrong message, {} because responses were not read\n",
+                          troubles.refused, troubles.invalid, troubles.unread));
+}
+
+void say(const live::LiveReport& report) {
+  const live::Punctuality& punctuality = report.punctuality;
+  if (punctuality.frames > 0) {
+    io::write_message(
+        stderr, fmt::format("{} frames, {} of them more than 2 ms late, the worst {:.1f} ms\n",
+                            punctuality.frames, punctuality.late, punctuality.worst_ms));
+  }
+  if (report.dropped > 0)
+    io::write_message(stderr, fmt::format("{} datagrams could not be sent\n", report.dropped));
+  say_connections(report.connections);
+  if (report.wrong_control > 0)
+    io::write_message(stderr,
+                      fmt::format("control port: {} packets wrong\n", report.wrong_control));
+  for (const Side side : kSides) say_team(side, report);
+}
+
+void add_network_options(CLI::App& verb, LiveArguments& arguments) {
+  live::LiveOptions& options = arguments.options;
+  const auto port = [&verb](const char* flag, int& number, const char* about) {
+    verb.add_option(flag, number, about)->type_name("PORT")->check(CLI::Range(0, 65535));
+  };
+  verb.add_option("--interface", options.interface,
+                  "Address of the network interface to use; by default nothing leaves this "
+                  "computer.")
+      ->type_name("ADDRESS");
+  CLI::Option* unicast =
+      verb.add_option("--unicast", options.unicast,
+                      "Send vision, referee and tracker packets to this host instead of the "
+                      "multicast groups.")
+          ->type_name("HOST");
+  verb.add_flag("--broadcast", arguments.broadcasts,
+                "Send them to all hosts of the interface's network, for networks that do not pass "
+                "multicast on.")
+      ->excludes(unicast);
+  port("--vision-port", options.ports.vision, "Port of vision, 10006 by default.");
+  port("--referee-port", options.ports.referee, "Port of the referee, 10003 by default.");
+  port("--tracker-port", options.ports.tracker, "Port of the tracker, 10010 by default.");
+  port("--yellow-port", options.ports.yellow, "Commands of the yellow team, 10302 by default.");
+  port("--blue-port", options.ports.blue, "Commands of the blue team, 10301 by default.");
+  port("--control-port", options.ports.control,
+       "Control of the simulator, 10300 by default; 0: none, as in tournaments.");
+  port("--grsim-port", options.ports.grsim,
+       "Commands of both teams in grSim's packets, 20011 by default; 0: none.");
+  verb.add_option("--lapse", options.lapse_s,
+                  "Seconds after which a robot without a new command stands still, 0.1 by default.")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 3600.0));
+  verb.add_option("--answer", options.answer_s,
+                  "With --speed max or lockstep: the longest wait for a team in seconds, 10 by "
+                  "default.")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 3600.0));
+}
+
+int live_verb(const LiveArguments& arguments) {
+  const game::Assignments assignments = game::assignments_in(arguments.sets);
+  const game::GameConfiguration game =
+      game::resolved(game_in(arguments.file, arguments.seed, assignments));
+  if (game.match.control == referee::Control::kGameController)
+    throw io::InputError({arguments.file}, "match.control",
+                         "a game controller commands only games of autoref play");
+  live::LiveOptions options = arguments.options;
+  options.speed = speed_of(arguments.speed);
+  if (arguments.broadcasts) options.unicast = broadcast_of(options.interface);
+  live::SteadyFrameClock clock;
+  live::LiveGame live(game, options, clock, check_interrupt);
+  GamePlayer player;
+  player.make_network_team = [&](const game::TeamConfiguration&,
+                                 const strategies::TeamContext& context) {
+    return live.make_network_team(context);
+  };
+  player.play = [&](const game::Observers& observers, game::GamePrograms& programs) {
+    return live.play(observers, programs);
+  };
+  game::GameRecord record;
+  try {
+    game::blame(arguments.file, [&] {
+      record =
+          play_one(game, arguments.output, inputs_of(arguments.file, "", assignments), {}, player);
+    });
+  } catch (const io::Interrupted&) {
+    say(live.report());
+    throw;
+  }
+  say(live.report());
+  return record.status == game::Status::kVoid ? io::kTooManyVoid : io::kDone;
+}
+
+}  // namespace
+
+void add_live_verb(CLI::App& app, Chosen& chosen) {
+  CLI::App* verb =
+      app.add_subcommand("live", "Play one refereed game on the league's network, in real time.");
+  auto arguments = std::make_shared<LiveArguments>();
+  add_scenario_argument(*verb, arguments->file, "Scenario of kind game.");
+  verb->add_option("--seed", arguments->seed, "Seed, overriding the scenario.")->type_name("N");
+  add_set_option(*verb, arguments->sets);
+  verb->add_option("--speed", arguments->speed,
+                   "Speed relative to real time, 1 by default; max: as fast as the teams answer; "
+                   "lockstep: by the teams' SimulationSyncRequests.")
+      ->type_name("FACTOR|max|lockstep");
+  add_network_options(*verb, *arguments);
+  add_output_options(*verb, arguments->output);
+  verb->footer(
+      "A team with the strategy network is commanded by packets of the league's simulation "
+      "protocol "
+      "or grSim's.\n"
+      "West is yellow.\n\n"
+      "Example:\n  autoref live scenarios/paper-game.yaml --set a.strategy=network");
+  verb->callback([arguments, &chosen] { chosen = [arguments] { return live_verb(*arguments); }; });
+}
+
+}  // namespace autoref::app

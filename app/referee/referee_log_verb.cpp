@@ -1,0 +1,158 @@
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+
+#include "app/game/page_recorder.hpp"
+#include "app/output_file.hpp"
+#include "app/referee/referee_game.hpp"
+#include "app/shared_options.hpp"
+#include "app/verbs.hpp"
+#include "game/settings/assignments.hpp"
+#include "game/settings/game_settings.hpp"
+#include "io/errors.hpp"
+#include "io/files.hpp"
+#include "io/terminal.hpp"
+#include "io/words.hpp"
+#include "logs/calls.hpp"
+#include "logs/log_page.hpp"
+#include "logs/log_report.hpp"
+#include "logs/recorded_teams.hpp"
+#include "logs/user_log.hpp"
+#include "soccer/side.hpp"
+
+namespace autoref::app {
+namespace {
+
+struct RefereeLogArguments : RefereeArguments {
+  std::string log;
+  std::string annotations;  // CSV to compare with; empty: the recorded commands
+  std::string report;       // output file for the page of both referees; empty: none
+  bool json = false;
+};
+
+void say_keepers(const RefereeLogArguments& arguments, const logs::RecordedFacts& facts) {
+  for (const Side side : kSides) {
+    const std::optional<int> keeper = facts.teams.actual_keepers[side];
+    if (!keeper) continue;
+    const std::string colour(colour_of(side));
+    const std::string what =
+        *keeper < 0
+            ? "no other robot keeps it all the time: the rules on keepers do not apply to " + colour
+            : fmt::format("robot {} keeps it: using {}", *keeper, *keeper);
+    io::write_message(
+        stderr, fmt::format("autoref: {}: the announced keeper of {} does not keep the goal; {}\n",
+                            arguments.log, colour, what));
+  }
+}
+
+void say_ends(const RefereeLogArguments& arguments, const logs::RecordedFacts& facts) {
+  const logs::TurnedStages& stages = facts.teams.turned;
+  if (stages.empty()) return;
+  std::vector<std::string> names;
+  for (const Stage stage : stages) names.emplace_back(name_of(stage));
+  io::write_message(stderr, fmt::format("autoref: {}: both keepers are at the other ends than the "
+                                        "referee packets say in {}; using those that are seen\n",
+                                        arguments.log, io::listed(names)));
+}
+
+std::vector<logs::Call> annotated_calls(const RefereeLogArguments& arguments) {
+  if (arguments.annotations.empty()) return {};
+  return logs::annotations_in(io::read_user_file(arguments.annotations), arguments.annotations);
+}
+
+league::FrameSource source_of(const RefereeLogArguments& arguments) {
+  if (arguments.source.empty()) return league::FrameSource::kFirst;
+  return arguments.source == "tracker" ? league::FrameSource::kTracker
+                                       : league::FrameSource::kVision;
+}
+
+int referee_log_verb(const RefereeLogArguments& arguments) {
+  const game::Assignments assignments = game::assignments_in(arguments.sets);
+  refuse_book_among(assignments);
+  check_outputs({{"--events", arguments.events},
+                 {"--game-events", arguments.game_events},
+                 {"--report", arguments.report}},
+                {arguments.log, arguments.annotations});
+  std::optional<io::PendingFile> events;
+  std::optional<io::PendingFile> game_events;
+  std::optional<io::PendingFile> page;
+  open_output(events, "--events", arguments.events);
+  open_output(game_events, "--game-events", arguments.game_events);
+  open_output(page, "--report", arguments.report);
+  const std::vector<logs::Call> annotated = annotated_calls(arguments);
+  const std::string log = logs::seekable_log(arguments.log);
+  logs::RecordedFacts facts = logs::read_facts(arguments.log, log, source_of(arguments));
+  io::write_message(stderr, logs::damage_text(arguments.log, facts));
+  if (facts.log.frames == 0) {
+    throw io::InputError({arguments.log}, "",
+                         arguments.source.empty()
+                             ? "contains neither vision nor tracker packets to referee"
+                             : fmt::format("contains no {} packets to referee", arguments.source));
+  }
+  const std::string book = book_of(arguments, facts, arguments.log);
+  std::vector<referee::Configuration> games;
+  for (const logs::RecordedGame& recorded : facts.games) {
+    const game::GameSettings game =
+        game_of(arguments, book, assignments, facts, recorded, arguments.log);
+    if (games.empty()) say_gaps(arguments, assignments, facts, game, arguments.log);
+    games.push_back(game::referee_configuration(game::resolved(game)));
+  }
+  facts.teams =
+      logs::teams_in(log, games.front().field, games.front().rules.change_ends, facts.log.source);
+  say_keepers(arguments, facts);
+  say_ends(arguments, facts);
+  std::vector<view::RecordedDecision> decisions;
+  const auto keep = [&](const referee::Decision& decision) {
+    if (page) decisions.push_back(recorded(decision));
+  };
+  logs::LogRefereeResult evaluation = logs::referee_log(log, facts, games, keep);
+  const logs::Comparison comparison{!arguments.annotations.empty(), arguments.report};
+  if (comparison.is_annotated)
+    evaluation.agreement = logs::agreement_with_annotations(annotated, evaluation.calls);
+  if (events) events->commit(evaluation.events);
+  if (game_events) game_events->commit(game::game_event_lines(evaluation.game_events));
+  if (page)
+    page->commit(logs::log_page(log, arguments.log, games.front().field, decisions,
+                                evaluation.agreement, facts.log.source));
+  fmt::print("{}\n", arguments.json
+                         ? logs::referee_log_json(evaluation, facts, comparison)
+                         : io::text_of(logs::referee_log_text(evaluation, facts, comparison),
+                                       io::text_width(stdout)));
+  return facts.log.damage ? io::kBadInput : io::kDone;
+}
+
+}  // namespace
+
+void add_referee_log_verb(CLI::App& referee, Chosen& chosen) {
+  CLI::App* verb = referee.add_subcommand(
+      "log", "Referee a recorded game from its vision packets, alone or beside another referee.");
+  auto arguments = std::make_shared<RefereeLogArguments>();
+  verb->add_option("--log,LOG", arguments->log, "A .log or .log.gz file.")
+      ->required()
+      ->type_name("FILE");
+  add_referee_options(*verb, *arguments, "default if the log has one",
+                      "default if the log begins with them");
+  add_decision_outputs(*verb, *arguments);
+  verb->add_option("--report", arguments->report,
+                   "Write an HTML page of the game with the calls of both referees.")
+      ->type_name("FILE");
+  verb->add_option("--annotations", arguments->annotations,
+                   "Compare with a person's list of calls, a CSV file with the head "
+                   "time,call,side, instead of the recorded commands.")
+      ->type_name("FILE");
+  add_json_flag(*verb, arguments->json);
+  verb->footer(
+      "Beside the recorded referee, AutoRef follows its commands and makes its own calls in "
+      "between.\n"
+      "With --control autoref it ignores them and runs the game by itself.\n\n"
+      "Field, lengths of halves, first kick-off and robots are taken from the log if it has them;\n"
+      "anything missing is reported once, with the option that sets it. A log of several games is\n"
+      "refereed game by game. Yellow is west. If blue defends the goal at -x in the log, the\n"
+      "field is rotated.\n\n"
+      "Example:\n  autoref referee log game.log.gz --camera paper --events events.jsonl");
+  verb->callback(
+      [arguments, &chosen] { chosen = [arguments] { return referee_log_verb(*arguments); }; });
+}
+
+}  // namespace autoref::app

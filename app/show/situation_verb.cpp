@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/output_file.hpp"
+#include "app/scenario_argument.hpp"
+#include "app/verbs.hpp"
+#include "experiments/kinds/scenario_reader.hpp"
+#include "experiments/kinds/situations/situations.hpp"
+#include "game/settings/fields.hpp"
+#include "io/errors.hpp"
+#include "view/drawing.hpp"
+
+namespace autoref::app {
+namespace {
+
+struct SituationArguments {
+  std::string file;
+  std::string situation;
+  int scene = 1;
+  std::string output;
+};
+
+const experiments::SituationSetup& situation_named(const experiments::Situations& situations,
+                                                   const SituationArguments& arguments) {
+  const auto found = situations.situations.find(arguments.situation);
+  if (found != situations.situations.end()) return found->second;
+  std::vector<std::string> names;
+  for (const auto& [name, situation] : situations.situations) names.push_back(name);
+  throw io::InputError({"--situation"}, "", game::unknown_key_message(arguments.situation, names));
+}
+
+Frame frame_of(const game::StartState& start) {
+  Frame frame;
+  for (const Side side : kSides) {
+    for (const sim::RobotState& robot : start.robots[side])
+      frame.robots[side].push_back({robot.number, robot.position_m, robot.heading});
+  }
+  frame.ball = BallObservation{start.ball.position_m, start.ball.height_m};
+  return frame;
+}
+
+RefereeSignal signal_of(const referee::Beginning& beginning) {
+  RefereeSignal signal;
+  signal.stage = Stage::kFirstHalf;
+  signal.command = beginning.restart.value_or(Command{CommandKind::kForceStart, Side::kWest});
+  return signal;
+}
+
+int situation_verb(const SituationArguments& arguments) {
+  const experiments::Scenario scenario = experiments::read_scenario(arguments.file);
+  const auto* situations = scenario.as<experiments::Situations>();
+  if (situations == nullptr) {
+    throw io::InputError({arguments.file}, "kind",
+                         fmt::format("this is of kind {}; expected a scenario of kind situations",
+                                     experiments::kind_of(scenario)));
+  }
+  const experiments::SituationSetup& situation = situation_named(*situations, arguments);
+  check_outputs({{"-o", arguments.output}}, {arguments.file});
+  std::optional<io::PendingFile> file;
+  open_output(file, "-o", arguments.output);
+  const Field& field = situations->base.field;
+  const game::StartState start = experiments::drawn_state(situation, arguments.situation, field,
+                                                          situations->seed, arguments.scene);
+  file->commit(view::drawing_of(
+      {field, {{"attackers", "defenders"}}, signal_of(start.referee), {frame_of(start)}}));
+  return io::kDone;
+}
+
+}  // namespace
+
+void add_situation_verb(CLI::App& app, Chosen& chosen) {
+  CLI::App* verb = app.add_subcommand(
+      "situation", "Draw where a scene of a situation starts, as SVG; the attackers are yellow.");
+  auto arguments = std::make_shared<SituationArguments>();
+  add_scenario_argument(*verb, arguments->file, "Scenario of kind situations.");
+  verb->add_option("--situation,SITUATION", arguments->situation, "Name of the situation.")
+      ->required()
+      ->type_name("NAME");
+  verb->add_option("--scene", arguments->scene, "Number of the scene.")
+      ->type_name("N")
+      ->check(CLI::Range(1, experiments::kMostPairs))
+      ->capture_default_str();
+  verb->add_option("-o,--output", arguments->output, "The SVG file.")
+      ->type_name("FILE")
+      ->required();
+  verb->footer(
+      "Example:\n  autoref show situation scenarios/situations-attack.yaml corner -o corner.svg");
+  verb->callback(
+      [arguments, &chosen] { chosen = [arguments] { return situation_verb(*arguments); }; });
+}
+
+}  // namespace autoref::app

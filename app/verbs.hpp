@@ -1,0 +1,19 @@
+// The functions that add the verbs to the command line.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <functional>
+
+namespace autoref::app {
+
+// What the command line asks for; returns the exit code. Errors are thrown (io/errors.hpp).
+using Chosen = std::function<int()>;
+
+// Each adds a verb to the program or to a group. Parsing the verb sets `chosen` to its work.
+#define AUTOREF_GROUP(heading, name, about)
+#define AUTOREF_VERB(group, add) void add(CLI::App& app, Chosen& chosen);
+#include "app/verbs.def"
+#undef AUTOREF_GROUP
+#undef AUTOREF_VERB
+
+}  // namespace autoref::app
