@@ -1,6 +1,7 @@
 #include "app/former_names.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 
 namespace autoref::app {
@@ -23,10 +24,17 @@ std::string_view present_name_of(const Words& words) {
   return {};
 }
 
-// `referee` had the flag --live instead of verbs.
+// Whether the word cannot be meant as a verb: an option other than those of a group, or a file.
+bool is_option_or_file(const std::string& word) {
+  if (word == "-h" || word == "--help") return false;
+  return word.starts_with('-') || word.find_first_of("./") != std::string::npos ||
+         std::filesystem::exists(word);
+}
+
+// `referee` had a log and the flag --live instead of verbs.
 Words with_verb_of_referee(Words words) {
-  static const Words kPresent = {"log", "live", "-h", "--help"};
-  if (std::find(kPresent.begin(), kPresent.end(), words[1]) != kPresent.end()) return words;
+  const bool has_verb = words[1] == "log" || words[1] == "live";
+  if (has_verb || !is_option_or_file(words[1])) return words;
   const bool is_live = std::erase(words, "--live") > 0;
   words.insert(words.begin() + 1, is_live ? "live" : "log");
   return words;
@@ -53,7 +61,7 @@ const std::vector<FormerName>& former_names() {
   return kNames;
 }
 
-std::vector<std::string> with_present_names(std::vector<std::string> words) {
+Words with_present_names(Words words) {
   if (words.empty()) return words;
   if (words.front() == "help") {
     Words explained = with_present_names({words.begin() + 1, words.end()});

@@ -14,8 +14,8 @@ struct FormerName {
 
 const std::vector<FormerName>& former_names();
 
-// The words after the program's name, with a former name at their front, or after `help`, replaced:
-// "results status DIR" for "status DIR".
+// Replaces a former name that comes first, or follows `help`, in the words after the program's
+// name: "results status DIR" for "status DIR".
 std::vector<std::string> with_present_names(std::vector<std::string> words);
 
 }  // namespace autoref::app

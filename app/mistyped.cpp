@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <map>
+#include <regex>
 #include <vector>
 
 #include "app/former_names.hpp"
@@ -56,7 +57,7 @@ std::string extras_message(const CLI::App& verb, const std::vector<std::string>&
 // The punctuation that separates `message` from the next clause.
 std::string_view end_of(std::string_view message) { return message.ends_with('?') ? "" : ";"; }
 
-// Those that help lists.
+// The verbs that help lists.
 std::vector<const CLI::App*> nested_verbs(const CLI::App& app) {
   return app.get_subcommands([](const CLI::App* verb) { return !verb->get_group().empty(); });
 }
@@ -76,15 +77,14 @@ std::string words_to(const CLI::App& verb) {
   return before.empty() ? verb.get_name() : before + " " + verb.get_name();
 }
 
-// What calls a verb: "results replay" by the name "replay".
+// The words that call a verb, by its name: "results replay" by "replay".
 using CallsByName = std::map<std::string, std::string>;
 
-// The verbs of `app`; for the program also those in groups and former names.
-CallsByName calls_known_to(const CLI::App& app) {
+// Also those of verbs in groups and of former names.
+CallsByName all_calls(const CLI::App& program) {
   CallsByName calls;
-  for (const CLI::App* verb : nested_verbs(app)) calls[verb->get_name()] = verb->get_name();
-  if (app.get_parent() != nullptr) return calls;
-  for (const CLI::App* group : nested_verbs(app)) {
+  for (const CLI::App* verb : nested_verbs(program)) calls[verb->get_name()] = verb->get_name();
+  for (const CLI::App* group : nested_verbs(program)) {
     for (const CLI::App* verb : nested_verbs(*group))
       calls.emplace(verb->get_name(), words_to(*verb));
   }
@@ -92,8 +92,14 @@ CallsByName calls_known_to(const CLI::App& app) {
   return calls;
 }
 
+// A verb of the program or the group that may be meant; or a verb elsewhere, if that is its name.
 std::string verb_suggestion(const std::string& word, const CLI::App& app) {
-  const CallsByName calls = calls_known_to(app);
+  const CLI::App* program = &app;
+  while (program->get_parent() != nullptr) program = program->get_parent();
+  const CallsByName calls = all_calls(*program);
+  if (const auto exact = calls.find(word); exact != calls.end())
+    return io::suggestion_text({"autoref " + exact->second});
+  if (program != &app) return io::suggestion(word, names_of_verbs(nested_verbs(app)));
   std::vector<std::string> names;
   for (const auto& [name, call] : calls) names.push_back(name);
   std::vector<std::string> meant = io::suggested_words(word, names);
@@ -128,15 +134,27 @@ std::string missing_message(const CLI::App& verb, const CLI::ParseError& error) 
     if (error.what() != option->get_name() + " is required" || !option->get_positional()) continue;
     std::string about = option->get_description();
     if (about.ends_with('.')) about.pop_back();
-    return fmt::format("an argument is missing: {} ({})", option->get_name(), about);
+    return fmt::format("an argument is missing: {} ({})", option->get_name(true), about);
   }
   return {};
+}
+
+// Replaces CLI11's message about a number that is too small or too large, or any other word,
+// "--seconds: Value x not in range 0.000000 to 1000.000000".
+std::string out_of_range_message(const std::string& message) {
+  static const std::regex kMessage(R"((\S+): Value (.*) not in range (\S+) to (\S+))");
+  std::smatch part;
+  if (!std::regex_match(message, part, kMessage)) return {};
+  const auto number = [&part](int i) { return io::number_in(part[i].str()).value_or(0); };
+  return fmt::format("{}: expected a number from {:g} to {:g}, found '{}'", part[1].str(),
+                     number(3), number(4), part[2].str());
 }
 
 // Replaces CLI11's message about a value that is not a number, "Could not convert: --from = x".
 std::string unreadable_message(const CLI::ParseError& error) {
   constexpr std::string_view kFront = "Could not convert: ";
   const std::string message = error.what();
+  if (std::string text = out_of_range_message(message); !text.empty()) return text;
   const std::size_t equals = message.find(" = ");
   if (!message.starts_with(kFront) || equals == std::string::npos) return {};
   return fmt::format("{}: expected a number, found '{}'",
@@ -169,8 +187,8 @@ std::string unknown_verb_message(const CLI::App& app, const std::string& word) {
   const std::string nearest = verb_suggestion(word, app);
   const std::string end = nearest.empty() ? ";" : nearest;
   if (!before.empty()) {
-    return fmt::format("'{0}' has no verb '{1}'{2} `autoref help {0}` lists them", before, word,
-                       end);
+    return fmt::format("'{0}' has no verb '{1}'{2} `autoref help {0}` lists its verbs", before,
+                       word, end);
   }
   return fmt::format("unknown verb '{}'{} `autoref help` lists them", word, end);
 }
@@ -185,7 +203,7 @@ std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
   if (&verb == &app)
     return fmt::format("{}{} `autoref help` lists the verbs", message, end_of(message));
   return fmt::format("{0}: {1}{2} `autoref help {0}` {3}", words_to(verb), message, end_of(message),
-                     nested_verbs(verb).empty() ? "lists its options" : "explains them");
+                     nested_verbs(verb).empty() ? "lists its options" : "lists its verbs");
 }
 
 }  // namespace autoref::app

@@ -1,4 +1,4 @@
-// Reports of `autoref log info` and `autoref referee` on a log.
+// Reports of `autoref log info` and `autoref referee log` on a log.
 #pragma once
 
 #include <string>

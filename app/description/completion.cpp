@@ -125,6 +125,8 @@ std::vector<Proposal> positional_values(const DescribedVerb& program, const Begu
 std::vector<Proposal> all_proposals(const DescribedVerb& program, const BegunLine& line) {
   if (line.awaits_value != nullptr)
     return option_values(*line.awaits_value, {"", line.last, line.positionals});
+  const bool has_unknown_verb = !line.verb->verbs.empty() && !line.positionals.empty();
+  if (has_unknown_verb) return {};
   if (!line.last.starts_with('-')) {
     return line.verb->verbs.empty() ? positional_values(program, line)
                                     : verbs_in(*line.verb, line.last);

@@ -9,10 +9,13 @@
 
 #include "app/description/completion.hpp"
 #include "app/scenario_argument.hpp"
+#include "experiments/kinds/scenario_reader.hpp"
+#include "experiments/kinds/situations/situations.hpp"
 #include "experiments/results/shard.hpp"
 #include "game/settings/fields.hpp"
 #include "game/team_programs/team_templates.hpp"
 #include "io/csv.hpp"
+#include "io/errors.hpp"
 #include "io/files.hpp"
 #include "io/words.hpp"
 #include "sim/presets.hpp"
@@ -132,6 +135,20 @@ std::vector<Proposal> games_begun(const ValuePlace& place) {
   return words_begun(stored_ids(place.positionals.front(), place.begun), place.begun);
 }
 
+std::vector<Proposal> situations_begun(const ValuePlace& place) {
+  if (place.positionals.empty()) return {};
+  try {
+    const experiments::Scenario scenario = experiments::read_scenario(
+        found_scenario(place.positionals.front(), io::running_program()));
+    std::vector<std::string> names;
+    if (const auto* situations = scenario.as<experiments::Situations>())
+      for (const auto& [name, situation] : situations->situations) names.push_back(name);
+    return words_begun(names, place.begun);
+  } catch (const io::InputError&) {
+    return {};  // no scenario yet
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> stored_ids(const fs::path& folder, const std::string& begun) {
@@ -156,6 +173,7 @@ std::vector<Proposal> values_at(const ValuePlace& place) {
       {"SCENARIO", scenarios_begun},
       {"KEY=VALUE", assignments_begun},
       {"GAME_ID", games_begun},
+      {"SITUATION", situations_begun},
       {"TEAM", teams_begun},
       {"BOOK", [](const ValuePlace& at) { return words_begun(rule_book_names(), at.begun); }},
       {"PRESET",

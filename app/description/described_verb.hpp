@@ -1,4 +1,4 @@
-// The program's verbs and options as data, for its man page and for completion in shells.
+// The program's verbs and options as data: for its man page, the reference page and completion.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -15,7 +15,7 @@ struct DescribedOption {
   std::vector<std::string> words = {};  // allowed values, if they are listed
 };
 
-// The program itself, one of its verbs, or a verb of a verb (autoref team new).
+// The program itself, a group of verbs, or a verb.
 struct DescribedVerb {
   std::string name;
   std::string description;

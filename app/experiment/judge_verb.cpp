@@ -99,7 +99,8 @@ void add_judge_verb(CLI::App& app, Chosen& chosen) {
       "A call is right if the same event truly happened, with the same side at fault, at most\n"
       "0.25 s after the call and at most 1 s before it. You can stop with Ctrl-C; the same\n"
       "command continues. faults.csv lists every missed event and wrong call with an id: autoref\n"
-      "results replay DIR ID replays its game. autoref report and the other verbs of results also\n"
+      "results replay DIR ID replays its game. autoref report and the verbs of autoref results "
+      "also\n"
       "accept the folder.\n\n"
       "Example:\n  autoref judge scenarios/judge.yaml -o results/runs/judge");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return judge_verb(*arguments); }; });

@@ -69,7 +69,7 @@ void print_results(const experiments::Scenario& scenario,
   if (report.unrepeatable_games > 0) {
     fmt::print(
         "\n{} games are not repeatable: their programs sent other commands when started again; "
-        "verify and replay play the recorded ones\n",
+        "autoref results verify and replay play the recorded ones\n",
         report.unrepeatable_games);
   }
   if (report.killed_games == 0) return;
@@ -204,16 +204,19 @@ void add_run_verb(CLI::App& app, Chosen& chosen) {
       "Shards may share a folder, or each use its own; then copy all games/*.csv into one folder\n"
       "for autoref report. An SPRT match ends with the pair of games that decides it; shards with\n"
       "separate folders play all pairs up to the maximum. A shard of a knockout, a Swiss\n"
-      "tournament or a tuning needs games of the others; if none arrives for the time of --wait,\n"
-      "it ends, and the same command continues.\n\n"
+      "tournament or a tuning needs games of the others, in the same folder. It waits for them\n"
+      "for the time of --wait, then ends (with code 75, but a knockout with 0); the same command\n"
+      "continues.\n\n"
       "A tuning searches for better parameters of a team with SPSA or CMA-ES, then tests the\n"
       "result against the start with new games and says whether it is better. The folder gets\n"
-      "tune.csv with the path of every parameter and result.yaml with the tuned team.\n\n"
+      "tune.csv with the path of every parameter, which does not depend on the number of workers\n"
+      "or shards and which autoref report draws, and result.yaml with the tuned team.\n\n"
       "--progress json prints one object per line on stderr, every 5 s and at the end, with event\n"
       "(progress, end, or note with a text), done, total, void, played (by this run), elapsed_s,\n"
       "games_per_min, left_s and, depending on the kind, standings, groups, sprt, ties or\n"
       "situations, with the columns of the CSV files.\n\n"
-      "Example:\n  autoref run scenarios/handicap-speed.yaml -o results/runs/speed -j 2");
+      "Examples:\n  autoref run scenarios/handicap-speed.yaml -o results/runs/speed -j 2\n"
+      "  autoref run scenarios/tune-first.yaml -o results/runs/tune");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return run_verb(*arguments); }; });
 }
 

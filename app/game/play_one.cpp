@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/game/page_recorder.hpp"
+#include "app/output_file.hpp"
 #include "app/shared_options.hpp"
 #include "experiments/results/game_report.hpp"
 #include "game/loop/event_log.hpp"

@@ -4,13 +4,11 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/network_flags.hpp"
-#include "app/output_file.hpp"
 #include "game/loop/game.hpp"
 #include "game/team_programs/program_games.hpp"
 

@@ -40,7 +40,7 @@ void add_referee_options(CLI::App& verb, RefereeArguments& arguments,
                   fmt::format("Where robots and ball come from: the packets of vision ({}) or "
                               "those of a tracker.",
                               default_source))
-      ->type_name("vision|tracker")
+      ->type_name("SOURCE")
       ->check(one_of({"vision", "tracker"}));
   verb.add_option("--camera", arguments.camera, "Camera preset that describes the vision noise.")
       ->type_name("PRESET");

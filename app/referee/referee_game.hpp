@@ -34,8 +34,8 @@ void add_decision_outputs(CLI::App& verb, RefereeArguments& arguments);
 // override. Throws InputError if an assignment chooses it.
 void refuse_book_among(const game::Assignments& assignments);
 
-// The rule book chosen, or else guessed, which is said on stderr. `source` names the log or the
-// network.
+// The rule book of --rules, otherwise a guess, which a message on stderr names. `source` is the log
+// or the network.
 std::string book_of(const RefereeArguments& arguments, const logs::RecordedFacts& facts,
                     const std::string& source);
 

@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <deque>
 #include <fstream>
 #include <memory>
+#include <optional>
 
 #include "app/game/page_recorder.hpp"
 #include "app/game/play_one.hpp"
@@ -69,15 +71,15 @@ class LineFile {
 // Shows the referee's work: on a terminal a view that is redrawn, otherwise a line per call.
 class RefereeScreen {
  public:
-  explicit RefereeScreen(std::string verb) : verb_(std::move(verb)) {}
+  explicit RefereeScreen(std::string prefix) : prefix_(std::move(prefix)) {}
 
   void take(const referee::Decision& decision) {
     const std::string line = live::call_line(decision);
     if (line.empty()) return;
     ++calls_;
-    if (!is_terminal_) return io::write_message(stdout, fmt::format("{}{}\n", verb_, line));
+    if (!is_terminal_) return io::write_message(stdout, fmt::format("{}{}\n", prefix_, line));
     if (lines_.size() == kShownCalls) lines_.pop_front();
-    lines_.push_back(verb_ + line);
+    lines_.push_back(prefix_ + line);
   }
 
   void show(const live::LiveRefereeStatus& status) {
@@ -107,7 +109,7 @@ class RefereeScreen {
       io::write_message(stderr, fmt::format("autoref: {}\n", fault));
   }
 
-  std::string verb_;  // such as "would call "
+  std::string prefix_;  // such as "would call "
   bool is_terminal_ = ::isatty(STDOUT_FILENO) == 1;
   std::chrono::steady_clock::time_point due_{};
   std::deque<std::string> lines_;
@@ -154,10 +156,10 @@ class WaitingNote {
 // Where the decisions of a live referee go.
 class LiveRefereeOutput {
  public:
-  LiveRefereeOutput(const RefereeLiveArguments& arguments, std::string verb)
+  LiveRefereeOutput(const RefereeLiveArguments& arguments, std::string prefix)
       : events_("--events", arguments.events),
         game_events_("--game-events", arguments.game_events),
-        screen_(std::move(verb)) {}
+        screen_(std::move(prefix)) {}
 
   // Shows the game to browsers at `web`, if it has an address.
   void show_page(const WebFlags& web, const Field& field, const PerSide<std::string>& names,
@@ -228,7 +230,7 @@ live::LiveRefereeOptions options_of(const RefereeLiveArguments& arguments) {
   return options;
 }
 
-std::string verb_of(const live::LiveRefereeOptions& options) {
+std::string call_prefix(const live::LiveRefereeOptions& options) {
   return options.commands || options.controller ? "" : "would call: ";
 }
 
@@ -237,7 +239,7 @@ int referee_live_verb(const RefereeLiveArguments& arguments) {
   refuse_book_among(assignments);
   check_outputs({{"--events", arguments.events}, {"--game-events", arguments.game_events}}, {});
   const live::LiveRefereeOptions options = options_of(arguments);
-  LiveRefereeOutput output(arguments, verb_of(options));
+  LiveRefereeOutput output(arguments, call_prefix(options));
   note_interrupts();
   live::LiveReferee referee(options);
   try {

@@ -126,7 +126,8 @@ int referee_log_verb(const RefereeLogArguments& arguments) {
 
 void add_referee_log_verb(CLI::App& referee, Chosen& chosen) {
   CLI::App* verb = referee.add_subcommand(
-      "log", "Referee a recorded game from its vision packets, alone or beside another referee.");
+      "log",
+      "Referee a recorded game from its packets; compare the calls with the recorded referee's.");
   auto arguments = std::make_shared<RefereeLogArguments>();
   verb->add_option("--log,LOG", arguments->log, "A .log or .log.gz file.")
       ->required()
@@ -143,8 +144,7 @@ void add_referee_log_verb(CLI::App& referee, Chosen& chosen) {
       ->type_name("FILE");
   add_json_flag(*verb, arguments->json);
   verb->footer(
-      "Beside the recorded referee, AutoRef follows its commands and makes its own calls in "
-      "between.\n"
+      "AutoRef follows the commands of the recorded referee and makes its own calls in between.\n"
       "With --control autoref it ignores them and runs the game by itself.\n\n"
       "Field, lengths of halves, first kick-off and robots are taken from the log if it has them;\n"
       "anything missing is reported once, with the option that sets it. A log of several games is\n"

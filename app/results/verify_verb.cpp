@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <functional>
 #include <memory>
 
 #include "app/results/folder_arguments.hpp"

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -51,7 +50,7 @@ int rules_verb(const RulesArguments& arguments) {
     return io::kDone;
   }
   if (arguments.book.empty()) {
-    fmt::print("{}", books_text());
+    fmt::print("{}", arguments.json ? books_json() : books_text());
     return io::kDone;
   }
   const std::optional<RuleBook> rules = find_rule_book(arguments.book);
@@ -100,6 +99,19 @@ std::string books_text() {
                         setup.field.length_m, setup.field.width_m, setup.robots, setup.half_s);
   }
   return text;
+}
+
+std::string books_json() {
+  io::Json books = io::Json::array();
+  for (const std::string& name : rule_book_names()) {
+    const GameSetup setup = *find_game_setup(name);
+    books.push_back({{"name", name},
+                     {"field_length_m", setup.field.length_m},
+                     {"field_width_m", setup.field.width_m},
+                     {"robots", setup.robots},
+                     {"half_s", setup.half_s}});
+  }
+  return io::json_text({{"rule_books", std::move(books)}}) + "\n";
 }
 
 void add_rules_verb(CLI::App& app, Chosen& chosen) {

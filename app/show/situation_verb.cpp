@@ -10,8 +10,8 @@
 #include "app/verbs.hpp"
 #include "experiments/kinds/scenario_reader.hpp"
 #include "experiments/kinds/situations/situations.hpp"
-#include "game/settings/fields.hpp"
 #include "io/errors.hpp"
+#include "io/words.hpp"
 #include "view/drawing.hpp"
 
 namespace autoref::app {
@@ -30,7 +30,10 @@ const experiments::SituationSetup& situation_named(const experiments::Situations
   if (found != situations.situations.end()) return found->second;
   std::vector<std::string> names;
   for (const auto& [name, situation] : situations.situations) names.push_back(name);
-  throw io::InputError({"--situation"}, "", game::unknown_key_message(arguments.situation, names));
+  const std::string nearest = io::suggestion(arguments.situation, names);
+  throw io::InputError({arguments.file}, "situations",
+                       fmt::format("has no '{}'{} Known here: {}", arguments.situation,
+                                   nearest.empty() ? ";" : nearest, io::listed(names)));
 }
 
 Frame frame_of(const game::StartState& start) {
@@ -74,7 +77,7 @@ int situation_verb(const SituationArguments& arguments) {
 
 void add_situation_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb = app.add_subcommand(
-      "situation", "Draw where a scene of a situation starts, as SVG; the attackers are yellow.");
+      "situation", "Draw the start of a scene of a situation, as SVG; the attackers are yellow.");
   auto arguments = std::make_shared<SituationArguments>();
   add_scenario_argument(*verb, arguments->file, "Scenario of kind situations.");
   verb->add_option("--situation,SITUATION", arguments->situation, "Name of the situation.")

@@ -179,7 +179,7 @@ void check_game(const GameSettings& game) {
       game.match.control == referee::Control::kNone) {
     throw SettingError("match.control",
                        ": in a simulated game autoref commands, or the game-controller; the others "
-                       "are for recorded games (autoref referee)");
+                       "are for recorded games (autoref referee log)");
   }
   check_team(game, game.a, "teams.a");
   check_team(game, game.b, "teams.b");

@@ -56,8 +56,8 @@ TEST(FormerNames, LeadRefereeToLogsAndToTheNetwork) {
   EXPECT_EQ(with_present_names({"referee", "--seconds", "3", "--live"}),
             (Words{"referee", "live", "--seconds", "3"}));
   for (const Words& present :
-       {Words{"referee"}, Words{"referee", "-h"}, Words{"referee", "log", "live"},
-        Words{"referee", "live", "--seconds", "3"}})
+       {Words{"referee"}, Words{"referee", "-h"}, Words{"referee", "liev"},
+        Words{"referee", "log", "live"}, Words{"referee", "live", "--seconds", "3"}})
     EXPECT_EQ(with_present_names(present), present);
 }
 

@@ -35,6 +35,23 @@ TEST(MistypedVerb, GetsNoSuggestionIfNoneIsClose) {
   EXPECT_FALSE(says(answer, "did you mean")) << answer.err;
 }
 
+TEST(MistypedVerb, MayBeInAGroupOrAFormerName) {
+  EXPECT_TRUE(says(answer_to({"statu"}), "unknown verb 'statu'; did you mean 'results status'?"));
+  EXPECT_TRUE(says(answer_to({"benhc"}), "did you mean 'show speed'?"));
+  EXPECT_TRUE(says(answer_to({"help", "replya"}), "did you mean 'results replay'?"));
+}
+
+TEST(MistypedVerb, OfAGroupMayBeAVerbElsewhere) {
+  EXPECT_TRUE(says(answer_to({"results", "stauts"}),
+                   "'results' has no verb 'stauts'; did you mean 'status'?"));
+  EXPECT_TRUE(says(answer_to({"results", "report", "x"}), "did you mean 'autoref report'?"));
+  EXPECT_TRUE(says(answer_to({"help", "show", "lab"}), "did you mean 'autoref experiment lab'?"));
+  EXPECT_EQ(answer_to({"log", "x.log"}).err,
+            "autoref: 'log' has no verb 'x.log'; `autoref help log` lists its verbs\n");
+  EXPECT_TRUE(says(answer_to({"referee", "liev"}), "did you mean 'live'?"));
+  EXPECT_TRUE(says(answer_to({"help", "referee", "liev"}), "did you mean 'live'?"));
+}
+
 TEST(Help, IsPrintedWithoutArguments) {
   const Answer bare = answer_to({});
   EXPECT_EQ(bare.code, io::kDone);
@@ -69,7 +86,7 @@ TEST(Help, SuggestsTheClosestVerbOfAVerb) {
   EXPECT_EQ(answer.code, io::kBadInput);
   EXPECT_EQ(answer.err,
             "autoref: help: 'team' has no verb 'nwe'; did you mean 'new'? `autoref help team` "
-            "lists them\n");
+            "lists its verbs\n");
   EXPECT_TRUE(says(answer_to({"team", "nwe"}), "'team' has no verb 'nwe'; did you mean 'new'?"));
   EXPECT_TRUE(says(answer_to({"help", "run", "fast"}), "'run' has no verbs of its own"));
 }
@@ -100,6 +117,13 @@ TEST(Messages, DoNotBeginWithTheNameOfAnArgument) {
   EXPECT_EQ(message({"view"}),
             "autoref: view: an argument is missing: LOG (A .log or .log.gz file); `autoref help "
             "view` lists its options\n");
+  EXPECT_TRUE(message({"referee", "log"})
+                  .starts_with("autoref: referee log: an argument is missing: LOG (A .log"));
+  EXPECT_TRUE(message({"show", "situation", kMistypedGame.c_str()})
+                  .starts_with("autoref: show situation: an argument is missing: SITUATION ("));
+  EXPECT_TRUE(message({"referee", "live", "--seconds", "x"})
+                  .starts_with("autoref: referee live: --seconds: expected a number from 0 to "
+                               "1e+09, found 'x';"));
   EXPECT_TRUE(message({"view", "x.log", "-o", "x.html", "--from", "x"})
                   .starts_with("autoref: view: --from: expected a number, found 'x';"));
   EXPECT_TRUE(message({"run", "x.yaml", "--progress", "jason"})

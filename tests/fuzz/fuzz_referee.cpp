@@ -1,4 +1,4 @@
-// Fuzzes everything that `autoref referee` does with a log, beside the recorded referee: the
+// Fuzzes everything that `autoref referee log` does, beside the recorded referee: the
 // decisions must be finite. Most inputs are mutated packet by packet, the others byte by byte.
 #include <algorithm>
 #include <cstdint>

@@ -61,6 +61,10 @@ Names command_line_names() {
   // A former name calls the same verb.
   for (const app::FormerName& name : app::former_names())
     names.push_back(fmt::format("{} is {}", name.former, name.present));
+  for (const Names& former : {Names{"draw", "FILE", "--situation", "NAME"},
+                              Names{"referee", "--live"}, Names{"referee", "./LOG"}})
+    names.push_back(fmt::format("{} is {}", fmt::join(former, " "),
+                                fmt::join(app::with_present_names(former), " ")));
   return names;
 }
 

@@ -14,6 +14,7 @@
 #include "strategies/registry.hpp"
 #include "tests/app/answer.hpp"
 #include "tests/checkout.hpp"
+#include "tests/experiments/kinds/situations/small_situations.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace autoref::app {
@@ -106,8 +107,17 @@ TEST_F(CompleteHere, ProposesScenarios) {
               (Words{"mine.yaml", "scenarios/cup.yaml", "scenarios/lab/a.yaml"}))
         << verb;
   }
+  EXPECT_EQ(proposed({"experiment", "lab", "m"}), Words{"mine.yaml"});
+  EXPECT_EQ(proposed({"experiment", "submit", "m"}), Words{"mine.yaml"});
+  EXPECT_EQ(proposed({"show", "situation", "m"}), Words{"mine.yaml"});
   EXPECT_EQ(proposed({"play", "cu"}), Words{"cup.yaml"}) << "play finds it in scenarios";
   EXPECT_EQ(proposed({"play", "nowhere/"}), Words{});
+}
+
+TEST_F(CompleteHere, ProposesTheSituationsOfAScenario) {
+  write_content(folder_ / "few.yaml", experiments::kSmallSituations);
+  EXPECT_EQ(proposed({"show", "situation", "few.yaml", "g"}), Words{"goal"});
+  EXPECT_EQ(proposed({"show", "situation", "nowhere.yaml", ""}), Words{});
 }
 
 TEST_F(CompleteHere, ProposesTheGamesOfAFolder) {
@@ -115,6 +125,7 @@ TEST_F(CompleteHere, ProposesTheGamesOfAFolder) {
   write_content(folder_ / "cup/games/shard-0-of-1.csv", "game_id,seed\na~b-p0002-1,1\nc~d-1,2\n");
   EXPECT_EQ(proposed({"results", "replay", "cup", ""}), (Words{"a~b-p0002-1", "c~d-1"}));
   write_content(folder_ / "cup/results.csv", "game_id,seed\na~b-p0001-1,1\n");
+  EXPECT_EQ(proposed({"replay", "cup", ""}), Words{"a~b-p0001-1"});
   EXPECT_EQ(proposed({"results", "replay", "cup", "a"}), Words{"a~b-p0001-1"});
   EXPECT_EQ(proposed({"results", "replay", "nowhere", ""}), Words{});
 }

@@ -52,6 +52,19 @@ TEST_F(TuningRun, ExitsWithSeventyFiveIfAnotherShardsGamesDoNotCome) {
   EXPECT_TRUE(says(answer.out, "the next ones depend on games of other shards")) << answer.out;
 }
 
+TEST_F(TuningRun, IsWhatTheFormerVerbPlays) {
+  const Answer answer = answer_to(
+      {"tune", file_.c_str(), "-o", results_.c_str(), "-j", "1", "--shard", "0/2", "--wait", "0"});
+  EXPECT_EQ(answer.code, io::kInterrupted) << answer.err;
+  const Answer judge = answer_to({"judge", file_.c_str()});
+  EXPECT_TRUE(says(judge.err, "this is of kind tune, not a judge; play it with: autoref run"))
+      << judge.err;
+}
+
+TEST_F(TuningRun, WaitsForOtherShardsByDefault) {
+  EXPECT_TRUE(says(answer_to({"run", "--help"}).out, "Default: 600 for kind tune, otherwise 0."));
+}
+
 TEST_F(TuningRun, IsReportedWithItsPath) {
   tune();
   const Answer answer = answer_to({"report", results_.c_str()});

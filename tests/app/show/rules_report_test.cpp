@@ -21,6 +21,14 @@ TEST(RulesReport, ShowsSectionsAndThresholdsOfTheLaws) {
   EXPECT_NE(line.find("8 m/s"), std::string::npos) << line;
 }
 
+TEST(RulesReport, ListsTheRuleBooks) {
+  for (const std::string& name : rule_book_names()) {
+    EXPECT_NE(books_text().find("\n" + name + " "), std::string::npos);
+    EXPECT_NE(books_json().find("{\"name\": \"" + name + "\", "), std::string::npos)
+        << books_json();
+  }
+}
+
 TEST(RulesReport, ShowsThresholdsOf2026) {
   const std::string text = io::text_of(rules_text(*find_rule_book("2026-b")));
   EXPECT_NE(line_of(text, "bot_kicked_ball_too_fast").find("6.5 m/s"), std::string::npos);
