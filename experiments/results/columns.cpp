@@ -223,10 +223,12 @@ std::vector<Column> played_columns() {
   columns.push_back(shootout_column("shootout_a", 0));
   columns.push_back(shootout_column("shootout_b", 1));
   columns.push_back(transitions_column());
-  columns.push_back(seconds_column(
-      "ball_in_play_s", [](auto& row) -> auto& { return row.record.ball_in_play_s; }));
-  columns.push_back(seconds_column(
-      "sim_s", [](auto& row) -> auto& { return row.record.sim_s; }));
+  for (const game::MeasuredTime& time : game::measured_times()) {
+    columns.push_back(seconds_column(
+        std::string(time.name), [member = time.seconds](auto& row) -> auto& {
+          return row.record.*member;
+        }));
+  }
   columns.push_back(integer_column(
       "frames", [](auto& row) -> auto& { return row.record.frames; }));
   return columns;

@@ -170,9 +170,9 @@ std::string json_of(const GameReport& report) {
       {"teams", teams_json(report.configuration)},
       {"calls", calls_json(record)}};
   for (const game::CountField& field : game::count_fields()) add_counts(json, record, field);
-  json.update({{"ball_in_play_s", record.ball_in_play_s},
-               {"sim_s", record.sim_s},
-               {"wall_s", report.wall_s},
+  for (const game::MeasuredTime& time : game::measured_times())
+    json[time.name] = record.*time.seconds;
+  json.update({{"wall_s", report.wall_s},
                {"x_real_time", x_real_time(report)},
                {"state_hash", io::hash_text(record.state_hash)},
                {"build", report.build}});

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,5 +59,18 @@ struct GameRecord {
   std::optional<bool> is_repeatable = true;
   int attempts = 1;  // how often its programs were started, since they were killed from outside
 };
+
+// A time that was measured in a game, such as "sim_s".
+struct MeasuredTime {
+  std::string_view name;
+  double GameRecord::*seconds;
+};
+
+// In the order used in rows and JSON.
+inline std::span<const MeasuredTime> measured_times() {
+  static constexpr std::array kTimes = {MeasuredTime{"ball_in_play_s", &GameRecord::ball_in_play_s},
+                                        MeasuredTime{"sim_s", &GameRecord::sim_s}};
+  return kTimes;
+}
 
 }  // namespace autoref::game

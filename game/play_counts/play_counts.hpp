@@ -93,6 +93,17 @@ struct CountField {
 };
 
 // Every member of PlayCounts, in the order used in rows and JSON.
-std::span<const CountField> count_fields();
+inline std::span<const CountField> count_fields() {
+  static constexpr std::array kFields = {
+      CountField{"shots", &PlayCounts::shots},
+      CountField{"shots_on_goal", &PlayCounts::shots_on_goal},
+      CountField{"passes_tried", &PlayCounts::passes_tried},
+      CountField{"passes_completed", &PlayCounts::passes_completed},
+      CountField{"possession_s", nullptr, &PlayCounts::possession_s},
+      CountField{"fouls", &PlayCounts::fouls},
+      CountField{"duels_won", &PlayCounts::duels_won},
+  };
+  return kFields;
+}
 
 }  // namespace autoref::game

@@ -6,7 +6,6 @@
 #include <sstream>
 #include <string>
 
-#include "strategies/registry.hpp"
 #include "tests/checkout.hpp"
 
 namespace autoref::strategies {
@@ -37,14 +36,6 @@ TEST(StrategiesReadme, ShowsTheTeamThatIsPlayed) {
 TEST(StrategiesReadme, ShowsThePlaybookThatIsPlayed) {
   const std::string code = between(text_of("tests/strategies/readme_team.hpp"), "// [bus]\n");
   EXPECT_NE(text_of("strategies/README.md").find("```cpp\n" + code + "```\n"), std::string::npos);
-}
-
-TEST(StrategiesReadme, ListsEveryTeam) {
-  const std::string readme = text_of("strategies/README.md");
-  for (const Entry& entry : all_strategies()) {
-    const std::string row = "| `" + std::string(entry.name) + "` | ";
-    EXPECT_NE(readme.find(row), std::string::npos) << row;
-  }
 }
 
 }  // namespace
