@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
+#include <system_error>
 
 namespace autoref::app {
 namespace {
@@ -27,8 +28,9 @@ std::string_view present_name_of(const Words& words) {
 // Whether the word cannot be meant as a verb: an option other than those of a group, or a file.
 bool is_option_or_file(const std::string& word) {
   if (word == "-h" || word == "--help") return false;
+  std::error_code none;  // a name that cannot be looked up is not a file
   return word.starts_with('-') || word.find_first_of("./") != std::string::npos ||
-         std::filesystem::exists(word);
+         std::filesystem::exists(word, none);
 }
 
 // `referee` had a log and the flag --live instead of verbs.

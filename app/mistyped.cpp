@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <map>
-#include <regex>
 #include <vector>
 
 #include "app/former_names.hpp"
@@ -142,12 +141,23 @@ std::string missing_message(const CLI::App& verb, const CLI::ParseError& error) 
 // Replaces CLI11's message about a number that is too small or too large, or any other word,
 // "--seconds: Value x not in range 0.000000 to 1000.000000".
 std::string out_of_range_message(const std::string& message) {
-  static const std::regex kMessage(R"((\S+): Value (.*) not in range (\S+) to (\S+))");
-  std::smatch part;
-  if (!std::regex_match(message, part, kMessage)) return {};
-  const auto number = [&part](int i) { return io::number_in(part[i].str()).value_or(0); };
-  return fmt::format("{}: expected a number from {:g} to {:g}, found '{}'", part[1].str(),
-                     number(3), number(4), part[2].str());
+  constexpr std::string_view kValue = ": Value ";
+  constexpr std::string_view kRange = " not in range ";
+  constexpr std::string_view kTo = " to ";
+  const std::size_t value = message.find(kValue);
+  const std::size_t range = message.rfind(kRange);
+  const std::size_t to = message.rfind(kTo);
+  if (value == std::string::npos || range == std::string::npos || to == std::string::npos ||
+      range < value + kValue.size() || to < range + kRange.size())
+    return {};
+  const auto part = [&message](std::size_t from, std::size_t end) {
+    return message.substr(from, end - from);
+  };
+  const auto number = [](const std::string& text) { return io::number_in(text).value_or(0); };
+  return fmt::format("{}: expected a number from {:g} to {:g}, found '{}'", part(0, value),
+                     number(part(range + kRange.size(), to)),
+                     number(part(to + kTo.size(), message.size())),
+                     part(value + kValue.size(), range));
 }
 
 // Replaces CLI11's message about a value that is not a number, "Could not convert: --from = x".

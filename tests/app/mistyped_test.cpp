@@ -131,6 +131,16 @@ TEST(Messages, DoNotBeginWithTheNameOfAnArgument) {
                                "'jason'; did you mean 'json'?"));
 }
 
+TEST(Messages, HaveNoLimit) {
+  const std::string word(200'000, 'x');
+  const Answer number = answer_to({"referee", "live", "--seconds", word.c_str()});
+  EXPECT_EQ(number.code, io::kBadInput);
+  EXPECT_TRUE(says(number, "expected a number from 0 to 1e+09, found 'xxx"));
+  for (const std::vector<const char*>& words : std::vector<std::vector<const char*>>{
+           {word.c_str()}, {"referee", word.c_str()}, {"help", "referee", word.c_str()}})
+    EXPECT_EQ(answer_to(words).code, io::kBadInput);
+}
+
 TEST(UnknownRuleBook, IsAnsweredWithThoseThatBeginSo) {
   EXPECT_TRUE(
       says(answer_to({"show", "rules", "2026"}), "did you mean '2026-b' or '2026-a'? Known here:"));
