@@ -70,7 +70,8 @@ void add_verbs(CLI::App& app, Chosen& chosen) {
 #undef AUTOREF_GROUP
 #undef AUTOREF_VERB
   for (CLI::App* verb : all_verbs(app)) {
-    for (CLI::App* nested : all_verbs(*verb)) nested->group(app.get_group());
+    for (CLI::App* nested : all_verbs(*verb))
+      if (!nested->get_group().empty()) nested->group(app.get_group());
     if (!all_verbs(*verb).empty()) describe(*verb);
   }
 }

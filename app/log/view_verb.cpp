@@ -86,7 +86,7 @@ void add_view_verb(CLI::App& app, Chosen& chosen) {
       ->type_name("FILE")
       ->required();
   verb->add_option("--events", arguments->events,
-                   "The referee's decisions, as written by play --events or referee --events.")
+                   "The referee's decisions, as written by play --events or referee log --events.")
       ->type_name("FILE");
   verb->add_option("--from", arguments->part.from_s,
                    "Show the game only from this time on, in seconds from the start of the log.")

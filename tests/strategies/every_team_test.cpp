@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "strategies/registry.hpp"
+#include "tests/strategies/lawful_teams.hpp"
 #include "tests/strategies/staged_world.hpp"
 
 namespace autoref::strategies {
@@ -18,14 +19,6 @@ class EveryTeam : public testing::TestWithParam<std::string_view> {
     return find_strategy(GetParam())->make(context);
   }
 };
-
-std::vector<std::string_view> lawful_teams() {
-  std::vector<std::string_view> names;
-  for (const Entry& entry : all_strategies()) {
-    if (entry.name != "dummy" && entry.name != "rowdy") names.push_back(entry.name);
-  }
-  return names;
-}
 
 std::string name_of_team(const testing::TestParamInfo<std::string_view>& team) {
   return std::string(team.param);

@@ -107,8 +107,10 @@ TEST_F(CompleteHere, ProposesScenarios) {
               (Words{"mine.yaml", "scenarios/cup.yaml", "scenarios/lab/a.yaml"}))
         << verb;
   }
-  EXPECT_EQ(proposed({"experiment", "lab", "m"}), Words{"mine.yaml"});
-  EXPECT_EQ(proposed({"experiment", "submit", "m"}), Words{"mine.yaml"});
+  for (const char* former : {"lab", "submit", "tune"})
+    EXPECT_EQ(proposed({former, ""}), proposed({"play", ""})) << former;
+  for (const char* verb : {"lab", "submit"})
+    EXPECT_EQ(proposed({"experiment", verb, ""}), proposed({"play", ""})) << verb;
   EXPECT_EQ(proposed({"show", "situation", "m"}), Words{"mine.yaml"});
   EXPECT_EQ(proposed({"play", "cu"}), Words{"cup.yaml"}) << "play finds it in scenarios";
   EXPECT_EQ(proposed({"play", "nowhere/"}), Words{});

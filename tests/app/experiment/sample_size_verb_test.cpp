@@ -8,9 +8,8 @@
 namespace autoref::app {
 namespace {
 
-Answer answer_to_sample_size(std::vector<const char*> arguments) {
-  arguments.insert(arguments.begin(), "sample-size");
-  return answer_to(std::move(arguments));
+Answer answer_to_sample_size(const std::vector<const char*>& arguments) {
+  return answer_to("experiment sample-size", arguments);
 }
 
 // Pairs and power are those of statsmodels (sample_size_test.cpp).

@@ -76,8 +76,8 @@ TEST_F(FolderVerbs, SayWhatIsThereIfTheScenarioIsMissing) {
   run("0/2");
   run("1/2");
   std::filesystem::remove(folder_ / "results/effective.yaml");
-  for (const char* verb : {"status", "report"}) {
-    const Answer answer = answer_to({verb, results_.c_str()});
+  for (const char* verb : {"results status", "report"}) {
+    const Answer answer = answer_to(verb, {results_.c_str()});
     EXPECT_EQ(answer.code, io::kBadInput);
     EXPECT_NE(answer.err.find("games/ has 4 rows in 2 files, but effective.yaml, which says what "
                               "experiment they belong to, is missing. Copy it from"),

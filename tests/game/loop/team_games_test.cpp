@@ -2,16 +2,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <string_view>
 
 #include "game/loop/game.hpp"
+#include "tests/strategies/lawful_teams.hpp"
 #include "tests/support/short_game.hpp"
 
 namespace autoref::game {
 namespace {
 
-class EveryTeam : public testing::TestWithParam<std::string> {};
+class EveryTeam : public testing::TestWithParam<std::string_view> {};
 
-GameConfiguration game_against(const std::string& team, const std::string& other) {
+GameConfiguration game_against(std::string_view team, const std::string& other) {
   GameConfiguration game = short_game(120, 1);
   game.a.strategy = team;
   game.b.strategy = other;
@@ -36,10 +39,8 @@ TEST_P(EveryTeam, BeatsDummy) {
   EXPECT_EQ(record.goals_b, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Teams, EveryTeam,
-                         testing::Values("basic", "chaser", "cobalt", "cobalt1", "counter",
-                                         "possession", "shadow", "zone"),
-                         [](const auto& test) { return test.param; });
+INSTANTIATE_TEST_SUITE_P(Teams, EveryTeam, testing::ValuesIn(strategies::lawful_teams()),
+                         [](const auto& test) { return std::string(test.param); });
 
 }  // namespace
 }  // namespace autoref::game

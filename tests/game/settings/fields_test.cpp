@@ -192,7 +192,7 @@ TEST(CheckGame, RefusesTooFewSubstepsForAKick) {
   }
 }
 
-TEST(ConfigurationHash, ChangesWithEverySetting) {
+TEST(ConfigurationHash, ChangesWithSettingsOfEachBranch) {
   const std::uint64_t plain = configuration_hash(GameSettings{});
   for (const auto& [path, text] :
        std::map<std::string, std::string>{{"a.robots", "5"},

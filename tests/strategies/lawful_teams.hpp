@@ -1,0 +1,19 @@
+// The registered teams that play and keep to the rules.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "strategies/registry.hpp"
+
+namespace autoref::strategies {
+
+inline std::vector<std::string_view> lawful_teams() {
+  std::vector<std::string_view> names;
+  for (const Entry& entry : all_strategies()) {
+    if (entry.name != "dummy" && entry.name != "rowdy") names.push_back(entry.name);
+  }
+  return names;
+}
+
+}  // namespace autoref::strategies
