@@ -31,6 +31,20 @@ CLI::Option* add_workers_option(CLI::App& verb, int& workers, const std::string&
 
 int worker_count(int workers) { return workers > 0 ? workers : io::processors(); }
 
+void add_output_option(CLI::App& verb, std::string& output, const std::string& about) {
+  verb.add_option("-o,--output", output, about)->type_name("FILE")->required();
+}
+
+void add_decision_outputs(CLI::App& verb, std::string& events, std::string& game_events) {
+  verb.add_option("--events", events,
+                  "Write AutoRef's decisions to FILE, one JSON object per line.")
+      ->type_name("FILE");
+  verb.add_option("--game-events", game_events,
+                  "Write AutoRef's decisions to FILE as the league's game events, one JSON object "
+                  "per line.")
+      ->type_name("FILE");
+}
+
 void add_log_argument(CLI::App& verb, std::string& log) {
   verb.add_option("LOG", log, "A .log or .log.gz file.")->required();
 }

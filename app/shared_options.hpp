@@ -20,6 +20,12 @@ CLI::Option* add_workers_option(CLI::App& verb, int& workers,
 // One per processor if `workers` is 0.
 int worker_count(int workers);
 
+// Adds -o,--output, a file, which is required.
+void add_output_option(CLI::App& verb, std::string& output, const std::string& about);
+
+// Adds --events and --game-events.
+void add_decision_outputs(CLI::App& verb, std::string& events, std::string& game_events);
+
 // Adds the argument LOG, which is required.
 void add_log_argument(CLI::App& verb, std::string& log);
 

@@ -137,9 +137,11 @@ std::vector<Proposal> games_begun(const ValuePlace& place) {
 
 std::vector<Proposal> situations_begun(const ValuePlace& place) {
   if (place.positionals.empty()) return {};
+  const std::string file = found_scenario(place.positionals.front(), io::running_program());
+  std::error_code none;
+  if (!fs::is_regular_file(file, none)) return {};
   try {
-    const experiments::Scenario scenario = experiments::read_scenario(
-        found_scenario(place.positionals.front(), io::running_program()));
+    const experiments::Scenario scenario = experiments::read_scenario(file);
     std::vector<std::string> names;
     if (const auto* situations = scenario.as<experiments::Situations>())
       for (const auto& [name, situation] : situations->situations) names.push_back(name);

@@ -115,7 +115,7 @@ void add_completion_verb(CLI::App& app, Chosen& chosen) {
       "programs, scenarios here and in the folder scenarios, and games of a results folder.\n\n"
       "Example, for the current shell:\n  autoref show completion bash > autoref.bash && . "
       "./autoref.bash");
-  verb->callback([shell, &chosen] { chosen = [shell] { return completion_verb(*shell); }; });
+  choose(*verb, chosen, shell, completion_verb);
 }
 
 }  // namespace autoref::app

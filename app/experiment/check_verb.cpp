@@ -99,7 +99,7 @@ void add_check_verb(CLI::App& app, Chosen& chosen) {
       "assumes\n"
       "that the machine stays as busy as it is now.\n\n"
       "Example:\n  autoref check scenarios/handicap-speed.yaml");
-  verb->callback([arguments, &chosen] { chosen = [arguments] { return check_verb(*arguments); }; });
+  choose(*verb, chosen, arguments, check_verb);
 }
 
 }  // namespace autoref::app

@@ -103,7 +103,7 @@ void add_judge_verb(CLI::App& app, Chosen& chosen) {
       "also\n"
       "accept the folder.\n\n"
       "Example:\n  autoref judge scenarios/judge.yaml -o results/runs/judge");
-  verb->callback([arguments, &chosen] { chosen = [arguments] { return judge_verb(*arguments); }; });
+  choose(*verb, chosen, arguments, judge_verb);
 }
 
 }  // namespace autoref::app

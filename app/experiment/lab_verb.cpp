@@ -48,7 +48,7 @@ void add_lab_verb(CLI::App& app, Chosen& chosen) {
   verb->footer(
       "Writes one row per camera frame: time, and position, heading and speed of every object.\n\n"
       "Example:\n  autoref experiment lab scenarios/lab/straight-kick.yaml --csv kick.csv");
-  verb->callback([arguments, &chosen] { chosen = [arguments] { return lab_verb(*arguments); }; });
+  choose(*verb, chosen, arguments, lab_verb);
 }
 
 }  // namespace autoref::app

@@ -217,7 +217,7 @@ void add_run_verb(CLI::App& app, Chosen& chosen) {
       "situations, with the columns of the CSV files.\n\n"
       "Examples:\n  autoref run scenarios/handicap-speed.yaml -o results/runs/speed -j 2\n"
       "  autoref run scenarios/tune-first.yaml -o results/runs/tune");
-  verb->callback([arguments, &chosen] { chosen = [arguments] { return run_verb(*arguments); }; });
+  choose(*verb, chosen, arguments, run_verb);
 }
 
 }  // namespace autoref::app

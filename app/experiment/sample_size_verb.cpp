@@ -101,8 +101,7 @@ void add_sample_size_verb(CLI::App& app, Chosen& chosen) {
       "t test (level 0.05) of the pairs' mean goal differences. Legs are assumed independent, so\n"
       "the standard deviation of a pair's mean is that of a game divided by sqrt(2).\n\n"
       "Example:\n  autoref experiment sample-size --delta 0.5 --sd 2 --power 0.8");
-  verb->callback(
-      [arguments, &chosen] { chosen = [arguments] { return sample_size_verb(*arguments); }; });
+  choose(*verb, chosen, arguments, sample_size_verb);
 }
 
 }  // namespace autoref::app

@@ -185,8 +185,7 @@ void add_submit_verb(CLI::App& app, Chosen& chosen) {
       "Example:\n  autoref experiment submit scenarios/handicap-speed.yaml --slurm --tasks 20 "
       "--time "
       "01:00:00");
-  verb->callback(
-      [arguments, &chosen] { chosen = [arguments] { return submit_verb(*arguments); }; });
+  choose(*verb, chosen, arguments, submit_verb);
 }
 
 }  // namespace autoref::app

@@ -168,7 +168,7 @@ void add_live_verb(CLI::App& app, Chosen& chosen) {
       "or grSim's.\n"
       "West is yellow.\n\n"
       "Example:\n  autoref live scenarios/paper-game.yaml --set a.strategy=network");
-  verb->callback([arguments, &chosen] { chosen = [arguments] { return live_verb(*arguments); }; });
+  choose(*verb, chosen, arguments, live_verb);
 }
 
 }  // namespace autoref::app

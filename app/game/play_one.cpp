@@ -165,13 +165,7 @@ void check_interrupt() {
 }
 
 void add_output_options(CLI::App& verb, GameOutput& output) {
-  verb.add_option("--events", output.events,
-                  "Write the referee's decisions to FILE, one JSON object per line.")
-      ->type_name("FILE");
-  verb.add_option("--game-events", output.game_events,
-                  "Write the referee's decisions to FILE as the league's game events, one JSON "
-                  "object per line.")
-      ->type_name("FILE");
+  add_decision_outputs(verb, output.events, output.game_events);
   verb.add_option("--log", output.log,
                   "Write the game to FILE as an SSL log; compressed if FILE ends in .gz.")
       ->type_name("FILE");

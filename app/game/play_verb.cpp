@@ -199,7 +199,7 @@ void add_play_verb(CLI::App& app, Chosen& chosen) {
       "Examples:\n  autoref play scenarios/paper-game.yaml --seed 7 --set b.robots=5 "
       "--set match.half_s=60\n"
       "  autoref play --from game.log.gz@83.2 --set match.rules=2026-b --view game.html");
-  verb->callback([arguments, &chosen] { chosen = [arguments] { return play_verb(*arguments); }; });
+  choose(*verb, chosen, arguments, play_verb);
 }
 
 }  // namespace autoref::app

@@ -133,9 +133,7 @@ void add_draw_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb = app.add_subcommand("draw", "Draw one instant or a trace of a log, as SVG.");
   auto arguments = std::make_shared<DrawArguments>();
   add_log_argument(*verb, arguments->log);
-  verb->add_option("-o,--output", arguments->output, "The SVG file.")
-      ->type_name("FILE")
-      ->required();
+  add_output_option(*verb, arguments->output, "The SVG file.");
   verb->add_option("--at", arguments->at, "The instant, in seconds from the start of the log.")
       ->type_name("SECONDS");
   verb->add_option("--trace", arguments->trace,
@@ -145,7 +143,7 @@ void add_draw_verb(CLI::App& app, Chosen& chosen) {
   verb->footer(
       "Examples:\n  autoref log draw game.log.gz --at 83.2 -o frame.svg\n"
       "  autoref log draw game.log.gz --trace 80:95 -o trace.svg");
-  verb->callback([arguments, &chosen] { chosen = [arguments] { return draw_verb(*arguments); }; });
+  choose(*verb, chosen, arguments, draw_verb);
 }
 
 }  // namespace autoref::app

@@ -39,7 +39,7 @@ void add_info_verb(CLI::App& app, Chosen& chosen) {
       "If the log is damaged, reports what precedes the damage, names its position on stderr and\n"
       "exits with code 2.\n\n"
       "Example:\n  autoref log info game.log.gz --commands");
-  verb->callback([arguments, &chosen] { chosen = [arguments] { return info_verb(*arguments); }; });
+  choose(*verb, chosen, arguments, info_verb);
 }
 
 }  // namespace autoref::app

@@ -82,9 +82,7 @@ void add_view_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb = app.add_subcommand("view", "Turn a recorded game into an HTML page.");
   auto arguments = std::make_shared<ViewArguments>();
   add_log_argument(*verb, arguments->log);
-  verb->add_option("-o,--output", arguments->output, "The page, a self-contained HTML file.")
-      ->type_name("FILE")
-      ->required();
+  add_output_option(*verb, arguments->output, "The page, a self-contained HTML file.");
   verb->add_option("--events", arguments->events,
                    "The referee's decisions, as written by play --events or referee log --events.")
       ->type_name("FILE");
@@ -97,7 +95,7 @@ void add_view_verb(CLI::App& app, Chosen& chosen) {
       "If the log is damaged, the page shows what precedes the damage; exit code 2.\n\n"
       "Examples:\n  autoref view game.log.gz -o game.html\n"
       "  autoref view game.log.gz --from 80 --to 95 -o goal.html");
-  verb->callback([arguments, &chosen] { chosen = [arguments] { return view_verb(*arguments); }; });
+  choose(*verb, chosen, arguments, view_verb);
 }
 
 }  // namespace autoref::app

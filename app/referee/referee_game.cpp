@@ -47,16 +47,6 @@ void add_referee_options(CLI::App& verb, RefereeArguments& arguments,
   add_set_option(verb, arguments.sets);
 }
 
-void add_decision_outputs(CLI::App& verb, RefereeArguments& arguments) {
-  verb.add_option("--events", arguments.events,
-                  "Write AutoRef's decisions to FILE, one JSON object per line.")
-      ->type_name("FILE");
-  verb.add_option("--game-events", arguments.game_events,
-                  "Write AutoRef's decisions to FILE as the league's game events, one JSON object "
-                  "per line.")
-      ->type_name("FILE");
-}
-
 void refuse_book_among(const game::Assignments& assignments) {
   for (const game::Assignment& assignment : assignments) {
     if (game::full_path(assignment.path) == "match.rules")

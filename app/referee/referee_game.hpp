@@ -27,9 +27,6 @@ struct RefereeArguments {
 void add_referee_options(CLI::App& verb, RefereeArguments& arguments,
                          const std::string& default_control, const std::string& default_source);
 
-// Adds --events and --game-events.
-void add_decision_outputs(CLI::App& verb, RefereeArguments& arguments);
-
 // The rule book must be chosen first: it provides field, robots and lengths, which the facts then
 // override. Throws InputError if an assignment chooses it.
 void refuse_book_among(const game::Assignments& assignments);

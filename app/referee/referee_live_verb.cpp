@@ -12,6 +12,7 @@
 #include "app/network_flags.hpp"
 #include "app/output_file.hpp"
 #include "app/referee/referee_game.hpp"
+#include "app/shared_options.hpp"
 #include "app/verbs.hpp"
 #include "game/loop/event_log.hpp"
 #include "game/loop/game_event_fields.hpp"
@@ -289,7 +290,7 @@ void add_referee_live_verb(CLI::App& referee, Chosen& chosen) {
   auto arguments = std::make_shared<RefereeLiveArguments>();
   add_referee_network_options(*verb, *arguments);
   add_referee_options(*verb, *arguments, "default", "default");
-  add_decision_outputs(*verb, *arguments);
+  add_decision_outputs(*verb, arguments->events, arguments->game_events);
   verb->footer(
       "AutoRef only says what it would call. With --game-controller it reports to the league's\n"
       "game controller; with --control autoref it commands the game itself.\n\n"
@@ -297,8 +298,7 @@ void add_referee_live_verb(CLI::App& referee, Chosen& chosen) {
       "contain them; anything missing is reported once, with the option that sets it. Yellow is\n"
       "west.\n\n"
       "Example:\n  autoref referee live --interface 192.168.1.20 --game-controller auto");
-  verb->callback(
-      [arguments, &chosen] { chosen = [arguments] { return referee_live_verb(*arguments); }; });
+  choose(*verb, chosen, arguments, referee_live_verb);
 }
 
 }  // namespace autoref::app

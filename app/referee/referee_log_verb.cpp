@@ -134,7 +134,7 @@ void add_referee_log_verb(CLI::App& referee, Chosen& chosen) {
       ->type_name("FILE");
   add_referee_options(*verb, *arguments, "default if the log has one",
                       "default if the log begins with them");
-  add_decision_outputs(*verb, *arguments);
+  add_decision_outputs(*verb, arguments->events, arguments->game_events);
   verb->add_option("--report", arguments->report,
                    "Write an HTML page of the game with the calls of both referees.")
       ->type_name("FILE");
@@ -151,8 +151,7 @@ void add_referee_log_verb(CLI::App& referee, Chosen& chosen) {
       "refereed game by game. Yellow is west. If blue defends the goal at -x in the log, the\n"
       "field is rotated.\n\n"
       "Example:\n  autoref referee log game.log.gz --camera paper --events events.jsonl");
-  verb->callback(
-      [arguments, &chosen] { chosen = [arguments] { return referee_log_verb(*arguments); }; });
+  choose(*verb, chosen, arguments, referee_log_verb);
 }
 
 }  // namespace autoref::app

@@ -62,8 +62,7 @@ void add_export_verb(CLI::App& app, Chosen& chosen) {
       "docs/schemas.md describes the tables.\n\n"
       "Example:\n  autoref results export results/runs/first-look --sqlite games.sqlite\n"
       "  sqlite3 games.sqlite \"SELECT event, count(*) FROM events GROUP BY event\"");
-  verb->callback(
-      [arguments, &chosen] { chosen = [arguments] { return export_verb(*arguments); }; });
+  choose(*verb, chosen, arguments, export_verb);
 }
 
 }  // namespace autoref::app

@@ -140,8 +140,7 @@ void add_replay_verb(CLI::App& app, Chosen& chosen) {
       "Example:\n  autoref results replay results/runs/handicap-speed b.handicap=0.8-p0007-2 "
       "--events "
       "events.jsonl");
-  verb->callback(
-      [arguments, &chosen] { chosen = [arguments] { return replay_verb(*arguments); }; });
+  choose(*verb, chosen, arguments, replay_verb);
 }
 
 }  // namespace autoref::app

@@ -99,8 +99,7 @@ void add_report_verb(CLI::App& app, Chosen& chosen) {
       "Games of several builds are reported separately, in folders DIR/build-... An existing\n"
       "report is updated when a run completes the folder.\n\n"
       "Example:\n  autoref report results/runs/handicap-speed");
-  verb->callback(
-      [arguments, &chosen] { chosen = [arguments] { return report_verb(*arguments); }; });
+  choose(*verb, chosen, arguments, report_verb);
 }
 
 }  // namespace autoref::app

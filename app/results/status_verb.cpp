@@ -69,8 +69,7 @@ void add_status_verb(CLI::App& app, Chosen& chosen) {
   auto arguments = std::make_shared<FolderArguments>();
   add_folder_options(*verb, *arguments);
   verb->footer("Example:\n  autoref results status results/runs/handicap-speed");
-  verb->callback(
-      [arguments, &chosen] { chosen = [arguments] { return status_verb(*arguments); }; });
+  choose(*verb, chosen, arguments, status_verb);
 }
 
 }  // namespace autoref::app

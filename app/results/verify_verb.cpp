@@ -65,8 +65,7 @@ void add_verify_verb(CLI::App& app, Chosen& chosen) {
       ->check(CLI::Range(1, 1000000));
   add_workers_option(*verb, arguments->workers);
   verb->footer("Example:\n  autoref results verify results/runs/first-look --sample 5");
-  verb->callback(
-      [arguments, &chosen] { chosen = [arguments] { return verify_verb(*arguments); }; });
+  choose(*verb, chosen, arguments, verify_verb);
 }
 
 }  // namespace autoref::app

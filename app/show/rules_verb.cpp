@@ -124,7 +124,7 @@ void add_rules_verb(CLI::App& app, Chosen& chosen) {
   verb->footer(
       "Examples:\n  autoref show rules 2014\n"
       "  autoref show rules --machine | dot -Tsvg > machine.svg");
-  verb->callback([arguments, &chosen] { chosen = [arguments] { return rules_verb(*arguments); }; });
+  choose(*verb, chosen, arguments, rules_verb);
 }
 
 }  // namespace autoref::app

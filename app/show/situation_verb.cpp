@@ -7,6 +7,7 @@
 
 #include "app/output_file.hpp"
 #include "app/scenario_argument.hpp"
+#include "app/shared_options.hpp"
 #include "app/verbs.hpp"
 #include "experiments/kinds/scenario_reader.hpp"
 #include "experiments/kinds/situations/situations.hpp"
@@ -87,13 +88,10 @@ void add_situation_verb(CLI::App& app, Chosen& chosen) {
       ->type_name("N")
       ->check(CLI::Range(1, experiments::kMostPairs))
       ->capture_default_str();
-  verb->add_option("-o,--output", arguments->output, "The SVG file.")
-      ->type_name("FILE")
-      ->required();
+  add_output_option(*verb, arguments->output, "The SVG file.");
   verb->footer(
       "Example:\n  autoref show situation scenarios/situations-attack.yaml corner -o corner.svg");
-  verb->callback(
-      [arguments, &chosen] { chosen = [arguments] { return situation_verb(*arguments); }; });
+  choose(*verb, chosen, arguments, situation_verb);
 }
 
 }  // namespace autoref::app

@@ -112,7 +112,7 @@ void add_teams_verb(CLI::App& app, Chosen& chosen) {
   verb->add_option("TEAM", arguments->name, "Name of a team. Default: list all teams.");
   add_json_flag(*verb, arguments->json);
   verb->footer("Example:\n  autoref show teams basic");
-  verb->callback([arguments, &chosen] { chosen = [arguments] { return teams_verb(*arguments); }; });
+  choose(*verb, chosen, arguments, teams_verb);
 }
 
 }  // namespace autoref::app

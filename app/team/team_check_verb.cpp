@@ -128,8 +128,7 @@ void add_team_check_verb(CLI::App& team, Chosen& chosen) {
       "program asks for, how fast it answers, whether it repeats its commands, and what is "
       "wrong.\n\n"
       "Example:\n  autoref team check 'python3 my_team.py' --set a.directory=teams");
-  verb->callback(
-      [arguments, &chosen] { chosen = [arguments] { return team_check_verb(*arguments); }; });
+  choose(*verb, chosen, arguments, team_check_verb);
 }
 
 }  // namespace autoref::app

@@ -81,8 +81,7 @@ void add_team_new_verb(CLI::App& team, Chosen& chosen) {
       ->type_name("LANGUAGE");
   verb->add_option("DIR", arguments->folder, "A new or empty folder.");
   verb->footer(fmt::format("Without a language, lists them.\n\nExample:\n  {}", kExample));
-  verb->callback(
-      [arguments, &chosen] { chosen = [arguments] { return team_new_verb(*arguments); }; });
+  choose(*verb, chosen, arguments, team_new_verb);
 }
 
 }  // namespace autoref::app

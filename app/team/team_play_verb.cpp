@@ -42,8 +42,7 @@ void add_team_play_verb(CLI::App& team, Chosen& chosen) {
   verb->footer(
       "Two halves of two minutes by the rules of 2026.\n\n"
       "Example:\n  autoref team play 'python3 my_team.py' --opponent basic --view game.html");
-  verb->callback(
-      [arguments, &chosen] { chosen = [arguments] { return team_play_verb(*arguments); }; });
+  choose(*verb, chosen, arguments, team_play_verb);
 }
 
 }  // namespace autoref::app

@@ -83,9 +83,9 @@ TEST(RowFormat, HasTheColumnsOfAGameWithTheChecksumLast) {
       head.starts_with("game_id,pair,leg,b.robots,team_a,team_b,side_a,seed,goals_a,goals_b,"
                        "goal_diff,first_half_goals_a,first_half_goals_b,end_reason,status,"
                        "void_reason,calls_goal,"));
-  EXPECT_TRUE(
-      head.ends_with(",sim_s,frames,state_hash,config_hash,build,host,cpu,repeatable,"
-                     "wall_s,attempt,shard,row_crc"));
+  EXPECT_TRUE(head.ends_with(
+      ",ball_in_play_s,sim_s,frames,state_hash,config_hash,build,host,cpu,repeatable,"
+      "wall_s,attempt,shard,row_crc"));
 }
 
 TEST(RowFormat, HasBothTeamsPlayCounts) {
