@@ -131,7 +131,7 @@ class Referee::Impl {
   void apply_rules(const RefereeInput& input) {
     const bool is_shootout = state().signal.stage == Stage::kShootout;
     for (const AskedRule& asked : rules()) {
-      if (is_shootout && !rules_in_shootout().has(asked.id)) continue;
+      if (is_shootout && !entry_of(asked.id).in_shootout) continue;
       if (configuration_.rules.has(asked.id) && !ask(*asked.rule, input)) return;
     }
     if (is_shootout) ask(kShootoutRule, input);

@@ -19,20 +19,4 @@ std::span<const AskedRule> rules() {
   return kRules;
 }
 
-const RuleSet& rules_in_shootout() {
-  static constexpr RuleSet kRules = {RuleId::kPenaltyPositions,
-                                     RuleId::kBotCrashUnique,
-                                     RuleId::kBotPushedBot,
-                                     RuleId::kBotDribbledBallTooFar,
-                                     RuleId::kKeeperHeldBall,
-                                     RuleId::kDefenderInDefenseArea,
-                                     RuleId::kAttackerTouchedBallInDefenseArea,
-                                     RuleId::kAttackerDoubleTouchedBall,
-                                     RuleId::kBotKickedBallTooFast,
-                                     RuleId::kCards,
-                                     RuleId::kBotTooFastInStop,
-                                     RuleId::kStopDistance};
-  return kRules;
-}
-
 }  // namespace autoref::referee

@@ -48,7 +48,7 @@ class Rule {
 #include "soccer/rules/rules.def"
 #undef AUTOREF_RULE
 
-// The kicks of a shoot-out, whatever rules are in force; called after rules_in_shootout().
+// The kicks of a shoot-out, whatever rules are in force; called after the others.
 extern const Rule kShootoutRule;
 
 struct AskedRule {
@@ -59,9 +59,5 @@ struct AskedRule {
 // All rules in the order of rules.def, in which they are called. Rules that are not in force are
 // skipped.
 std::span<const AskedRule> rules();
-
-// The rules that are also judged in a shoot-out, if they are in force: those on fouls, on robots in
-// a stop, and on penalty kicks. Rules that lead to another restart than a penalty kick are not.
-const RuleSet& rules_in_shootout();
 
 }  // namespace autoref::referee

@@ -123,7 +123,7 @@ std::optional<Book> find_book(std::string_view name) {
 
 // X macro: rules.def expands to one row per rule.
 constexpr std::array<RuleEntry, kRuleCount> kTable = {{
-#define AUTOREF_RULE(id, ...) {RuleId::id, __VA_ARGS__},
+#define AUTOREF_RULE(id, ...) {.rule = RuleId::id, __VA_ARGS__},
 #include "soccer/parameters.hpp"
 #include "soccer/rules/rules.def"
 #undef AUTOREF_RULE
@@ -143,25 +143,6 @@ std::array<std::string_view, kRuleCount> threshold_units() {
   }
   return units;
 }
-
-constexpr RuleSet kOfConduct = {RuleId::kKickoffPositions,
-                                RuleId::kDefenderTooCloseToKickPoint,
-                                RuleId::kAttackerTooCloseToDefenseArea,
-                                RuleId::kPenaltyPositions,
-                                RuleId::kBotCrashUnique,
-                                RuleId::kBotPushedBot,
-                                RuleId::kBotDribbledBallTooFar,
-                                RuleId::kKeeperHeldBall,
-                                RuleId::kDefenderInDefenseArea,
-                                RuleId::kAttackerTouchedBallInDefenseArea,
-                                RuleId::kAttackerDoubleTouchedBall,
-                                RuleId::kBotKickedBallTooFast,
-                                RuleId::kOffside,
-                                RuleId::kAimlessKick,
-                                RuleId::kBotTooFastInStop,
-                                RuleId::kStopDistance,
-                                RuleId::kBoundaryCrossing,
-                                RuleId::kBotInterferedPlacement};
 
 bool has_threshold(const RuleBook& rules, double RuleBook::*threshold) {
   const auto table = rule_table();
@@ -221,12 +202,10 @@ RuleSet rules_of(Edition edition) {
   return rules;
 }
 
-bool is_of_conduct(RuleId rule) { return kOfConduct.has(rule); }
-
 RuleBook obeyed_rules(const RuleBook& match, const RuleBook& laws) {
   RuleBook obeyed = match;
   for (const RuleEntry& entry : rule_table()) {
-    if (match.has(entry.rule) || !laws.has(entry.rule) || !is_of_conduct(entry.rule)) continue;
+    if (match.has(entry.rule) || !laws.has(entry.rule) || !entry.of_conduct) continue;
     obeyed.in_force[entry.rule] = true;
     if (entry.threshold != nullptr && !has_threshold(match, entry.threshold))
       obeyed.*entry.threshold = laws.*entry.threshold;

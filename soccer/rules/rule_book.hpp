@@ -103,14 +103,20 @@ std::optional<GameSetup> find_game_setup(std::string_view name);
 
 // Every rule in one sentence, its section in each edition, and its threshold: rules.def as a table.
 struct RuleEntry {
-  RuleId rule;
-  std::string_view name;   // in snake_case
-  std::string_view about;  // what it forbids or grants
+  RuleId rule{};
+  std::string_view name{};   // in snake_case
+  std::string_view about{};  // what it forbids or grants
   // Its section in each edition, for example "Laws 12"; empty if the edition lacks the rule.
-  std::string_view paper;
-  std::string_view laws_2014;
-  std::string_view rules_2026;
+  std::string_view paper{};
+  std::string_view laws_2014{};
+  std::string_view rules_2026{};
   double RuleBook::*threshold = nullptr;  // nullptr for rules without a single number
+  // Whether a team can keep to it by what its robots do. The other rules say how a game proceeds:
+  // what scores, which restart follows, and when the game ends.
+  bool of_conduct = false;
+  // Whether it is also judged in a shoot-out: rules on fouls, on robots in a stop, and on penalty
+  // kicks. Rules that lead to another restart than a penalty kick are not.
+  bool in_shootout = false;
 
   // Its section in the given edition.
   std::string_view section(Edition edition) const;
@@ -127,12 +133,7 @@ const RuleEntry& entry_of(RuleId rule);
 std::string_view section_of(const RuleBook& rules, RuleId rule);
 
 // The rules that a team keeps to: those in force, and those of the laws that its members know.
-
-// Whether a team can keep to the rule by what its robots do. The other rules say how a game
-// proceeds: what scores, which restart follows, and when the game ends.
-bool is_of_conduct(RuleId rule);
-
-// `match` with the rules of conduct of `laws` added that the match does not enforce. Their
+// This is `match` with the rules of conduct of `laws` added that the match does not enforce. Their
 // thresholds are those of `laws`, unless the match enforces another rule with the same threshold.
 // All else is the match's: the edition, restarts, penalty kicks and cards.
 RuleBook obeyed_rules(const RuleBook& match, const RuleBook& laws);

@@ -45,7 +45,7 @@ TEST(ObeyedRules, LeaveTheCourseOfTheGameToTheMatch) {
   for (const std::string& laws : rule_book_names()) {
     const RuleBook obeyed = obeyed_rules(match, laws_named(laws));
     for (const RuleEntry& entry : rule_table()) {
-      if (is_of_conduct(entry.rule)) continue;
+      if (entry.of_conduct) continue;
       EXPECT_EQ(obeyed.has(entry.rule), match.has(entry.rule)) << laws << ' ' << entry.name;
     }
     EXPECT_EQ(obeyed.edition, match.edition);

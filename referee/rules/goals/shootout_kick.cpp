@@ -1,5 +1,5 @@
 // The kicks of a shoot-out (Laws 2014, appendix A; 2026). They replace the rules on goals, exits
-// and waiting; fouls are judged as in play (rules_in_shootout()).
+// and waiting; fouls are judged as in play (RuleEntry::in_shootout).
 //
 // A kick ends with a goal or when it has failed (penalty_outcome.hpp). Only a goal at the target
 // end scores. Each kick is a penalty kick: a foul by the kicker's side ends it without a goal, and
