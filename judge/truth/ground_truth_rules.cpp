@@ -1,58 +1,42 @@
 #include "judge/truth/ground_truth_rules.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
 namespace autoref::judge::ground_truth {
 namespace {
 
-using Maker = std::unique_ptr<GroundTruthRule> (*)();
+enum Editions : std::uint8_t { kAnyEdition, kBefore2026, kOnly2026 };
 
-struct Entry {
-  RuleId rule;
-  Maker make;
-  Maker make_2026;  // replacement if the 2026 rules differ
+struct GroundTruthEntry {
+  std::unique_ptr<GroundTruthRule> (*make)();
+  Editions editions;
+  std::array<std::optional<RuleId>, 2> rules{};
 };
 
-// Fouls come first, since a goal may depend on them.
-constexpr Entry kEntries[] = {
-    {RuleId::kBotKickedBallTooFast, bot_kicked_ball_too_fast, nullptr},
-    {RuleId::kAttackerDoubleTouchedBall, attacker_double_touched_ball, nullptr},
-    {RuleId::kBotDribbledBallTooFar, bot_dribbled_ball_too_far, nullptr},
-    {RuleId::kKeeperHeldBall, keeper_held_ball, nullptr},
-    {RuleId::kBotCrashUnique, bot_crash_unique, nullptr},
-    {RuleId::kBotPushedBot, bot_pushed_bot, nullptr},
-    {RuleId::kOffside, offside, nullptr},
-    {RuleId::kRestartNotTaken, untaken_restart, nullptr},
-    {RuleId::kBotTooFastInStop, bot_too_fast_in_stop, bot_too_fast_in_stop_2026},
-    {RuleId::kStopDistance, stop_distance, nullptr},
-    {RuleId::kBotInterferedPlacement, bot_interfered_placement, nullptr},
-    {RuleId::kTooManyRobots, too_many_robots, too_many_robots_2026},
+constexpr GroundTruthEntry kGroundTruth[] = {
+#define AUTOREF_GROUND_TRUTH(factory, editions, ...) {factory, editions, {__VA_ARGS__}},
+#include "judge/truth/ground_truth_rules.def"
+#undef AUTOREF_GROUND_TRUTH
 };
+
+bool applies(const GroundTruthEntry& entry, const RuleBook& book) {
+  const bool is_2026 = book.edition == Edition::kRules2026;
+  if (entry.editions == (is_2026 ? kBefore2026 : kOnly2026)) return false;
+  const auto& rules = entry.rules;
+  return !rules.front() || std::any_of(rules.begin(), rules.end(),
+                                       [&](const auto& rule) { return rule && book.has(*rule); });
+}
 
 }  // namespace
 
 std::vector<std::unique_ptr<GroundTruthRule>> ground_truth_rules_of(const RuleBook& rules) {
-  std::vector<std::unique_ptr<GroundTruthRule>> makers;
-  const bool is_2026 = rules.edition == Edition::kRules2026;
-  for (const Entry& entry : kEntries) {
-    if (!rules.has(entry.rule)) continue;
-    makers.push_back(is_2026 && entry.make_2026 != nullptr ? entry.make_2026() : entry.make());
+  std::vector<std::unique_ptr<GroundTruthRule>> all;
+  for (const GroundTruthEntry& entry : kGroundTruth) {
+    if (applies(entry, rules)) all.push_back(entry.make());
   }
-  if (is_2026) {
-    if (rules.has(RuleId::kAttackerTooCloseToDefenseArea)) makers.push_back(attacker_stays());
-    if (rules.has(RuleId::kDefenderTooCloseToKickPoint)) makers.push_back(opponents_near_restart());
-  }
-  if (rules.has(RuleId::kDefenderInDefenseArea) ||
-      rules.has(RuleId::kAttackerTouchedBallInDefenseArea)) {
-    makers.push_back(touches_in_areas());
-  }
-  if (rules.has(RuleId::kStuckBall) || rules.has(RuleId::kNoProgressInGame)) {
-    makers.push_back(stuck_ball());
-  }
-  makers.push_back(penalty());  // any rule book may lead to a shoot-out
-  makers.push_back(positions_at_entry());
-  makers.push_back(ball_out());
-  // Cards come last, since they count the fouls of the frame.
-  if (is_2026 && rules.has(RuleId::kCards)) makers.push_back(multiple_fouls());
-  return makers;
+  return all;
 }
 
 bool has_passed(const TrueFrame& frame, double since_s, double duration_s) {
