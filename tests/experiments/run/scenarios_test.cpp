@@ -1,4 +1,5 @@
-// Every scenario file can be read, and its games can be played in a shortened form.
+// Every scenario file can be read, its games can be played in a shortened form, and what it then
+// writes is described in docs/schemas.md.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,9 +16,12 @@
 #include "experiments/schedule/schedule.hpp"
 #include "game/settings/game_settings.hpp"
 #include "game/team_programs/program_games.hpp"
+#include "io/csv.hpp"
 #include "judge/evaluate_calls.hpp"
 #include "tests/checkout.hpp"
+#include "tests/support/schema_tables.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/written_names.hpp"
 
 namespace autoref::experiments {
 namespace {
@@ -83,6 +87,39 @@ game::GameRecord play_from_checkout(game::GameConfiguration game) {
   return game::play(game, nullptr, game::make_program_or_registered_team);
 }
 
+// Columns that are described for all scenarios together: calls, a factor's or parameter's values.
+bool has_a_general_name(const std::string& column, const Scenario& scenario) {
+  const std::vector<std::string> factors = scenario.experiment().value_columns();
+  const auto* tuning = scenario.as<Tuning>();
+  return column.starts_with("calls_") ||
+         std::find(factors.begin(), factors.end(), column) != factors.end() ||
+         (tuning != nullptr && std::any_of(tuning->parameters.begin(), tuning->parameters.end(),
+                                           [&](const TunedParameter& parameter) {
+                                             return column.ends_with(parameter.name);
+                                           }));
+}
+
+// docs/schemas.md has a section for the file, whose title begins with the file's name, with all of
+// its columns. Those of results.csv may be in several sections.
+void expect_described(const std::filesystem::path& file, const Scenario& scenario) {
+  const std::string text = content_of(file);
+  WrittenNames columns = io::csv_cells(io::complete_lines(text).at(0)).value();
+  std::erase_if(columns,
+                [&](const std::string& column) { return has_a_general_name(column, scenario); });
+  WrittenNames closest = columns;
+  for (const SchemaSection& section : schema_sections()) {
+    if (!section.title.starts_with(file.filename().string())) continue;
+    WrittenNames missing = file.filename() == "results.csv" ? closest : columns;
+    const WrittenNames described = section.names();
+    std::erase_if(missing, [&](const std::string& column) {
+      return std::find(described.begin(), described.end(), column) != described.end();
+    });
+    if (missing.size() < closest.size()) closest = missing;
+  }
+  EXPECT_TRUE(closest.empty()) << "docs/schemas.md does not describe these columns of "
+                               << file.filename() << ": " << testing::PrintToString(closest);
+}
+
 bool has_python() { return std::system("command -v python3 >/dev/null") == 0; }
 
 class EveryScenario : public testing::TestWithParam<std::string> {};
@@ -118,6 +155,8 @@ TEST_P(EveryScenario, PlaysShortenedGames) {
   const ExperimentReport report = run_experiment(scenario, options);
   EXPECT_TRUE(report.is_complete);
   EXPECT_EQ(report.void_games, 0);
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+    if (entry.path().extension() == ".csv") expect_described(entry.path(), scenario);
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, EveryScenario, testing::ValuesIn(scenario_files()),
