@@ -134,9 +134,9 @@ Call call_in(const io::Cells& cells, const std::string& file, int line) {
     refuse(file, line, fmt::format("'{}' is not a time such as 83.2 or 1:23.2", cells[0]));
   const std::optional<std::string_view> event = event_in(cells[1]);
   if (!event) {
-    refuse(file, line,
-           fmt::format("'{}' is none of the calls that referee/README.md lists{}", cells[1],
-                       io::suggestion(cells[1], names_of_calls())));
+    refuse(
+        file, line,
+        fmt::format("unknown call '{}'{}", cells[1], io::suggestion(cells[1], names_of_calls())));
   }
   return {*time_s, *time_s, {}, *event, side_in(cells[2], file, line)};
 }

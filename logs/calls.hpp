@@ -79,7 +79,7 @@ Agreement agreement_with_annotations(std::span<const Call> annotated,
 // Reads a person's own list of calls in a recorded game: CSV with the head "time,call,side", rows
 // in any order; the result is in order of time.
 //   time  seconds from the start of the log, or minutes and seconds: 83.2 or 1:23.2
-//   call  an event that AutoRef may call (referee/README.md), such as throw_in
+//   call  an event that AutoRef may call (docs/reference/rules.md), such as throw_in
 //   side  yellow or blue: the team that scored or, for other calls, the offender; empty if unknown
 // Throws InputError with `file` and line.
 std::vector<Call> annotations_in(std::string_view text, const std::string& file);

@@ -47,6 +47,7 @@ enum class When : std::uint8_t { kInPlay, kInStop, kAnyTime };
 struct EventEntry {
   Event event = Event::kBegin;
   std::string_view name{};          // snake_case, as in event logs and column names: "throw_in"
+  std::string_view about{};         // what happened, as a sentence
   std::string_view league_event{};  // the league's GameEvent.Type; empty if it has none
   Effect effect = Effect::kNone;
   When when = When::kInPlay;     // for calls only

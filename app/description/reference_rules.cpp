@@ -1,12 +1,18 @@
-// The reference page of rules: which rule books have them in force, thresholds, numbers, sections.
+// The reference page of rules: which rule books have them in force, thresholds, numbers, sections,
+// and the calls that they lead to.
 #include <fmt/format.h>
 
+#include <array>
+
 #include "app/description/reference_pages.hpp"
+#include "referee/event.hpp"
 #include "soccer/parameters.hpp"
 #include "soccer/rules/rule_book.hpp"
 
 namespace autoref::app {
 namespace {
+
+using referee::EventEntry;
 
 using Rows = std::vector<std::vector<std::string>>;
 
@@ -80,14 +86,48 @@ std::string numbers_section() {
          reference_table(rows);
 }
 
+std::string effect_of(const EventEntry& entry) {
+  using referee::Effect;
+  using referee::When;
+  constexpr std::array<std::string_view, 4> kEffects = {"", "stops play", "by the book", "counts"};
+  constexpr std::array<std::string_view, 3> kWhen = {"", " in a stop", "; counts in a stop"};
+  const std::string_view effect = kEffects[static_cast<std::size_t>(entry.effect)];
+  if (entry.effect == Effect::kCounts && entry.when == When::kAnyTime) return "counts at any time";
+  return fmt::format("{}{}", effect, kWhen[static_cast<std::size_t>(entry.when)]);
+}
+
+std::vector<std::string> row_of(const EventEntry& entry) {
+  const bool has_card = entry.card != referee::Card::kNone;
+  return {code_span(std::string(entry.name)),
+          std::string(entry.about),
+          std::string(entry.league_event),
+          effect_of(entry),
+          entry.is_foul ? "yes" : "",
+          std::string(has_card ? name_of(entry.card) : ""),
+          std::string(entry.restart ? name_of(*entry.restart) : "")};
+}
+
+std::string events_section() {
+  Rows rows = {{"event", "meaning", "league event", "effect", "foul", "card", "restart"}};
+  for (const EventEntry& entry : referee::event_table()) {
+    if (referee::is_call(entry.event) || !entry.league_event.empty()) rows.push_back(row_of(entry));
+  }
+  return "## Events\n\nThe calls, which a game's row counts in the columns `calls_EVENT`, and the "
+         "events that lead to cards. A call \"by the book\" stops play if fouls stop play under "
+         "the rule book; otherwise the foul is counted and play continues. While play is stopped, "
+         "calls only count as fouls, except where the "
+         "[machine's tables](../../referee/README.md#the-machine) say more. Cards and restarts "
+         "are listed if they are always the same. League events are those of the game controller "
+         "(`GameEvent.Type`); event logs have both names.\n\n" +
+         reference_table(rows);
+}
+
 }  // namespace
 
 std::string rules_page() {
   std::string page = reference_head("Rules", "rules") +
-                     "Calls and the league's events are listed in "
-                     "[referee/README.md](../../referee/README.md#events"
-                     "); [rules.md](../rules.md) compares each rule with the league's text.\n\n" +
-                     books_section() + sections_section() + numbers_section();
+                     "[rules.md](../rules.md) compares each rule with the league's text.\n\n" +
+                     books_section() + sections_section() + events_section() + numbers_section();
   page.pop_back();
   return page;
 }

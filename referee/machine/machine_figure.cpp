@@ -41,21 +41,6 @@ std::string table_of(std::span<const Transition> transitions) {
   return text;
 }
 
-std::string effect_of(const EventEntry& entry) {
-  constexpr std::array<std::string_view, 4> kEffects = {"", "stops play", "by the book", "counts"};
-  constexpr std::array<std::string_view, 3> kWhen = {"", " in a stop", "; counts in a stop"};
-  const std::string_view effect = kEffects[static_cast<std::size_t>(entry.effect)];
-  if (entry.effect == Effect::kCounts && entry.when == When::kAnyTime) return "counts at any time";
-  return fmt::format("{}{}", effect, kWhen[static_cast<std::size_t>(entry.when)]);
-}
-
-std::string row_of(const EventEntry& entry) {
-  const std::string_view restart = entry.restart ? name_of(*entry.restart) : "";
-  const std::string card = entry.card == Card::kNone ? "" : std::string(name_of(entry.card));
-  return fmt::format("| {} | {} | {} | {} | {} | {} |\n", entry.name, entry.league_event,
-                     effect_of(entry), entry.is_foul ? "yes" : "", card, restart);
-}
-
 constexpr std::string_view kGraphHead =
     "digraph machine {\n"
     "  rankdir=TB; nodesep=0.9; ranksep=0.55; bgcolor=white;\n"
@@ -134,15 +119,6 @@ std::string from_of(const Transition& transition) {
 
 std::string to_of(const Transition& transition) {
   return transition.to ? std::string(name_of(*transition.to)) : "the same";
-}
-
-std::string event_figure() {
-  std::string text =
-      "| event | league event | effect | foul | card | restart |\n|---|---|---|---|---|---|\n";
-  for (const EventEntry& entry : event_table()) {
-    if (is_call(entry.event) || !entry.league_event.empty()) text += row_of(entry);
-  }
-  return text;
 }
 
 std::string machine_figure() {

@@ -1,4 +1,4 @@
-// Prints the figure and tables of referee/README.md from the transition table, and draws
+// Prints the figures and tables of referee/README.md from the transition table, and draws
 // the figure like the paper's Fig. 3.
 #pragma once
 
@@ -15,10 +15,6 @@ std::string machine_figure();
 
 // The diagram and the table of other transitions.
 std::string machine_figure(std::span<const Transition> transitions);
-
-// A Markdown table of calls and cards, with the league's names and the consequences. Ends with a
-// newline.
-std::string event_figure();
 
 // Parts of a transition as text: "ready, next is a preparation", and the names of its states.
 std::string condition_of(const Transition& transition);

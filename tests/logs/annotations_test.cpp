@@ -37,11 +37,9 @@ TEST(Annotations, AreRefusedWithTheirLine) {
             "mine.csv:3:1: '1:70' is not a time such as 83.2 or 1:23.2");
   EXPECT_EQ(error_of(head + "nan,goal,blue\n"),
             "mine.csv:2:1: 'nan' is not a time such as 83.2 or 1:23.2");
-  EXPECT_EQ(
-      error_of(head + "1,throwin,blue\n"),
-      "mine.csv:2:1: 'throwin' is none of the calls that referee/README.md lists; did you mean "
-      "'throw_in'?");
-  EXPECT_EQ(error_of(head + "1,begin,blue\n").substr(0, 29), "mine.csv:2:1: 'begin' is none");
+  EXPECT_EQ(error_of(head + "1,throwin,blue\n"),
+            "mine.csv:2:1: unknown call 'throwin'; did you mean 'throw_in'?");
+  EXPECT_EQ(error_of(head + "1,begin,blue\n"), "mine.csv:2:1: unknown call 'begin'");
   EXPECT_EQ(error_of(head + "1,goal,west\n"),
             "mine.csv:2:1: 'west' is not a side: write yellow, blue, or nothing");
 }

@@ -33,6 +33,7 @@ Names written_names() {
       for (const std::string& name : artefact.names())
         names.push_back(artefact.section + ": " + name);
   }
+  for (const std::string& name : calls_columns()) names.push_back("Calls: " + name);
   return names;
 }
 

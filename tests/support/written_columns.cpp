@@ -94,12 +94,6 @@ WrittenNames results_columns() {
   return names;
 }
 
-WrittenNames calls_columns() {
-  WrittenNames names = head_in_folder(experiments::small_sweep(), "results.csv");
-  std::erase_if(names, [](const std::string& name) { return !is_calls_column(name); });
-  return names;
-}
-
 // The columns of games/*.csv after those of results.csv.
 WrittenNames circumstances_columns() {
   const WrittenNames results = head_in_folder(experiments::small_sweep(), "results.csv");
@@ -146,11 +140,16 @@ experiments::Scenario robin() { return experiments::small_roundrobin({6, 5, 4});
 
 }  // namespace
 
+WrittenNames calls_columns() {
+  WrittenNames names = head_in_folder(experiments::small_sweep(), "results.csv");
+  std::erase_if(names, [](const std::string& name) { return !is_calls_column(name); });
+  return names;
+}
+
 std::vector<Artefact> written_csv() {
   return {
       {"results.csv", results_columns},
       {"games/*.csv", circumstances_columns},
-      {"Calls", calls_columns},
       {"games/*.csv of autoref judge",
        [] { return experiments::row_format(experiments::JudgeSchedule{}).names(); }},
       {"summary.csv of a sweep",

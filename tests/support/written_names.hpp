@@ -19,6 +19,9 @@ struct Artefact {
 // Prints the artefact's name if a test fails.
 inline void PrintTo(const Artefact& artefact, std::ostream* out) { *out << artefact.section; }
 
+// The columns of results.csv that count calls, one for each call of docs/reference/rules.md.
+WrittenNames calls_columns();
+
 std::vector<Artefact> written_csv();
 std::vector<Artefact> written_plots();
 std::vector<Artefact> written_json();

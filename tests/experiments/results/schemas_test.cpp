@@ -63,6 +63,17 @@ TEST(Schemas, HaveATestForEverySection) {
   EXPECT_EQ(described, compared);
 }
 
+TEST(Schemas, LeaveTheColumnsOfCallsToTheReferencePage) {
+  WrittenNames described;
+  for (const SchemaSection& section : sections_of("docs/reference/rules.md")) {
+    if (section.title == "Events") described = section.names();
+  }
+  for (const std::string& column : calls_columns()) {
+    const std::string event = column.substr(std::string("calls_").size());
+    EXPECT_NE(std::find(described.begin(), described.end(), event), described.end()) << column;
+  }
+}
+
 TEST(Schemas, GiveEachNameAMeaningAndItsValues) {
   for (const SchemaSection& section : schema_sections()) {
     for (const std::vector<std::string>& row : section.rows) {
