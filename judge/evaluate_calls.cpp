@@ -107,8 +107,8 @@ double exit_time_s(const ground_truth::TrueEvents& true_events, double call_s) {
   return call_s;
 }
 
-JudgedGame evaluate_calls(const game::GameConfiguration& configuration,
-                          const game::TeamMaker& make_team, game::Observers observers) {
+EvaluatedGame evaluate_calls(const game::GameConfiguration& configuration,
+                             const game::TeamMaker& make_team, game::Observers observers) {
   CallEvaluator evaluator(configuration);
   observers.add(&evaluator);
   game::GameRecord record = game::play(configuration, observers, make_team);

@@ -33,15 +33,15 @@ class SideTouches {
 // true exit, also of one that play's end prevented. Without one in the last second, the call's.
 double exit_time_s(const ground_truth::TrueEvents& true_events, double call_s);
 
-struct JudgedGame {
+struct EvaluatedGame {
   game::GameRecord record;
   experiments::CallEvaluation evaluation;
 };
 
 // Plays a game and compares its referee's calls with the true events. `observers` watch it, too.
 // Throws as play() does.
-JudgedGame evaluate_calls(const game::GameConfiguration& configuration,
-                          const game::TeamMaker& make_team = game::make_registered_team,
-                          game::Observers observers = {});
+EvaluatedGame evaluate_calls(const game::GameConfiguration& configuration,
+                             const game::TeamMaker& make_team = game::make_registered_team,
+                             game::Observers observers = {});
 
 }  // namespace autoref::judge

@@ -15,7 +15,7 @@
 namespace autoref::judge {
 namespace {
 
-std::string fault_line(const experiments::JudgeGame& game, std::size_t number,
+std::string fault_line(const experiments::ScheduledJudgeGame& game, std::size_t number,
                        const experiments::CallVerdict& verdict) {
   const bool is_missed = verdict.outcome == experiments::CallOutcome::kMissed;
   return io::csv_line({game.seeds, game.rules, game.camera, game.id,
@@ -29,7 +29,7 @@ std::string fault_line(const experiments::JudgeGame& game, std::size_t number,
 }
 
 // Adds a game's faults to the lists of calls to inspect.
-void list_faults(const experiments::JudgeGame& game, const experiments::GameRow& row,
+void list_faults(const experiments::ScheduledJudgeGame& game, const experiments::GameRow& row,
                  JudgeReport& report) {
   const experiments::CallEvaluation& evaluation = row.evaluation;
   for (const experiments::CallVerdict& verdict : evaluation.verdicts) {
@@ -54,7 +54,7 @@ void list_faults(const experiments::JudgeGame& game, const experiments::GameRow&
   }
 }
 
-CameraTally& tally_of(JudgeReport& report, const experiments::JudgeGame& game) {
+CameraTally& tally_of(JudgeReport& report, const experiments::ScheduledJudgeGame& game) {
   return *std::find_if(report.tallies.begin(), report.tallies.end(), [&](const auto& tally) {
     return tally.seeds == game.seeds && tally.rules == game.rules && tally.camera == game.camera;
   });
@@ -128,7 +128,7 @@ JudgeReport report_of(const experiments::JudgeSchedule& schedule,
     add_empty_tallies(schedule, rules, report.tallies);
   }
   std::set<std::string_view> taken;
-  for (const experiments::JudgeGame& game : experiments::games_of(schedule)) {
+  for (const experiments::ScheduledJudgeGame& game : experiments::games_of(schedule)) {
     const auto row = rows.find(game.game_id);
     if (row == rows.end()) continue;
     const game::GameRecord& record = row->second.record;

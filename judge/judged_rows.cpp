@@ -34,7 +34,7 @@ std::string fault_text(const experiments::ResultFolder& folder, const std::strin
 
 }  // namespace
 
-void keep(JudgedGame judged, experiments::GameRow& row) {
+void keep(EvaluatedGame judged, experiments::GameRow& row) {
   row.record = std::move(judged.record);
   row.evaluation = std::move(judged.evaluation);
   const std::size_t size = experiments::text_of(row.evaluation).size();
@@ -71,17 +71,17 @@ JudgeReport report_of(const experiments::ResultFolder& folder) {
   return report_of(schedule_of(folder), folder.completed_games.done);
 }
 
-std::optional<LookedUp> look_up(const experiments::ResultFolder& folder, const std::string& id) {
+std::optional<FoundGame> find_game(const experiments::ResultFolder& folder, const std::string& id) {
   const std::size_t mark = id.rfind(kFaultMark);
   const std::optional<int> number = mark == std::string::npos
                                         ? std::nullopt
                                         : io::whole_number_in(id.substr(mark + kFaultMark.size()));
-  for (const experiments::JudgeGame& game : experiments::games_of(schedule_of(folder))) {
-    if (id == game.id || id == game.game_id) return LookedUp{game.game_id, {}};
+  for (const experiments::ScheduledJudgeGame& game : experiments::games_of(schedule_of(folder))) {
+    if (id == game.id || id == game.game_id) return FoundGame{game.game_id, {}};
     if (!number || id.substr(0, mark) != game.game_id) continue;
     const std::string fault = fault_text(folder, game.game_id, *number);
     if (fault.empty()) return std::nullopt;
-    return LookedUp{game.game_id, fault};
+    return FoundGame{game.game_id, fault};
   }
   return std::nullopt;
 }

@@ -16,7 +16,7 @@
 namespace autoref::judge {
 
 // Fills the row of a judged game. The game is void if its evaluation is too long for a row.
-void keep(JudgedGame judged, experiments::GameRow& row);
+void keep(EvaluatedGame judged, experiments::GameRow& row);
 
 // Plays a game, evaluates its referee and fills its row. Throws what play() and the programs' files
 // throw.
@@ -30,8 +30,8 @@ experiments::Outcomes judged_outcomes(const experiments::JudgeSchedule& schedule
 
 JudgeReport report_of(const experiments::ResultFolder& folder);
 
-// A game found in a folder by look_up().
-struct LookedUp {
+// A game found in a folder by find_game().
+struct FoundGame {
   std::string game_id;
   std::string fault;  // "missed throw_in of west at 12.345 s"; empty if a game was requested
 };
@@ -39,6 +39,6 @@ struct LookedUp {
 // Finds a game by a fault's id or by its name in faults.csv, such as
 // "2014+none+basic~basic-p0002-1-f3" or "2014 none basic~basic 3"; nullopt if the folder has no
 // such game or fault.
-std::optional<LookedUp> look_up(const experiments::ResultFolder& folder, const std::string& id);
+std::optional<FoundGame> find_game(const experiments::ResultFolder& folder, const std::string& id);
 
 }  // namespace autoref::judge

@@ -132,7 +132,7 @@ std::optional<RobotObservation> DetectionMerger::robot_seen(int number, Robot& r
     std::erase_if(robot.seen, [least](const Detected& seen) { return seen.confidence < least; });
     chosen = nearest_to(robot.body.expected_m(time_s_), robot.seen);
   }
-  const Detected used = robot.body.take(time_s_, robot.seen, *chosen);
+  const Detected used = robot.body.add(time_s_, robot.seen, *chosen);
   robot.seen.clear();
   return RobotObservation{number, used.position_m, used.heading};
 }

@@ -58,7 +58,7 @@ Vec2 FollowedBody::expected_m(double time_s) const {
   return last_->position_m + std::min(time_s - seen_s_, kLongestExpectation_s) * velocity_mps_;
 }
 
-Detected FollowedBody::take(double time_s, std::span<const Detected> all, const Detected& chosen) {
+Detected FollowedBody::add(double time_s, std::span<const Detected> all, const Detected& chosen) {
   Detected used = chosen;
   if (last_ && used.camera != last_->camera) {
     for (const Detected& seen : all) {
@@ -143,7 +143,7 @@ void BallChoice::follow(double time_s, std::span<const Detected> all, const Dete
   const bool is_new =
       !ball_.is_known() || (time_s - ball_.seen_s() > kSuccessor_s &&
                             !is_near(chosen.position_m, ball_.expected_m(time_s), kAnyway_m));
-  used_ = ball_.take(time_s, all, chosen);
+  used_ = ball_.add(time_s, all, chosen);
   if (is_new) since_s_ = time_s;
   if (!is_new && is_near(used_.position_m, rest_m_, kStill_m)) return;
   rest_m_ = used_.position_m;

@@ -35,10 +35,10 @@ class FollowedBody {
   // Where the body is if it has kept its velocity for `time_s`, at most 0.5 s. It must be known.
   Vec2 expected_m(double time_s) const;
 
-  // Takes the detections of a frame, of which `chosen` is the body; prefers a detection of the same
+  // Adds the detections of a frame, of which `chosen` is the body; prefers a detection of the same
   // body by the last camera. Returns the detection used, and corrected, if another camera was used
   // before.
-  Detected take(double time_s, std::span<const Detected> all, const Detected& chosen);
+  Detected add(double time_s, std::span<const Detected> all, const Detected& chosen);
 
   void forget() { *this = {}; }
 

@@ -79,7 +79,7 @@ class Walk {
       if (records_++ == 0) first_ns_ = record_.time_ns;
       take_time();
       const bool is_first = !has_unreadable_;
-      has_unreadable_ |= reader_.take(kind, record_.message, now_s_) == Taken::kUnreadable;
+      has_unreadable_ |= reader_.read(kind, record_.message, now_s_) == ReadResult::kUnreadable;
       if (is_first && has_unreadable_) summary_.unreadable_at = log_.offset();
     }
     reader_.finish();

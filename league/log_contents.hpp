@@ -40,7 +40,7 @@ class LogVisitor {
 };
 
 // What became of a message.
-enum class Taken : std::uint8_t { kUsed, kUnreadable, kLate, kCopy, kOtherReferee };
+enum class ReadResult : std::uint8_t { kUsed, kUnreadable, kLate, kCopy, kOtherReferee };
 
 // Messages that are not passed on, and what was corrected in the others.
 struct MessageFaults {

@@ -47,20 +47,21 @@ void parse(MessageKind kind, const std::string& bytes, ParsedMessage& message) {
   message.hash = std::hash<std::string>()(bytes);
 }
 
-Taken RecordReader::take(MessageKind kind, const std::string& bytes, double now_s,
-                         const std::string& sender) {
+ReadResult RecordReader::read(MessageKind kind, const std::string& bytes, double now_s,
+                              const std::string& sender) {
   ParsedMessage& message = parsed_[kind];
   parse(kind, bytes, message);
-  return take(message, now_s, sender);
+  return read(message, now_s, sender);
 }
 
-Taken RecordReader::take(const ParsedMessage& message, double now_s, const std::string& sender) {
+ReadResult RecordReader::read(const ParsedMessage& message, double now_s,
+                              const std::string& sender) {
   now_s_ = now_s;
-  const Taken result = dispatch(message, sender);
-  faults_.unreadable += result == Taken::kUnreadable ? 1 : 0;
-  faults_.late += result == Taken::kLate ? 1 : 0;
-  faults_.copies += result == Taken::kCopy ? 1 : 0;
-  faults_.of_other_referee += result == Taken::kOtherReferee ? 1 : 0;
+  const ReadResult result = dispatch(message, sender);
+  faults_.unreadable += result == ReadResult::kUnreadable ? 1 : 0;
+  faults_.late += result == ReadResult::kLate ? 1 : 0;
+  faults_.copies += result == ReadResult::kCopy ? 1 : 0;
+  faults_.of_other_referee += result == ReadResult::kOtherReferee ? 1 : 0;
   return result;
 }
 
@@ -74,15 +75,15 @@ MessageFaults RecordReader::faults() const {
   return faults;
 }
 
-Taken RecordReader::dispatch(const ParsedMessage& message, const std::string& sender) {
-  if (!message.is_readable) return Taken::kUnreadable;
+ReadResult RecordReader::dispatch(const ParsedMessage& message, const std::string& sender) {
+  if (!message.is_readable) return ReadResult::kUnreadable;
   if (const auto* vision = std::get_if<VisionPacket>(&message.packet))
-    return take_vision(*vision, message.hash);
+    return read_vision(*vision, message.hash);
   if (const auto* tracker = std::get_if<TrackerPacket>(&message.packet))
-    return take_tracker(*tracker, message.hash);
+    return read_tracker(*tracker, message.hash);
   if (const auto* referee = std::get_if<RefereePacket>(&message.packet))
-    return take_referee(*referee, message.hash, sender);
-  return Taken::kUsed;
+    return read_referee(*referee, message.hash, sender);
+  return ReadResult::kUsed;
 }
 
 // Whether the message is one of the last ones again: every message of a game contains its time.
@@ -92,41 +93,42 @@ bool RecordReader::is_copy(std::size_t hash) {
   return false;
 }
 
-Taken RecordReader::take_vision(const VisionPacket& packet, std::size_t hash) {
+ReadResult RecordReader::read_vision(const VisionPacket& packet, std::size_t hash) {
   // Geometry does not change from packet to packet.
-  if (packet.has_detection() && is_copy(hash)) return Taken::kCopy;
+  if (packet.has_detection() && is_copy(hash)) return ReadResult::kCopy;
   const std::int64_t late = merger_.late();
   const std::int64_t unusable = merger_.unusable();
   show(merger_.add(packet, now_s_));
-  if (merger_.unusable() != unusable) return Taken::kUnreadable;
-  if (merger_.late() != late) return Taken::kLate;
+  if (merger_.unusable() != unusable) return ReadResult::kUnreadable;
+  if (merger_.late() != late) return ReadResult::kLate;
   visitor_.on_vision(now_s_, packet);
-  return Taken::kUsed;
+  return ReadResult::kUsed;
 }
 
-Taken RecordReader::take_tracker(const TrackerPacket& packet, std::size_t hash) {
-  if (is_copy(hash)) return Taken::kCopy;
+ReadResult RecordReader::read_tracker(const TrackerPacket& packet, std::size_t hash) {
+  if (is_copy(hash)) return ReadResult::kCopy;
   const std::int64_t unusable = follower_.unusable();
   const bool has_tracks = follower_.add(packet, now_s_);
   if (has_tracks) visitor_.on_tracks(follower_.frame(), follower_.tracks());
   if (has_tracks && frames_are_tracked_) count_and_show(follower_.frame());
-  return follower_.unusable() == unusable ? Taken::kUsed : Taken::kUnreadable;
+  return follower_.unusable() == unusable ? ReadResult::kUsed : ReadResult::kUnreadable;
 }
 
-Taken RecordReader::take_referee(const RefereePacket& packet, std::size_t hash,
-                                 const std::string& sender) {
+ReadResult RecordReader::read_referee(const RefereePacket& packet, std::size_t hash,
+                                      const std::string& sender) {
   const std::string& name = packet.source_identifier();
-  if (!referee_source_.follows(name.empty() ? sender : name, now_s_)) return Taken::kOtherReferee;
-  if (is_copy(hash)) return Taken::kCopy;
+  if (!referee_source_.follows(name.empty() ? sender : name, now_s_))
+    return ReadResult::kOtherReferee;
+  if (is_copy(hash)) return ReadResult::kCopy;
   // A packet that a newer one has overtaken; after a larger step, the referee's clock was set.
   const std::uint64_t sent_us = packet.packet_timestamp();
   const bool is_same = referee_changes_ == referee_source_.changes();
   if (is_same && sent_us < referee_sent_us_ && referee_sent_us_ - sent_us < kLongestDelay_us)
-    return Taken::kLate;
+    return ReadResult::kLate;
   referee_changes_ = referee_source_.changes();
   referee_sent_us_ = sent_us;
   visitor_.on_referee(now_s_, packet);
-  return Taken::kUsed;
+  return ReadResult::kUsed;
 }
 
 // A frame of vision.

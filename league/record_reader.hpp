@@ -40,9 +40,9 @@ class RecordReader {
   // Takes the next message, parsed or not; `now_s` is when it arrived, on the frames' clock.
   // Ignored messages are not passed on, and neither are those of other kinds. `sender`
   // distinguishes referees without a name.
-  Taken take(const ParsedMessage& message, double now_s, const std::string& sender = {});
-  Taken take(MessageKind kind, const std::string& bytes, double now_s,
-             const std::string& sender = {});
+  ReadResult read(const ParsedMessage& message, double now_s, const std::string& sender = {});
+  ReadResult read(MessageKind kind, const std::string& bytes, double now_s,
+                  const std::string& sender = {});
 
   // Completes the last frame.
   void finish() { show(merger_.finish()); }
@@ -53,10 +53,10 @@ class RecordReader {
   MessageFaults faults() const;
 
  private:
-  Taken dispatch(const ParsedMessage& message, const std::string& sender);
-  Taken take_vision(const VisionPacket& packet, std::size_t hash);
-  Taken take_tracker(const TrackerPacket& packet, std::size_t hash);
-  Taken take_referee(const RefereePacket& packet, std::size_t hash, const std::string& sender);
+  ReadResult dispatch(const ParsedMessage& message, const std::string& sender);
+  ReadResult read_vision(const VisionPacket& packet, std::size_t hash);
+  ReadResult read_tracker(const TrackerPacket& packet, std::size_t hash);
+  ReadResult read_referee(const RefereePacket& packet, std::size_t hash, const std::string& sender);
   bool is_copy(std::size_t hash);
   void show(const Frame* frame);
   void count_and_show(const Frame& frame);

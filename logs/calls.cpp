@@ -153,7 +153,7 @@ std::string title_of(const Call& call) {
                    : std::string(call.event);
 }
 
-void CallMaker::take(double time_s, Command command) {
+void CallMaker::add(double time_s, Command command) {
   if (command.kind == CommandKind::kStop && !stopped_s_) stopped_s_ = time_s;
   if (!is_restart(command.kind) || !stopped_s_) return;
   calls_.push_back({*stopped_s_, time_s, command});

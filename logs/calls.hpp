@@ -30,7 +30,7 @@ std::string title_of(const Call& call);
 // further STOPs in between are ignored.
 class CallMaker {
  public:
-  void take(double time_s, Command command);
+  void add(double time_s, Command command);
   const std::vector<Call>& calls() const { return calls_; }
 
  private:

@@ -46,7 +46,7 @@ double within(double deviation, double least, double most) {
 
 }  // namespace
 
-void RecordedGameEvents::take(double time_s, const league::RefereePacket& packet) {
+void RecordedGameEvents::add(double time_s, const league::RefereePacket& packet) {
   const auto& now = packet.game_events();
   if (!std::equal(now.begin(), now.end(), current_.begin(), current_.end())) {
     current_.assign(now.begin(), now.end());
@@ -68,7 +68,7 @@ void RecordedGameEvents::take_new(double time_s, const league::RefereePacket& pa
   shown_ = std::move(shown);
 }
 
-std::optional<Vec2> LoggedNoise::Track::take(double time_s, const Vec2& position) {
+std::optional<Vec2> LoggedNoise::Track::add(double time_s, const Vec2& position) {
   if (!latest_.empty() && time_s - latest_.back().time_s > kLongestInterval_s) latest_.clear();
   latest_.push_back({time_s, position});
   if (latest_.size() > 4) latest_.erase(latest_.begin());
@@ -81,25 +81,25 @@ std::optional<Vec2> LoggedNoise::Track::take(double time_s, const Vec2& position
   return Vec2(latest_[3].at - 3 * latest_[2].at + 3 * latest_[1].at - latest_[0].at);
 }
 
-void LoggedNoise::take(const Frame& frame) {
+void LoggedNoise::add(const Frame& frame) {
   for (const Side side : kSides) {
-    for (const RobotObservation& robot : frame.robots[side]) take(robot, side, frame.time_s);
+    for (const RobotObservation& robot : frame.robots[side]) add(robot, side, frame.time_s);
   }
   if (!frame.ball) return;
-  if (const auto difference_m = ball_.take(frame.time_s, frame.ball->position_m)) {
+  if (const auto difference_m = ball_.add(frame.time_s, frame.ball->position_m)) {
     note(difference_m->x(), ball_m_);
     note(difference_m->y(), ball_m_);
   }
 }
 
-void LoggedNoise::take(const RobotObservation& robot, Side side, double time_s) {
+void LoggedNoise::add(const RobotObservation& robot, Side side, double time_s) {
   const auto number = static_cast<std::size_t>(robot.number);
-  if (const auto difference_m = robots_[side][number].take(time_s, robot.position_m)) {
+  if (const auto difference_m = robots_[side][number].add(time_s, robot.position_m)) {
     note(difference_m->x(), robot_m_);
     note(difference_m->y(), robot_m_);
   }
   // For small angles, the heading's components differ across it by the angle.
-  if (const auto difference = headings_[side][number].take(time_s, robot.heading))
+  if (const auto difference = headings_[side][number].add(time_s, robot.heading))
     note(cross(robot.heading, *difference), robot_rad_);
 }
 

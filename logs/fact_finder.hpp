@@ -26,7 +26,7 @@ class RecordedGameEvents {
  public:
   static constexpr std::size_t kMostEvents = 10'000;
 
-  void take(double time_s, const league::RefereePacket& packet);
+  void add(double time_s, const league::RefereePacket& packet);
 
   // In order of time, at most kMostEvents.
   const std::vector<game::TimedGameEvent>& events() const { return events_; }
@@ -48,7 +48,7 @@ class RecordedGameEvents {
 class LoggedNoise {
  public:
   // Frames must be in order of time.
-  void take(const Frame& frame);
+  void add(const Frame& frame);
 
   // Standard deviations. Zero where there is hardly any noise, as in the logs of a simulator
   // without it. nullopt if the log is too short or its frames are too irregular to tell.
@@ -59,7 +59,7 @@ class LoggedNoise {
   class Track {
    public:
     // Returns the third difference if there have been four evenly spaced positions.
-    std::optional<Vec2> take(double time_s, const Vec2& position);
+    std::optional<Vec2> add(double time_s, const Vec2& position);
 
    private:
     struct Position {
@@ -69,7 +69,7 @@ class LoggedNoise {
     std::vector<Position> latest_;
   };
 
-  void take(const RobotObservation& robot, Side side, double time_s);
+  void add(const RobotObservation& robot, Side side, double time_s);
 
   PerSide<std::array<Track, kMaxRobots>> robots_;
   PerSide<std::array<Track, kMaxRobots>> headings_;
@@ -79,7 +79,7 @@ class LoggedNoise {
   std::vector<double> ball_m_;
 };
 
-class FactFinder final : public league::LogVisitor {
+class FactsCollector final : public league::LogVisitor {
  public:
   void on_frame(const Frame& frame) override;
   void on_vision(double time_s, const league::VisionPacket& packet) override;

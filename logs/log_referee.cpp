@@ -23,7 +23,7 @@ Call call_of(const referee::Decision& decision) {
 // AutoRef's own calls beside a person: each lasts from its STOP until play goes on.
 class OwnCalls {
  public:
-  void take(const referee::Decision& decision) {
+  void add(const referee::Decision& decision) {
     const bool stops = decision.to == referee::State::kCalled;
     if (stops) open_ = call_of(decision);
     if (open_) open_->restart_s = decision.time_s;
@@ -52,14 +52,14 @@ class DecisionCollector {
                                        game::EventTeam{"", facts.names[Side::kEast]}}}),
         game_events_(1e-9 * static_cast<double>(facts.log.first_ns)) {}
 
-  void take(const referee::Decision& decision) {
+  void add(const referee::Decision& decision) {
     ++decisions_;
     if (watch_) watch_(decision);
     log_.on_decision(decision);
     game_events_.on_decision(decision);
-    own_calls_.take(decision);
+    own_calls_.add(decision);
     if (is_call(decision.finding.event)) all_calls_.push_back(call_of(decision));
-    if (decision.command) calls_.take(decision.time_s, *decision.command);
+    if (decision.command) calls_.add(decision.time_s, *decision.command);
   }
 
   std::vector<Call> calls(bool is_beside_person) const {
@@ -98,8 +98,8 @@ bool may_be_call(const RecordedCommand& recorded) {
 
 }  // namespace
 
-RecordReferee::RecordReferee(std::vector<referee::Configuration> configurations,
-                             const RecordedTeams& teams, SignalOrder order, DecisionWatch watch)
+LogReferee::LogReferee(std::vector<referee::Configuration> configurations,
+                       const RecordedTeams& teams, SignalOrder order, DecisionWatch watch)
     : configurations_(std::move(configurations)),
       actual_keepers_(teams.actual_keepers),
       order_(order),
@@ -108,24 +108,24 @@ RecordReferee::RecordReferee(std::vector<referee::Configuration> configurations,
             teams.turned),
       referee_(configurations_.front()) {
   for (const Side side : kSides) requests_[side].keeper = actual_keepers_[side].value_or(0);
-  say_ends();
+  set_ends();
 }
 
-void RecordReferee::on_frame(const Frame& frame) {
+void LogReferee::on_frame(const Frame& frame) {
   if (!referee_.is_over()) judge(frame);
   // A referee packet comes before the frame it belongs to, so this frame was still part of the
   // previous game.
   if (is_next_game_) {
     referee_ = referee::AutoRef(configurations_[++game_]);
-    say_ends();
+    set_ends();
   }
   is_next_game_ = false;
 }
 
-void RecordReferee::on_referee(double time_s, const league::RefereePacket& packet) {
+void LogReferee::on_referee(double time_s, const league::RefereePacket& packet) {
   std::optional<RefereeSignal> signal = league::signal_of(packet);
   if (!signal) return;
-  ends_.take(packet, signal->stage);
+  ends_.add(packet, signal->stage);
   signal->blue_on_positive_half = !is_turned();
   if (next_game_.begins_with(signal->stage)) is_next_game_ = game_ + 1 < configurations_.size();
   if (signals_.size() == kMostWaitingSignals) signals_.pop_front();
@@ -135,7 +135,7 @@ void RecordReferee::on_referee(double time_s, const league::RefereePacket& packe
   signals_.push_back({given_s, published(*signal)});
 }
 
-void RecordReferee::note_keepers(const RefereeSignal& signal) {
+void LogReferee::note_keepers(const RefereeSignal& signal) {
   for (const Side side : kSides) {
     const std::optional<int> keeper =
         actual_keepers_[side] ? actual_keepers_[side] : signal.keepers[side];
@@ -144,14 +144,14 @@ void RecordReferee::note_keepers(const RefereeSignal& signal) {
 }
 
 // Decisions have the coordinates of the field, even if nobody commands.
-void RecordReferee::say_ends() {
+void LogReferee::set_ends() {
   if (configuration().control == referee::Control::kHuman) return;
   RefereeSignal ends;
   ends.blue_on_positive_half = !is_turned();
   referee_.follow(ends);
 }
 
-void RecordReferee::judge(const Frame& frame) {
+void LogReferee::judge(const Frame& frame) {
   judged_s_ = frame.time_s;
   const RefereeSignal own = referee_.update(published(frame, !is_turned()), requests_);
   if (configuration().control == referee::Control::kAutoref) signal_ = own;
@@ -167,13 +167,13 @@ LogRefereeResult referee_log(const std::filesystem::path& log, const RecordedFac
                              const std::vector<referee::Configuration>& configurations,
                              const DecisionWatch& watch) {
   DecisionCollector collector(facts, watch);
-  RecordReferee judge(configurations, facts.teams, SignalOrder::kByTime,
-                      [&](const referee::Decision& decision) { collector.take(decision); });
+  LogReferee judge(configurations, facts.teams, SignalOrder::kByTime,
+                   [&](const referee::Decision& decision) { collector.add(decision); });
   league::read_log(log, judge, facts.log.source);
   const bool is_alone = configurations.front().control == referee::Control::kAutoref;
   CallMaker recorded;
   for (const RecordedCommand& command : facts.commands) {
-    if (is_alone || may_be_call(command)) recorded.take(command.time_s, command.command);
+    if (is_alone || may_be_call(command)) recorded.add(command.time_s, command.command);
   }
   LogRefereeResult result = collector.result();
   const bool is_beside_person = judge.configuration().control != referee::Control::kAutoref;

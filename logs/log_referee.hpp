@@ -30,12 +30,12 @@ enum class SignalOrder : std::uint8_t { kByTime, kByArrival };
 // configuration and referee; the last configuration is reused if there are more games. If the other
 // referee says that blue defends the goal at -x, frames are rotated, since AutoRef assumes that
 // yellow is west.
-class RecordReferee final : public league::LogVisitor {
+class LogReferee final : public league::LogVisitor {
  public:
   // `configurations` must not be empty. Throws std::invalid_argument if one is not valid for a
   // referee.
-  RecordReferee(std::vector<referee::Configuration> configurations, const RecordedTeams& teams,
-                SignalOrder order, DecisionWatch watch);
+  LogReferee(std::vector<referee::Configuration> configurations, const RecordedTeams& teams,
+             SignalOrder order, DecisionWatch watch);
 
   void on_frame(const Frame& frame) override;
   void on_referee(double time_s, const league::RefereePacket& packet) override;
@@ -54,7 +54,7 @@ class RecordReferee final : public league::LogVisitor {
     RefereeSignal signal;
   };
 
-  void say_ends();
+  void set_ends();
   void judge(const Frame& frame);
   void note_keepers(const RefereeSignal& signal);
 

@@ -52,7 +52,7 @@ class StateReader final : public league::LogVisitor {
     const std::optional<RefereeSignal> signal = league::signal_of(packet);
     if (!signal) return;
     if (time_s > at_s_ + kRounding_s) return note_next(signal->command);
-    ends_.take(packet, signal->stage);
+    ends_.add(packet, signal->stage);
     if (!signal_ || signal_->command_counter != signal->command_counter) obey(signal->command);
     signal_ = signal;
   }
@@ -67,20 +67,20 @@ class StateReader final : public league::LogVisitor {
   bool is_yellow_west() const { return ends_.yellow() == Side::kWest; }
 
   // In the program's coordinates; `ball_m` is the ball's position.
-  referee::Beginning beginning(const Vec2& ball_m, const Field& field) const {
+  referee::MidwayStart midway_start(const Vec2& ball_m, const Field& field) const {
     if (!signal_) return {};
     const Command& command = signal_->command;
     if (command.kind == CommandKind::kNormalStart) {
-      return has_moved_ || !prepared_ ? referee::Beginning{}
-                                      : referee::Beginning{prepared_, ball_m};
+      return has_moved_ || !prepared_ ? referee::MidwayStart{}
+                                      : referee::MidwayStart{prepared_, ball_m};
     }
     if (command.kind == CommandKind::kForceStart) return {};
     if (is_restart(command)) {
       const bool is_free =
           command.kind == CommandKind::kDirectFree || command.kind == CommandKind::kIndirectFree;
       return is_free && has_moved_
-                 ? referee::Beginning{}
-                 : referee::Beginning{command, restart_position(command, ball_m, field)};
+                 ? referee::MidwayStart{}
+                 : referee::MidwayStart{command, restart_position(command, ball_m, field)};
     }
     const Command next = restart_after_stop();
     return {next, restart_position(next, ball_m, field), true};
@@ -149,7 +149,7 @@ game::StartState start_of(const StateReader& read, const Field& field) {
   }
   const TrackedBall ball = turns ? mirrored(*tracks.ball) : *tracks.ball;
   start.ball = {ball.position_m, ball.velocity_mps, ball.height_m, 0, ball.height_m <= 0};
-  start.referee = read.beginning(ball.position_m, field);
+  start.referee = read.midway_start(ball.position_m, field);
   return start;
 }
 

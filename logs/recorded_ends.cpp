@@ -27,7 +27,7 @@ std::optional<Side> yellow_end_by(const Field& field, Side team, const Vec2& kee
   return std::nullopt;
 }
 
-void YellowEnd::take(const league::RefereePacket& packet) {
+void YellowEnd::add(const league::RefereePacket& packet) {
   if (packet.has_blue_team_on_positive_half() && !said_)
     said_ = packet.blue_team_on_positive_half() ? Side::kWest : Side::kEast;
   const auto number_of = [](const league::TeamInfo& team) {
@@ -36,7 +36,7 @@ void YellowEnd::take(const league::RefereePacket& packet) {
   keepers_ = {{number_of(packet.yellow()), number_of(packet.blue())}};
 }
 
-void YellowEnd::take(const Frame& frame) {
+void YellowEnd::add(const Frame& frame) {
   if (!first_s_) first_s_ = frame.time_s;
   const double age_s = frame.time_s - *first_s_;
   for (const Side team : kSides) {

@@ -25,8 +25,8 @@ class YellowEnd {
   explicit YellowEnd(const Field& field) : field_(field) {}
 
   // Frames must be in order of time.
-  void take(const Frame& frame);
-  void take(const league::RefereePacket& packet);
+  void add(const Frame& frame);
+  void add(const league::RefereePacket& packet);
 
   // kWest: the goal at -x. nullopt without evidence.
   std::optional<Side> end() const;
@@ -54,7 +54,7 @@ class RecordedEnds {
   RecordedEnds(Side at_first, bool change_ends, TurnedStages turned = {})
       : yellow_(at_first), change_ends_(change_ends), turned_(std::move(turned)) {}
 
-  void take(const league::RefereePacket& packet, Stage stage) {
+  void add(const league::RefereePacket& packet, Stage stage) {
     if (packet.has_blue_team_on_positive_half()) {
       yellow_ = packet.blue_team_on_positive_half() != turned_.contains(stage) ? Side::kWest
                                                                                : Side::kEast;

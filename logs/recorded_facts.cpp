@@ -42,8 +42,8 @@ double RecordedCamera::rate_hz() const {
   return last_s > first_s ? static_cast<double>(packets - 1) / (last_s - first_s) : 0;
 }
 
-void FactFinder::on_frame(const Frame& frame) {
-  noise_.take(frame);
+void FactsCollector::on_frame(const Frame& frame) {
+  noise_.add(frame);
   facts_.has_ball = facts_.has_ball || frame.ball.has_value();
   for (const Side side : kSides) {
     facts_.robots[side] =
@@ -51,7 +51,7 @@ void FactFinder::on_frame(const Frame& frame) {
   }
 }
 
-void FactFinder::on_vision(double time_s, const league::VisionPacket& packet) {
+void FactsCollector::on_vision(double time_s, const league::VisionPacket& packet) {
   if (!packet.has_detection()) return;
   RecordedCamera& camera = facts_.cameras[packet.detection().camera_id()];
   if (camera.packets++ == 0) camera.first_s = camera.last_s = time_s;
@@ -61,8 +61,8 @@ void FactFinder::on_vision(double time_s, const league::VisionPacket& packet) {
   camera.last_s = time_s;
 }
 
-void FactFinder::on_referee(double time_s, const league::RefereePacket& packet) {
-  game_events_.take(time_s, packet);
+void FactsCollector::on_referee(double time_s, const league::RefereePacket& packet) {
+  game_events_.add(time_s, packet);
   const std::optional<RefereeSignal> signal = league::signal_of(packet);
   if (!signal) {
     ++facts_.unknown_signals;
@@ -81,7 +81,7 @@ void FactFinder::on_referee(double time_s, const league::RefereePacket& packet) 
   facts_.last_signal = signal;
 }
 
-void FactFinder::note_command(const RecordedCommand& recorded) {
+void FactsCollector::note_command(const RecordedCommand& recorded) {
   RecordedGame& game = facts_.games.back();
   if (recorded.command.kind == CommandKind::kPrepareKickoff && !game.first_kickoff)
     game.first_kickoff = recorded.command.side;
@@ -92,13 +92,13 @@ void FactFinder::note_command(const RecordedCommand& recorded) {
   }
 }
 
-void FactFinder::note_stage(Stage stage) {
+void FactsCollector::note_stage(Stage stage) {
   RecordedGame& game = facts_.games.back();
   game.halves = std::max(game.halves, half_of(stage));
   game.is_knockout = game.is_knockout || is_after_a_draw(stage);
 }
 
-void FactFinder::note_clock(Stage stage, double left_s) {
+void FactsCollector::note_clock(Stage stage, double left_s) {
   RecordedGame& game = facts_.games.back();
   // Rounds up to the clock's resolution, since the first packet of a half may come a little late.
   const double rounded_s = std::ceil(left_s / kClock_s - 0.01) * kClock_s;
@@ -109,7 +109,7 @@ void FactFinder::note_clock(Stage stage, double left_s) {
   if (stage == Stage::kExtraFirstHalf) note(game.extra_half_s);
 }
 
-RecordedFacts FactFinder::facts(const league::LogSummary& log) const {
+RecordedFacts FactsCollector::facts(const league::LogSummary& log) const {
   RecordedFacts facts = facts_;
   facts.log = log;
   facts.noise = noise_.noise();
@@ -118,7 +118,7 @@ RecordedFacts FactFinder::facts(const league::LogSummary& log) const {
 }
 
 RecordedFacts facts_of(const std::filesystem::path& log, league::FrameSource source) {
-  FactFinder finder;
+  FactsCollector finder;
   const league::LogSummary summary = league::read_log(log, finder, source);
   return finder.facts(summary);
 }

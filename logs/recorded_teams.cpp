@@ -22,7 +22,7 @@ class DutyCounter final : public league::LogVisitor {
       : end_(field), field_(field), ends_(Side::kWest, change_ends) {}
 
   void on_frame(const Frame& frame) override {
-    end_.take(frame);
+    end_.add(frame);
     for (const Side team : kSides) {
       for (const Side end : kSides) count(team, end, frame.robots[team]);
       if (says_ends_) compare_ends(team, frame.robots[team]);
@@ -30,10 +30,10 @@ class DutyCounter final : public league::LogVisitor {
   }
 
   void on_referee(double /*time_s*/, const league::RefereePacket& packet) override {
-    end_.take(packet);
+    end_.add(packet);
     const std::optional<RefereeSignal> signal = league::signal_of(packet);
     if (!signal) return;
-    ends_.take(packet, signal->stage);
+    ends_.add(packet, signal->stage);
     stage_ = signal->stage;
     says_ends_ = packet.has_blue_team_on_positive_half();
     keepers_ = signal->keepers;

@@ -46,13 +46,13 @@ class Referee::Impl {
     decisions_.reserve(4);
   }
 
-  void begin(const Beginning& beginning) {
+  void begin(const MidwayStart& midway_start) {
     assert(!sight_.has_begun() && configuration_.control == Control::kAutoref);
-    official_->state().beginning = beginning;
+    official_->state().midway_start = midway_start;
   }
 
   View see(const Frame& frame) {
-    const bool is_afresh = sight_.take(frame, is_play(state().machine_state));
+    const bool is_afresh = sight_.add(frame, is_play(state().machine_state));
     if (is_afresh) official_->forget(sight_.frame());
     return {sight_.frame(), is_afresh};
   }
@@ -130,15 +130,15 @@ class Referee::Impl {
   // Counted fouls do not change the machine's state, so later rules still run.
   void apply_rules(const RefereeInput& input) {
     const bool is_shootout = state().signal.stage == Stage::kShootout;
-    for (const AskedRule& asked : rules()) {
-      if (is_shootout && !entry_of(asked.id).in_shootout) continue;
-      if (configuration_.rules.has(asked.id) && !ask(*asked.rule, input)) return;
+    for (const ListedRule& listed : rules()) {
+      if (is_shootout && !entry_of(listed.id).in_shootout) continue;
+      if (configuration_.rules.has(listed.id) && !evaluate(*listed.rule, input)) return;
     }
-    if (is_shootout) ask(kShootoutRule, input);
+    if (is_shootout) evaluate(kShootoutRule, input);
   }
 
   // Returns whether the machine's state is unchanged.
-  bool ask(const Rule& rule, const RefereeInput& input) {
+  bool evaluate(const Rule& rule, const RefereeInput& input) {
     const State before = state().machine_state;
     for (const RuleSearch& search : rule.searches()) {
       if (!search.active_in.has(before)) continue;
@@ -168,7 +168,7 @@ class Referee::Impl {
         (!is_play(state().machine_state) || after.play.began_s != state().play.began_s);
     // A game may also begin with a restart.
     const bool is_joining =
-        state().machine_state == State::kInit && (!state().beginning || after.play.in_play);
+        state().machine_state == State::kInit && (!state().midway_start || after.play.in_play);
     official_->enter(input, finding, *std::move(taken));
     // A play that is joined in the middle did not begin with the ball at rest.
     if (play_starts)
@@ -195,7 +195,7 @@ const RefereeSignal& Referee::judge(const Tracks& tracks, const PerSide<TeamRequ
   return impl_->judge(tracks, requests);
 }
 
-void Referee::begin(const Beginning& beginning) { impl_->begin(beginning); }
+void Referee::begin(const MidwayStart& midway_start) { impl_->begin(midway_start); }
 void Referee::follow(const RefereeSignal& given) { impl_->follow(given); }
 
 std::span<const Decision> Referee::decisions() const { return impl_->decisions(); }

@@ -41,7 +41,7 @@ class Referee {
 
   // Lets the game begin in the middle of the first half instead of with the first kick-off. Call it
   // before the first frame; only for Control::kAutoref (asserted).
-  void begin(const Beginning& beginning);
+  void begin(const MidwayStart& midway_start);
 
   // A frame as the referee sees it. Make the tracks from it.
   struct View {

@@ -59,7 +59,7 @@ constexpr bool is_play(State state) { return state == State::kRun || state == St
 
 // How a game begins, if not with the first kick-off: in the middle of the first half. The half
 // begins with the first frame, at 0:0. Who touched the ball before is unknown.
-struct Beginning {
+struct MidwayStart {
   // The pending restart: PREPARE_KICKOFF, PREPARE_PENALTY, DIRECT_FREE or INDIRECT_FREE of a side,
   // or FORCE_START. nullopt: play is on.
   std::optional<Command> restart = {};

@@ -82,7 +82,7 @@ using CallsByName = std::map<std::string, JudgedCalls>;
 
 void add_game(const game::GameConfiguration& game, CallsByName& calls) {
   CallFeatures features;
-  const judge::JudgedGame judged =
+  const judge::EvaluatedGame judged =
       judge::evaluate_calls(game, game::make_registered_team, &features);
   for (const experiments::CallVerdict& verdict : judged.evaluation.verdicts) {
     const bool is_right = verdict.outcome == experiments::CallOutcome::kRight;

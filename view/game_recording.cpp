@@ -190,7 +190,7 @@ void GameRecording::add(double time_s, const RefereeSignal& signal) {
   clock_.push_back(*last_mark_);
 }
 
-GameRecording GameRecording::take() {
+GameRecording GameRecording::take_recording() {
   GameRecording taken;
   std::swap(taken, *this);
   last_signal_ = taken.last_signal_;

@@ -78,7 +78,7 @@ class GameRecording {
   void add(RecordedDecision decision);
 
   // Returns the recording so far and begins an empty one, whose signals continue those before.
-  GameRecording take();
+  GameRecording take_recording();
 
   std::size_t frames() const { return frames_; }
   double first_s() const { return first_s_; }

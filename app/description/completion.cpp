@@ -87,9 +87,10 @@ std::vector<Proposal> options_in(const DescribedVerb& verb, const std::string& b
 
 std::vector<Proposal> option_values(const DescribedOption& option, ValuePlace place) {
   place.kind = option.is_positional ? option.names.front() : option.value;
-  if (option.words.empty()) return values_at(place);
+  if (option.allowed_words.empty()) return values_at(place);
   std::vector<Proposal> proposals;
-  for (const std::string& word : option.words) add_if_begun(word, "", place.begun, proposals);
+  for (const std::string& word : option.allowed_words)
+    add_if_begun(word, "", place.begun, proposals);
   return proposals;
 }
 

@@ -95,7 +95,8 @@ std::vector<game::Setting> settings_for(game::GameSettings& game, const std::str
 std::vector<Proposal> values_of_key(const std::vector<game::Setting>& settings,
                                     const std::string& key, const std::string& begun) {
   try {
-    std::vector<Proposal> proposals = words_begun(game::setting_at(settings, key).words, begun);
+    std::vector<Proposal> proposals =
+        words_begun(game::setting_at(settings, key).allowed_words, begun);
     for (Proposal& one : proposals) one.word.insert(0, key + "=");
     return proposals;
   } catch (const std::invalid_argument&) {

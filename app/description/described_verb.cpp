@@ -19,7 +19,7 @@ std::vector<std::string> dashed_names_of(const CLI::Option& option) {
 void add_described(const CLI::Option& option, std::vector<DescribedOption>& options) {
   DescribedOption described;
   described.description = option.get_description();
-  described.words = words_in_type(option.get_type_name());
+  described.allowed_words = words_in_type(option.get_type_name());
   if (option.get_positional()) {
     described.names = {option.get_name(true)};
     described.is_positional = true;

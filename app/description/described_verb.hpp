@@ -12,7 +12,7 @@ struct DescribedOption {
   std::string value;               // what follows, such as "FILE"; empty for a flag
   std::string description;
   bool is_positional = false;
-  std::vector<std::string> words = {};  // allowed values, if they are listed
+  std::vector<std::string> allowed_words = {};  // if they are listed
 };
 
 // The program itself, a group of verbs, or a verb.

@@ -134,7 +134,7 @@ bool is_shown_for_presets(const game::Setting& setting) {
 std::string preset_section(const std::string& path) {
   game::GameSettings game;
   const std::vector<game::Setting> settings = game::settings_of(game);
-  const std::vector<std::string> words = game::find_setting(settings, path)->words;
+  const std::vector<std::string> words = game::find_setting(settings, path)->allowed_words;
   Rows rows = {{"key"}};
   std::vector<std::vector<std::string>> values;
   for (const std::string& word : words) {

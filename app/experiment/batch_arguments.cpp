@@ -26,7 +26,7 @@ void override_pairs(const std::string& text, experiments::Scenario& scenario) {
                          fmt::format("expected a whole number from 1 to {}, found '{}'",
                                      experiments::kMostPairs, text));
   }
-  game::blame("--pairs", [&] { experiments::set_pairs(scenario.experiment(), *pairs); });
+  game::locate_errors("--pairs", [&] { experiments::set_pairs(scenario.experiment(), *pairs); });
 }
 
 void override_seed(const std::string& text, experiments::Scenario& scenario) {

@@ -8,7 +8,7 @@
 #include "app/shared_options.hpp"
 #include "app/verbs.hpp"
 #include "experiments/kinds/scenario.hpp"
-#include "experiments/run/rehearsal.hpp"
+#include "experiments/run/trial_games.hpp"
 #include "game/team_programs/program_games.hpp"
 #include "io/errors.hpp"
 #include "io/processes/progress.hpp"
@@ -22,20 +22,20 @@ struct CheckArguments : BatchArguments {
   bool games = false;
 };
 
-std::string verdict_on(const experiments::Rehearsal& rehearsal) {
-  if (!rehearsal.void_reason.empty()) return "void: " + rehearsal.void_reason;
-  if (!rehearsal.was_tried) return "not tried: would take too long";
-  if (rehearsal.share >= 1) return "plays";
-  const double percent = 100 * rehearsal.share;
+std::string verdict_on(const experiments::Trial& trial) {
+  if (!trial.void_reason.empty()) return "void: " + trial.void_reason;
+  if (!trial.was_tried) return "not tried: would take too long";
+  if (trial.share >= 1) return "plays";
+  const double percent = 100 * trial.share;
   return fmt::format("plays; estimated from {} % of a game",
                      percent < 1 ? "less than 1" : fmt::format("{:.0f}", percent));
 }
 
-std::string table_of(const std::vector<experiments::Rehearsal>& rehearsals) {
+std::string table_of(const std::vector<experiments::Trial>& trials) {
   std::vector<io::Cells> rows = {{"variant", "games", "s per game (est.)", ""}};
-  for (const experiments::Rehearsal& rehearsal : rehearsals) {
-    rows.push_back({rehearsal.played, std::to_string(rehearsal.games),
-                    fmt::format("{:.1f}", rehearsal.wall_s_a_game), verdict_on(rehearsal)});
+  for (const experiments::Trial& trial : trials) {
+    rows.push_back({trial.played, std::to_string(trial.games),
+                    fmt::format("{:.1f}", trial.wall_s_a_game), verdict_on(trial)});
   }
   return io::table_text(
       {std::move(rows), {io::Align::kLeft, io::Align::kRight, io::Align::kRight, io::Align::kLeft}},
@@ -43,12 +43,12 @@ std::string table_of(const std::vector<experiments::Rehearsal>& rehearsals) {
 }
 
 // In the order of summary.csv.
-std::vector<experiments::Rehearsal> sorted(std::vector<experiments::Rehearsal> rehearsals) {
-  std::stable_sort(rehearsals.begin(), rehearsals.end(),
-                   [](const experiments::Rehearsal& one, const experiments::Rehearsal& other) {
+std::vector<experiments::Trial> sorted(std::vector<experiments::Trial> trials) {
+  std::stable_sort(trials.begin(), trials.end(),
+                   [](const experiments::Trial& one, const experiments::Trial& other) {
                      return one.variant < other.variant;
                    });
-  return rehearsals;
+  return trials;
 }
 
 int check_verb(const CheckArguments& arguments) {
@@ -60,22 +60,21 @@ int check_verb(const CheckArguments& arguments) {
     return io::kDone;
   }
   const int workers = worker_count(arguments.workers);
-  const std::vector<experiments::Rehearsal> rehearsals = experiments::rehearse(
-      experiment.rehearsed(games), {[](const game::GameConfiguration& game, double most_wall_s) {
-                                      return experiments::play_part(
-                                          game, most_wall_s, game::make_program_or_registered_team);
-                                    },
-                                    workers});
-  fmt::print("{}\n{} games, about {} with {} in parallel\n", table_of(sorted(rehearsals)),
-             games.size(), io::duration_text(experiments::duration_s(rehearsals, workers)),
-             workers);
-  const std::string programs = experiments::cost_of_programs(rehearsals, workers);
+  const std::vector<experiments::Trial> trials = experiments::play_trials(
+      experiment.trial_games(games),
+      {[](const game::GameConfiguration& game, double most_wall_s) {
+         return experiments::play_part(game, most_wall_s, game::make_program_or_registered_team);
+       },
+       workers});
+  fmt::print("{}\n{} games, about {} with {} in parallel\n", table_of(sorted(trials)), games.size(),
+             io::duration_text(experiments::duration_s(trials, workers)), workers);
+  const std::string programs = experiments::cost_of_programs(trials, workers);
   if (!programs.empty()) fmt::print("{}\n", io::wrapped(programs, io::text_width(stdout)));
   const std::string caveat = experiment.caveat();
   if (!caveat.empty()) fmt::print("{}\n", caveat);
-  const bool all_play = std::all_of(
-      rehearsals.begin(), rehearsals.end(),
-      [](const experiments::Rehearsal& rehearsal) { return rehearsal.void_reason.empty(); });
+  const bool all_play =
+      std::all_of(trials.begin(), trials.end(),
+                  [](const experiments::Trial& trial) { return trial.void_reason.empty(); });
   return all_play ? io::kDone : io::kTooManyVoid;
 }
 

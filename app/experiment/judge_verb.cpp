@@ -33,7 +33,7 @@ experiments::Scenario read_judge(const JudgeArguments& arguments) {
       experiments::read_scenario(arguments.file, game::assignments_in(arguments.sets));
   if (auto* schedule = scenario.as<experiments::JudgeSchedule>()) {
     if (!arguments.seeds.empty())
-      game::blame("--seeds", [&] { experiments::keep_seed(*schedule, arguments.seeds); });
+      game::locate_errors("--seeds", [&] { experiments::keep_seed(*schedule, arguments.seeds); });
     return scenario;
   }
   throw io::InputError(

@@ -92,7 +92,7 @@ experiments::SlurmArray array_of(const SubmitArguments& arguments,
   if (!arguments.pairs.empty()) array.overrides.push_back("--pairs=" + arguments.pairs);
   if (!arguments.seed.empty()) array.overrides.push_back("--seed=" + arguments.seed);
   array.tasks = tasks_for(arguments.tasks, scenario, games);
-  array.waits = scenario.experiment().games_of_a_round().has_value();
+  array.waits_for_others = scenario.experiment().games_of_a_round().has_value();
   array.workers = std::max(1, arguments.workers);
   array.time = arguments.time;
   array.partition = arguments.partition;

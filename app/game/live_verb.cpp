@@ -35,7 +35,7 @@ live::LiveSpeed speed_of(const std::string& text) {
   return {live::Pace::kClock, speed_factor_in(text, "max or lockstep")};
 }
 
-void say_team(Side side, const live::LiveReport& report) {
+void print_traffic(Side side, const live::LiveReport& report) {
   const live::TeamTraffic& traffic = report.traffic[side];
   const std::array<std::int64_t, 3>& ages = report.command_ages[side];
   const std::int64_t frames = ages[0] + ages[1] + ages[2];
@@ -51,7 +51,7 @@ void say_team(Side side, const live::LiveReport& report) {
                       fmt::format("{}: last error: {}\n", colour_of(side), traffic.last_error));
 }
 
-void say_connections(const live::StreamTroubles& troubles) {
+void print_connections(const live::StreamTroubles& troubles) {
   if (troubles.refused + troubles.invalid + troubles.unread == 0) return;
   io::write_message(
       stderr, fmt::format("TCP: {} connections too many were refused; closed: {} because of a "
@@ -59,7 +59,7 @@ void say_connections(const live::StreamTroubles& troubles) {
                           troubles.refused, troubles.invalid, troubles.unread));
 }
 
-void say(const live::LiveReport& report) {
+void print_report(const live::LiveReport& report) {
   const live::Punctuality& punctuality = report.punctuality;
   if (punctuality.frames > 0) {
     io::write_message(
@@ -68,11 +68,11 @@ void say(const live::LiveReport& report) {
   }
   if (report.dropped > 0)
     io::write_message(stderr, fmt::format("{} datagrams could not be sent\n", report.dropped));
-  say_connections(report.connections);
+  print_connections(report.connections);
   if (report.wrong_control > 0)
     io::write_message(stderr,
                       fmt::format("control port: {} packets wrong\n", report.wrong_control));
-  for (const Side side : kSides) say_team(side, report);
+  for (const Side side : kSides) print_traffic(side, report);
 }
 
 void add_network_options(CLI::App& verb, LiveArguments& arguments) {
@@ -135,15 +135,15 @@ int live_verb(const LiveArguments& arguments) {
   };
   game::GameRecord record;
   try {
-    game::blame(arguments.file, [&] {
+    game::locate_errors(arguments.file, [&] {
       record =
           play_one(game, arguments.output, inputs_of(arguments.file, "", assignments), {}, player);
     });
   } catch (const io::Interrupted&) {
-    say(live.report());
+    print_report(live.report());
     throw;
   }
-  say(live.report());
+  print_report(live.report());
   return record.status == game::Status::kVoid ? io::kTooManyVoid : io::kDone;
 }
 

@@ -54,7 +54,7 @@ void WebObserver::on_frame(const Frame& frame, const RefereeSignal& signal,
 
 void WebObserver::on_decision(const referee::Decision& decision) { view_->add(recorded(decision)); }
 
-ShownGame::ShownGame(const game::GameConfiguration& game, const WebFlags& web) {
+GameOnWeb::GameOnWeb(const game::GameConfiguration& game, const WebFlags& web) {
   if (web.address.empty()) return;
   const view::GameRecording nothing_yet;
   view_.emplace(web_options_of(web), view::PageContent{nothing_yet, game.field,
@@ -63,7 +63,7 @@ ShownGame::ShownGame(const game::GameConfiguration& game, const WebFlags& web) {
   io::write_message(stderr, fmt::format("watch at {}\n", view_->url()));
 }
 
-void ShownGame::end() {
+void GameOnWeb::end() {
   if (!view_) return;
   view_->end();
   std::this_thread::sleep_for(kFarewell);

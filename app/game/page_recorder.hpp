@@ -45,11 +45,11 @@ class WebObserver final : public game::Observer {
   live::WebView* view_;
 };
 
-class ShownGame {
+class GameOnWeb {
  public:
   // Shows the game at `web`, and says so on stderr; nowhere if its address is empty. Throws
   // InputError naming --web or --web-host.
-  ShownGame(const game::GameConfiguration& game, const WebFlags& web);
+  GameOnWeb(const game::GameConfiguration& game, const WebFlags& web);
 
   // Null if the game is shown nowhere.
   game::Observer* observer() { return web_ ? &*web_ : nullptr; }

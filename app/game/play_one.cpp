@@ -198,7 +198,7 @@ game::GameRecord play_one(const game::GameConfiguration& game, const GameOutput&
   PageRecorder page;
   const std::optional<double> frames_per_s = pace_of(game, output);
   GameOutputs outputs(files, game::event_teams_of(game), log ? &*log : nullptr);
-  ShownGame shown(game, output.web);
+  GameOnWeb shown(game, output.web);
   game::Observers observers(shown.observer());
   if (files.view) observers.add(&page);
   observers.add(&outputs);

@@ -78,7 +78,7 @@ game::GameSettings scenario_or_defaults(const PlayArguments& arguments,
   game::GameSettings game;
   game::assign_all(assignments, game);
   if (!arguments.seed.empty())
-    game::blame("--seed", [&] { game::set_by_path(game, "seed", arguments.seed); });
+    game::locate_errors("--seed", [&] { game::set_by_path(game, "seed", arguments.seed); });
   return game;
 }
 
@@ -104,7 +104,7 @@ game::GameSettings game_from_log(const PlayArguments& arguments,
   if (game.match.control != referee::Control::kAutoref)
     throw io::InputError({"--from"}, "",
                          "only AutoRef can command such a game: match.control=autoref");
-  game::blame("--from", [&] {
+  game::locate_errors("--from", [&] {
     logs::LoggedState logged = logs::logged_state(logs::seekable_log(instant.log), instant.at_s);
     if (arguments.file.empty()) take_defaults(logged, game);
     game::check_game(game);
@@ -128,7 +128,7 @@ const std::string& scenario_of(const PlayArguments& arguments) {
   throw io::InputError({}, "", "give a scenario of kind game, or --from LOG@SECONDS");
 }
 
-void say_outcome(const live::ControlledGameReport& report) {
+void print_outcome(const live::ControlledGameReport& report) {
   io::write_message(stderr,
                     fmt::format("AutoRef's events: {} taken, {} rejected, {} not answered\n",
                                 report.accepted, report.rejected, report.unanswered));
@@ -150,7 +150,7 @@ game::GameRecord play_controlled(const game::GameConfiguration& game,
     return controlled.play(observers, programs);
   };
   game::GameRecord record = play_one(game, arguments.output, inputs, {arguments.commands}, player);
-  say_outcome(controlled.report());
+  print_outcome(controlled.report());
   return record;
 }
 
@@ -164,7 +164,7 @@ int play_verb(const PlayArguments& arguments) {
   std::vector<std::string> inputs = inputs_of(arguments.file, arguments.commands, assignments);
   if (!arguments.from.empty()) inputs.push_back(instant_in(arguments.from).log);
   game::GameRecord record;
-  game::blame(arguments.file.empty() ? "--from" : arguments.file, [&] {
+  game::locate_errors(arguments.file.empty() ? "--from" : arguments.file, [&] {
     record = game.match.control == referee::Control::kGameController
                  ? play_controlled(game::resolved(game), arguments, inputs)
                  : play_one(game::resolved(game), arguments.output, inputs, {arguments.commands});

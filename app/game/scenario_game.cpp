@@ -22,7 +22,7 @@ game::GameSettings game_in(const std::string& file, const std::string& seed,
         fmt::format("this is of kind {}, not a game; run it with: autoref {} {}",
                     experiments::kind_of(scenario), experiments::verb_of(scenario), file));
   }
-  if (!seed.empty()) game::blame("--seed", [&] { game::set_by_path(*game, "seed", seed); });
+  if (!seed.empty()) game::locate_errors("--seed", [&] { game::set_by_path(*game, "seed", seed); });
   return *game;
 }
 

@@ -68,9 +68,9 @@ game::GameSettings game_of(const RefereeArguments& arguments, const std::string&
                            const game::Assignments& assignments, const logs::RecordedFacts& facts,
                            const logs::RecordedGame& recorded, const std::string& source) {
   game::GameSettings game;
-  game::blame("--rules", [&] { game = logs::logged_game(book, facts, recorded); });
+  game::locate_errors("--rules", [&] { game = logs::logged_game(book, facts, recorded); });
   const auto set = [&](const std::string& flag, const std::string& path, const std::string& value) {
-    if (!value.empty()) game::blame(flag, [&] { game::set_by_path(game, path, value); });
+    if (!value.empty()) game::locate_errors(flag, [&] { game::set_by_path(game, path, value); });
   };
   set("--camera", "sim.camera", arguments.camera);
   set("--control", "match.control", arguments.control);
@@ -86,9 +86,9 @@ game::GameSettings game_of(const RefereeArguments& arguments, const std::string&
   return game;
 }
 
-void say_gaps(const RefereeArguments& arguments, const game::Assignments& assignments,
-              const logs::RecordedFacts& facts, const game::GameSettings& game,
-              const std::string& source) {
+void print_gaps(const RefereeArguments& arguments, const game::Assignments& assignments,
+                const logs::RecordedFacts& facts, const game::GameSettings& game,
+                const std::string& source) {
   const auto is_set = [&](const std::string& path) {
     if (path == "match.first_kickoff" && !arguments.first_kickoff.empty()) return true;
     if (path == "match.control" && !arguments.control.empty()) return true;

@@ -43,8 +43,8 @@ game::GameSettings game_of(const RefereeArguments& arguments, const std::string&
                            const logs::RecordedGame& recorded, const std::string& source);
 
 // Says on stderr which settings the facts lack.
-void say_gaps(const RefereeArguments& arguments, const game::Assignments& assignments,
-              const logs::RecordedFacts& facts, const game::GameSettings& game,
-              const std::string& source);
+void print_gaps(const RefereeArguments& arguments, const game::Assignments& assignments,
+                const logs::RecordedFacts& facts, const game::GameSettings& game,
+                const std::string& source);
 
 }  // namespace autoref::app

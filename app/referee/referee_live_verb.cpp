@@ -74,7 +74,7 @@ class RefereeScreen {
  public:
   explicit RefereeScreen(std::string prefix) : prefix_(std::move(prefix)) {}
 
-  void take(const referee::Decision& decision) {
+  void add(const referee::Decision& decision) {
     const std::string line = live::call_line(decision);
     if (line.empty()) return;
     ++calls_;
@@ -87,7 +87,7 @@ class RefereeScreen {
     const bool is_other_new =
         latest_.faults.of_other_referee == 0 && status.faults.of_other_referee > 0;
     latest_ = status;
-    if (is_other_new && !is_terminal_) say_faults();
+    if (is_other_new && !is_terminal_) print_faults();
     const auto now = std::chrono::steady_clock::now();
     if (!is_terminal_ || now < due_) return;
     due_ = now + kRedrawEvery;
@@ -98,14 +98,14 @@ class RefereeScreen {
   void end() const {
     io::write_message(stderr, fmt::format("autoref: {} frames, {} calls; {}\n", latest_.frames,
                                           calls_, live::text_of(latest_.vision)));
-    say_faults();
+    print_faults();
     if (latest_.controller)
       io::write_message(stderr, fmt::format("autoref: game controller: {}\n",
                                             live::controller_line(*latest_.controller)));
   }
 
  private:
-  void say_faults() const {
+  void print_faults() const {
     for (const std::string& fault : logs::texts_of(latest_.faults))
       io::write_message(stderr, fmt::format("autoref: {}\n", fault));
   }
@@ -175,7 +175,7 @@ class LiveRefereeOutput {
       game_events_.write(game::game_event_json(event));
     };
     watch.on_decision = [this](const referee::Decision& decision) {
-      screen_.take(decision);
+      screen_.add(decision);
       events_.write(game::decision_json(decision, teams_));
       if (page_) page_->add(recorded(decision));
     };
@@ -209,7 +209,7 @@ game::GameSettings live_game_of(const RefereeLiveArguments& arguments, const std
   if (chosen.control.empty()) chosen.control = "human";
   game::GameSettings game =
       game_of(chosen, book, assignments, facts, facts.games.front(), kNetwork);
-  say_gaps(chosen, assignments, facts, game, kNetwork);
+  print_gaps(chosen, assignments, facts, game, kNetwork);
   if (!facts.last_signal && chosen.control == "human") {
     io::write_message(
         stderr, fmt::format("autoref: no referee packets yet at {}:{}; AutoRef makes no calls "

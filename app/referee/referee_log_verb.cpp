@@ -31,7 +31,7 @@ struct RefereeLogArguments : RefereeArguments {
   bool json = false;
 };
 
-void say_keepers(const RefereeLogArguments& arguments, const logs::RecordedFacts& facts) {
+void print_keepers(const RefereeLogArguments& arguments, const logs::RecordedFacts& facts) {
   for (const Side side : kSides) {
     const std::optional<int> keeper = facts.teams.actual_keepers[side];
     if (!keeper) continue;
@@ -46,7 +46,7 @@ void say_keepers(const RefereeLogArguments& arguments, const logs::RecordedFacts
   }
 }
 
-void say_ends(const RefereeLogArguments& arguments, const logs::RecordedFacts& facts) {
+void print_ends(const RefereeLogArguments& arguments, const logs::RecordedFacts& facts) {
   const logs::TurnedStages& stages = facts.teams.turned;
   if (stages.empty()) return;
   std::vector<std::string> names;
@@ -95,13 +95,13 @@ int referee_log_verb(const RefereeLogArguments& arguments) {
   for (const logs::RecordedGame& recorded : facts.games) {
     const game::GameSettings game =
         game_of(arguments, book, assignments, facts, recorded, arguments.log);
-    if (games.empty()) say_gaps(arguments, assignments, facts, game, arguments.log);
+    if (games.empty()) print_gaps(arguments, assignments, facts, game, arguments.log);
     games.push_back(game::referee_configuration(game::resolved(game)));
   }
   facts.teams =
       logs::teams_in(log, games.front().field, games.front().rules.change_ends, facts.log.source);
-  say_keepers(arguments, facts);
-  say_ends(arguments, facts);
+  print_keepers(arguments, facts);
+  print_ends(arguments, facts);
   std::vector<view::RecordedDecision> decisions;
   const auto keep = [&](const referee::Decision& decision) {
     if (page) decisions.push_back(recorded(decision));

@@ -40,7 +40,7 @@ const experiments::ScheduledGame* find_game(const experiments::ResultFolder& fol
 const experiments::ScheduledGame* find_game_or_fault(const experiments::ResultFolder& folder,
                                                      const std::string& id) {
   if (!is_judged(folder.scenario)) return find_game(folder, id);
-  const std::optional<judge::LookedUp> found = judge::look_up(folder, id);
+  const std::optional<judge::FoundGame> found = judge::find_game(folder, id);
   if (!found) return find_game(folder, id);
   if (!found->fault.empty())
     io::write_message(stderr, fmt::format("autoref: {}: {}\n", id, found->fault));

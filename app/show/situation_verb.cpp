@@ -47,10 +47,10 @@ Frame frame_of(const game::StartState& start) {
   return frame;
 }
 
-RefereeSignal signal_of(const referee::Beginning& beginning) {
+RefereeSignal signal_of(const referee::MidwayStart& midway_start) {
   RefereeSignal signal;
   signal.stage = Stage::kFirstHalf;
-  signal.command = beginning.restart.value_or(Command{CommandKind::kForceStart, Side::kWest});
+  signal.command = midway_start.restart.value_or(Command{CommandKind::kForceStart, Side::kWest});
   return signal;
 }
 

@@ -18,11 +18,13 @@ game::GameSettings team_game(const std::string& command, const std::string& oppo
   game::GameSettings game;
   game::choose_rules("2026-b", game);
   game.match.half_s = half_s;
-  game::blame("the command of the team", [&] { game::set_by_path(game, "a.command", command); });
-  game::blame("--opponent", [&] { game::set_by_path(game, "b.strategy", opponent); });
+  game::locate_errors("the command of the team",
+                      [&] { game::set_by_path(game, "a.command", command); });
+  game::locate_errors("--opponent", [&] { game::set_by_path(game, "b.strategy", opponent); });
   for (const game::Assignment& assignment : game::assignments_in(sets))
-    game::blame("--set", [&] { game::set_by_path(game, assignment.path, assignment.value); });
-  game::blame("--set", [&] { game::check_game(game); });
+    game::locate_errors("--set",
+                        [&] { game::set_by_path(game, assignment.path, assignment.value); });
+  game::locate_errors("--set", [&] { game::check_game(game); });
   return game;
 }
 

@@ -60,7 +60,9 @@ class Experiment {
   virtual std::string caveat() const { return {}; }
   // All games of games() under the ids that `autoref check` uses: games whose ids differ only in
   // pair and leg are expected to take equally long.
-  virtual std::vector<ScheduledGame> rehearsed(std::vector<ScheduledGame> all) const { return all; }
+  virtual std::vector<ScheduledGame> trial_games(std::vector<ScheduledGame> all) const {
+    return all;
+  }
   // Whether schedule() depends on the rows. If it does not, all of games() are needed.
   virtual bool follows_its_rows() const { return false; }
   // The games known after `rows`, which are those of the games played so far. Depends on nothing

@@ -55,7 +55,7 @@ void NamedTeamsReader::assign(const std::string& path, game::TeamSettings& team,
   for (const game::Assignment& assignment : assignments_) {
     const std::string its_path = game::full_path(assignment.path);
     if (!its_path.starts_with(path + ".")) continue;
-    game::blame(assignment.flag, [&] {
+    game::locate_errors(assignment.flag, [&] {
       game::set_by_path({base, team, path + "."}, its_path, assignment.value);
     });
   }

@@ -28,7 +28,7 @@ void read_settings(const std::vector<game::YamlEntry>& entries, game::SettingsRe
 void BaseReader::read(const game::YamlEntry& base, game::GameSettings& game) const {
   game::SettingsReader settings(file_, game, locations_);
   settings.hide("seed");
-  settings.hide(elsewhere_.branch);
+  settings.hide(forbidden_.branch);
   const std::vector<std::string> known = settings.names();
   const std::vector<game::YamlEntry> entries = file_.entries(base, "base", known);
   for (const game::YamlEntry& entry : entries) {
@@ -41,8 +41,8 @@ void BaseReader::read(const game::YamlEntry& base, game::GameSettings& game) con
 }
 
 void BaseReader::refuse_misplaced(const game::YamlEntry& entry) const {
-  if (entry.key != elsewhere_.branch) return;
-  file_.refuse(entry.location, "base." + entry.key, elsewhere_.remedy);
+  if (entry.key != forbidden_.branch) return;
+  file_.refuse(entry.location, "base." + entry.key, forbidden_.remedy);
 }
 
 void BaseReader::refuse_what_legs_decide(const game::YamlEntry& entry) const {
@@ -97,26 +97,26 @@ std::uint64_t TopReader::seed() const {
                                io::seed_in, 0, UINT64_MAX);
 }
 
-void TopReader::read_base(game::GameSettings& game, const Elsewhere& elsewhere) {
+void TopReader::read_base(game::GameSettings& game, const ForbiddenBranch& forbidden) {
   if (const game::YamlEntry* base = find("base"))
-    BaseReader(file_, locations_, elsewhere).read(*base, game);
+    BaseReader(file_, locations_, forbidden).read(*base, game);
   check([&game] { game::check_game(game); });
   for (const game::Assignment& assignment : assignments_) {
     if (!is_decided_by_schedule(assignment.path)) continue;
     throw io::InputError({assignment.flag}, "", "set automatically for each game; leave it out");
   }
-  std::vector<std::string> others = {elsewhere.branch};
+  std::vector<std::string> others = {forbidden.branch};
   others.insert(others.end(), branches_.begin(), branches_.end());
   assign_all(game, others);
 }
 
 void TopReader::assign_all(game::GameSettings& game,
-                           const std::vector<std::string>& elsewhere) const {
+                           const std::vector<std::string>& forbidden) const {
   game::Assignments here;
   for (const game::Assignment& assignment : assignments_) {
     const std::string path = game::full_path(assignment.path);
     const std::string branch = path.substr(0, path.find('.'));
-    if (std::find(elsewhere.begin(), elsewhere.end(), branch) != elsewhere.end()) continue;
+    if (std::find(forbidden.begin(), forbidden.end(), branch) != forbidden.end()) continue;
     here.push_back(assignment);
   }
   game::assign_all(here, game);

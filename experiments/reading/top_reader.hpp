@@ -22,7 +22,7 @@ namespace autoref::experiments {
 void read_settings(const std::vector<game::YamlEntry>& entries, game::SettingsReader& settings);
 
 // A branch of settings that does not belong in `base`; `remedy` says where it belongs.
-struct Elsewhere {
+struct ForbiddenBranch {
   std::string branch;
   std::string remedy;
 };
@@ -32,8 +32,8 @@ class BaseReader {
  public:
   // Both must outlive the reader. Records the settings' locations in `locations`.
   BaseReader(const game::YamlFile& file, game::SettingLocations& locations,
-             Elsewhere elsewhere = {})
-      : file_(file), locations_(locations), elsewhere_(std::move(elsewhere)) {}
+             ForbiddenBranch forbidden = {})
+      : file_(file), locations_(locations), forbidden_(std::move(forbidden)) {}
 
   // Throws InputError, also for settings decided by the schedule.
   void read(const game::YamlEntry& base, game::GameSettings& game) const;
@@ -44,7 +44,7 @@ class BaseReader {
 
   const game::YamlFile& file_;
   game::SettingLocations& locations_;
-  Elsewhere elsewhere_;
+  ForbiddenBranch forbidden_;
 };
 
 // All reading functions throw InputError.
@@ -75,15 +75,15 @@ class TopReader {
   int pairs() { return whole_number("pairs", 1, kMostPairs); }
   std::uint64_t seed() const;
 
-  // Reads `base`, the settings shared by all games, if present. `elsewhere` is a branch of settings
+  // Reads `base`, the settings shared by all games, if present. `forbidden` is a branch of settings
   // that does not belong there.
-  void read_base(game::GameSettings& game, const Elsewhere& elsewhere = {});
+  void read_base(game::GameSettings& game, const ForbiddenBranch& forbidden = {});
 
   // The command line's settings, which override the file.
   const game::Assignments& assignments() const { return assignments_; }
 
-  // Applies the command line's settings to `game`, except those in the branches `elsewhere`.
-  void assign_all(game::GameSettings& game, const std::vector<std::string>& elsewhere = {}) const;
+  // Applies the command line's settings to `game`, except those in the branches `forbidden`.
+  void assign_all(game::GameSettings& game, const std::vector<std::string>& forbidden = {}) const;
 
   // Refuses a command-line setting of `path`, a short path that the file varies.
   void refuse_assignment(const std::string& path) const;

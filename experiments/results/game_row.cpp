@@ -16,7 +16,7 @@ GameRow row_of(const ScheduledGame& game) {
   row.team_b = game.team_b;
   row.side_a = game.settings.leg().a_plays;
   row.seed = game.settings.leg().seed;
-  row.config_hash = game::configuration_hash(game.settings.whole());
+  row.config_hash = game::configuration_hash(game.settings.combined());
   return row;
 }
 

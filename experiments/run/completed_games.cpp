@@ -27,7 +27,7 @@ void refuse_other_builds(const RowsInFiles& rows, const std::string& build,
 
 void refuse_other_configuration(const GameRow& row, const ScheduledGame& game,
                                 const std::filesystem::path& folder, const std::string& changes) {
-  if (row.config_hash == game::configuration_hash(game.settings.whole())) return;
+  if (row.config_hash == game::configuration_hash(game.settings.combined())) return;
   throw io::InputError({folder.string()}, "",
                        fmt::format("holds game {} with another configuration ({}); choose another "
                                    "folder with -o",

@@ -86,12 +86,13 @@ std::string array_script(const SlurmArray& array) {
   text += option("--signal=B:USR1@60");
   if (!array.time.empty()) text += option(fmt::format("--time={}", array.time));
   text += common_options(array);
-  return text + fmt::format(kTask, fmt::arg("program", shell_word(array.program.string())),
-                            fmt::arg("file", shell_word(array.file.string())),
-                            fmt::arg("folder", shell_word(array.folder.string())),
-                            fmt::arg("tasks", array.tasks), fmt::arg("workers", array.workers),
-                            fmt::arg("overrides", words_of(array.overrides)),
-                            fmt::arg("requeue_if", array.waits ? kTimeOrWaitedInVain : kTime));
+  return text +
+         fmt::format(kTask, fmt::arg("program", shell_word(array.program.string())),
+                     fmt::arg("file", shell_word(array.file.string())),
+                     fmt::arg("folder", shell_word(array.folder.string())),
+                     fmt::arg("tasks", array.tasks), fmt::arg("workers", array.workers),
+                     fmt::arg("overrides", words_of(array.overrides)),
+                     fmt::arg("requeue_if", array.waits_for_others ? kTimeOrWaitedInVain : kTime));
 }
 
 std::string merge_script(const SlurmArray& array) {

@@ -14,8 +14,8 @@ struct SlurmArray {
   std::filesystem::path file;          // the experiment
   std::filesystem::path folder;        // of the results
   std::vector<std::string> overrides;  // additional options of autoref run, such as "--seed=7"
-  bool waits =
-      false;  // tasks depend on each other's games; one that waited in vain requeues itself
+  // Whether tasks depend on each other's games; one that has waited in vain requeues itself.
+  bool waits_for_others = false;
   int tasks = 8;
   int workers = 1;                   // processors per task
   std::string time;                  // HH:MM:SS per task; if empty, the partition's limit

@@ -104,7 +104,7 @@ SharedSettings SharedSettings::starting_from(std::shared_ptr<const game::StartSt
   return other;
 }
 
-game::GameSettings SharedSettings::whole() const {
+game::GameSettings SharedSettings::combined() const {
   game::GameSettings game = *base_;
   game.a = *a_;
   game.b = *b_;
@@ -116,7 +116,7 @@ game::GameSettings SharedSettings::whole() const {
 }
 
 game::GameConfiguration resolved(const ScheduledGame& game) {
-  game::GameConfiguration configuration = game::resolved(game.settings.whole());
+  game::GameConfiguration configuration = game::resolved(game.settings.combined());
   configuration.id = game.id;
   return configuration;
 }

@@ -41,7 +41,7 @@ class SharedSettings {
   const game::TeamSettings& b() const { return *b_; }
 
   // All settings of the game.
-  game::GameSettings whole() const;
+  game::GameSettings combined() const;
 
  private:
   std::shared_ptr<const game::GameSettings> base_;

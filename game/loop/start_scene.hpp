@@ -24,7 +24,7 @@ using StartingRobots = boost::container::static_vector<sim::RobotState, kMaxRobo
 struct StartState {
   PerSide<StartingRobots> robots;  // by number; a team's other robots stay off the field
   sim::BallState ball;
-  referee::Beginning referee;
+  referee::MidwayStart referee;
 };
 
 // The state seen from the other end: rotated by 180 degrees, with the sides swapped.

@@ -44,13 +44,13 @@ std::string flags_of(const Assignments& assignments) {
 }
 
 void assign(const Assignment& assignment, GameSettings& game) {
-  blame(assignment.flag, [&] { set_by_path(game, assignment.path, assignment.value); });
+  locate_errors(assignment.flag, [&] { set_by_path(game, assignment.path, assignment.value); });
 }
 
 void assign_all(const Assignments& assignments, GameSettings& game) {
   for (const Assignment& assignment : assignments) assign(assignment, game);
   // The settings only need to make a valid game together, not one by one.
-  blame(flags_of(assignments), [&] { check_game(game); });
+  locate_errors(flags_of(assignments), [&] { check_game(game); });
 }
 
 }  // namespace autoref::game

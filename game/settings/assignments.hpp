@@ -10,9 +10,9 @@
 
 namespace autoref::game {
 
-// Runs `change` and turns its errors into InputErrors that blame `location`, a flag or a file.
+// Runs `change` and turns its errors into InputErrors that name `location`, a flag or a file.
 template <typename Change>
-void blame(const std::string& location, const Change& change) {
+void locate_errors(const std::string& location, const Change& change) {
   try {
     change();
   } catch (const std::invalid_argument& error) {

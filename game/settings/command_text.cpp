@@ -33,14 +33,14 @@ class CommandReader {
   explicit CommandReader(std::string_view text) : text_(text) {}
 
   std::vector<std::string> words() {
-    for (; !text_.empty(); text_.remove_prefix(1)) take(text_.front());
+    for (; !text_.empty(); text_.remove_prefix(1)) read(text_.front());
     if (quote_ != 0) throw std::invalid_argument(fmt::format("a quote ({}) is not closed", quote_));
     end_word();
     return std::move(words_);
   }
 
  private:
-  void take(char letter) {
+  void read(char letter) {
     if (letter == '\\' && quote_ != '\'' && text_.size() > 1) {
       text_.remove_prefix(1);
       add(text_.front());

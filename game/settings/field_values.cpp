@@ -24,7 +24,7 @@ Overloaded(Cases...) -> Overloaded<Cases...>;
 
 [[noreturn]] void refuse(const Setting& setting, std::string_view text) {
   throw std::invalid_argument(fmt::format("expected {}, found '{}'{}", expected_of(setting), text,
-                                          io::suggestion(text, setting.words)));
+                                          io::suggestion(text, setting.allowed_words)));
 }
 
 template <typename Number>
@@ -34,8 +34,8 @@ Number checked(const Setting& setting, std::string_view text, std::optional<Numb
 }
 
 std::string word_in(const Setting& setting, std::string_view text) {
-  const auto found = std::find(setting.words.begin(), setting.words.end(), text);
-  if (found == setting.words.end()) refuse(setting, text);
+  const auto found = std::find(setting.allowed_words.begin(), setting.allowed_words.end(), text);
+  if (found == setting.allowed_words.end()) refuse(setting, text);
   return *found;
 }
 
@@ -73,7 +73,7 @@ std::vector<std::string> names_of(const RobotTypes& types) {
 }  // namespace
 
 bool is_number(const Setting& setting) {
-  return setting.words.empty() && !holds_others(setting) && !is_text(setting) &&
+  return setting.allowed_words.empty() && !holds_others(setting) && !is_text(setting) &&
          !std::holds_alternative<TypeName>(setting.target);
 }
 
@@ -114,15 +114,17 @@ std::string expected_of(const Setting& setting) {
             return std::string("a command such as [python3, my_team.py] or 'python3 my_team.py'");
           },
           [&](const Change&) {
-            return setting.words.empty() ? "a number " + text_of(setting.range, setting.unit)
-                                         : "one of " + io::listed(setting.words);
+            return setting.allowed_words.empty()
+                       ? "a number " + text_of(setting.range, setting.unit)
+                       : "one of " + io::listed(setting.allowed_words);
           },
           [&](const ChangesOf&) { return std::string("numbers by name"); },
           [&](Params*) { return std::string("numbers by name"); },
           [&](Players*) { return std::string("robots by number"); },
           [&](RobotTypes*) { return std::string("types by name"); },
           [&](auto) {
-            return (setting.words.size() == 1 ? "" : "one of ") + io::listed(setting.words);
+            return (setting.allowed_words.size() == 1 ? "" : "one of ") +
+                   io::listed(setting.allowed_words);
           },
       },
       setting.target);
@@ -145,7 +147,7 @@ SettingValue value_in(std::string_view text, const Setting& setting) {
           [&](FreeText) -> SettingValue { return std::string(text); },
           [&](CommandWords) -> SettingValue { return text_of_command(words_of_command(text)); },
           [&](const Change&) -> SettingValue {
-            if (setting.words.empty()) return number();
+            if (setting.allowed_words.empty()) return number();
             return word();
           },
           [&](const ChangesOf&) { return none(); },

@@ -100,8 +100,8 @@ using Target =
 struct Setting {
   std::string path;  // such as "teams.a.robots"
   Target target;
-  Range range;                     // for numbers
-  std::vector<std::string> words;  // allowed values if the target is not a number
+  Range range;                             // for numbers
+  std::vector<std::string> allowed_words;  // if the target is not a number
   std::string_view unit;
   std::string_view about;  // one sentence
 };

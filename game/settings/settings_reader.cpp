@@ -91,7 +91,7 @@ bool SettingsReader::is_hidden(const Setting& setting) const {
 }
 
 // Lists the settings again after a player or type has been added.
-void SettingsReader::list_anew() {
+void SettingsReader::rebuild_list() {
   assert(list_ != nullptr);
   settings_ = list_();
   std::erase_if(settings_, [this](const Setting& s) { return is_hidden(s); });
@@ -175,7 +175,7 @@ void SettingsReader::read_players(const YamlEntry& entry, const std::string& pat
     } catch (const std::invalid_argument& error) {
       file_.refuse(player.location, path, error.what());
     }
-    list_anew();
+    rebuild_list();
     const std::string its_path = path + "." + player.key;
     locations_[its_path] = player.location;
     read_branch(player, its_path);
@@ -194,7 +194,7 @@ void SettingsReader::read_types(const YamlEntry& entry, const std::string& path,
     } catch (const std::invalid_argument& error) {
       file_.refuse(type.location, path, error.what());
     }
-    list_anew();
+    rebuild_list();
     read_branch(type, path + "." + type.key);
   }
 }

@@ -74,7 +74,7 @@ class SettingsReader {
 
  private:
   bool is_hidden(const Setting& setting) const;
-  void list_anew();
+  void rebuild_list();
   void read_branch(const YamlEntry& branch, const std::string& path);
   void refuse_handicap_beside_its_factors(const std::vector<YamlEntry>& entries,
                                           const std::string& path) const;

@@ -81,11 +81,11 @@ void GraceTimer::watch(const TrueFrame& frame, RobotId id, const sim::RobotState
 }
 
 // Measures how long each robot has continuously met a condition.
-class Lasting {
+class ConditionTimer {
  public:
   // Call for every robot in every frame. Returns how long `does` has been true, or a negative value
   // if it is false.
-  double lasts_s(RobotId id, bool does, double time_s) {
+  double held_s(RobotId id, bool does, double time_s) {
     if (does) return time_s - since_s_.try_emplace(id, time_s).first->second;
     since_s_.erase(id);
     return -1.0;
@@ -157,8 +157,8 @@ class LongEnough {
   void consider(const TrueFrame& frame, RobotId id, const sim::RobotState& robot, double excess,
                 double for_s, WorstRobot& worst) {
     for_s -= frame.frame_s / 2;  // half a frame of tolerance, since time is quantised to frames
-    const bool is_at_fault = truly_.lasts_s(id, excess > 0, frame.time_s) >= for_s;
-    if (nearly_.lasts_s(id, excess > -margin_, frame.time_s) < for_s) return;
+    const bool is_at_fault = truly_.held_s(id, excess > 0, frame.time_s) >= for_s;
+    if (nearly_.held_s(id, excess > -margin_, frame.time_s) < for_s) return;
     worst.consider(id, robot, is_at_fault ? excess : std::min(excess, -margin_ / 2));
   }
   void clear() {
@@ -168,8 +168,8 @@ class LongEnough {
 
  private:
   double margin_;
-  Lasting truly_;
-  Lasting nearly_;
+  ConditionTimer truly_;
+  ConditionTimer nearly_;
 };
 
 // "Robot Stop Speed": after the grace period at the start of the stop, not during ball placement;

@@ -25,34 +25,35 @@ std::optional<RobotId> id_of(const simulation::SimulatedRobotId& id, const PerSi
 }
 
 // Takes over a number that is set. Returns false if it is impossible.
-bool take(bool is_set, float value, double limit, std::optional<double>& number) {
+bool read_number(bool is_set, float value, double limit, std::optional<double>& number) {
   if (!is_set) return true;
   number = static_cast<double>(value);
   return std::abs(*number) <= limit;
 }
 
 bool take_positive(bool is_set, float value, std::optional<double>& number) {
-  return take(is_set, value, kLargestSpec, number) && (!is_set || *number > 0);
+  return read_number(is_set, value, kLargestSpec, number) && (!is_set || *number > 0);
 }
 
 bool read_ball(const simulation::TeleportBall& message, BallTeleport& ball) {
   ball.rolls = message.roll();
-  return take(message.has_x(), message.x(), kFarthest, ball.x_m) &&
-         take(message.has_y(), message.y(), kFarthest, ball.y_m) &&
-         take(message.has_z(), message.z(), kFarthest, ball.height_m) &&
-         take(message.has_vx(), message.vx(), kFarthest, ball.vx_mps) &&
-         take(message.has_vy(), message.vy(), kFarthest, ball.vy_mps) &&
-         take(message.has_vz(), message.vz(), kFarthest, ball.vertical_mps);
+  return read_number(message.has_x(), message.x(), kFarthest, ball.x_m) &&
+         read_number(message.has_y(), message.y(), kFarthest, ball.y_m) &&
+         read_number(message.has_z(), message.z(), kFarthest, ball.height_m) &&
+         read_number(message.has_vx(), message.vx(), kFarthest, ball.vx_mps) &&
+         read_number(message.has_vy(), message.vy(), kFarthest, ball.vy_mps) &&
+         read_number(message.has_vz(), message.vz(), kFarthest, ball.vertical_mps);
 }
 
 bool read_robot(const simulation::TeleportRobot& message, RobotTeleport& robot) {
   if (message.has_present()) robot.is_present = message.present();
-  return take(message.has_x(), message.x(), kFarthest, robot.x_m) &&
-         take(message.has_y(), message.y(), kFarthest, robot.y_m) &&
-         take(message.has_orientation(), message.orientation(), kFarthest, robot.heading_rad) &&
-         take(message.has_v_x(), message.v_x(), kFarthest, robot.vx_mps) &&
-         take(message.has_v_y(), message.v_y(), kFarthest, robot.vy_mps) &&
-         take(message.has_v_angular(), message.v_angular(), kFarthest, robot.angular_radps);
+  return read_number(message.has_x(), message.x(), kFarthest, robot.x_m) &&
+         read_number(message.has_y(), message.y(), kFarthest, robot.y_m) &&
+         read_number(message.has_orientation(), message.orientation(), kFarthest,
+                     robot.heading_rad) &&
+         read_number(message.has_v_x(), message.v_x(), kFarthest, robot.vx_mps) &&
+         read_number(message.has_v_y(), message.v_y(), kFarthest, robot.vy_mps) &&
+         read_number(message.has_v_angular(), message.v_angular(), kFarthest, robot.angular_radps);
 }
 
 bool read_specs(const simulation::RobotSpecs& message, SpecUpdate& spec) {

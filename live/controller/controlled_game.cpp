@@ -129,10 +129,10 @@ class ControlledGame::Impl final : public game::Observer {
       *input.mutable_geometry() = geometry_;
       geometry_due_s_ = tracks.time_s + kGeometryEvery_s;
     }
-    take(connection_.exchange(input), game);
+    apply(connection_.exchange(input), game);
   }
 
-  void take(const league::CiOutput& output, game::Game& game) {
+  void apply(const league::CiOutput& output, game::Game& game) {
     std::optional<RefereeSignal> signal = league::signal_of(output.referee_msg());
     if (!signal)
       throw io::InputError({"--game-controller"}, "",

@@ -189,7 +189,7 @@ class StreamServer::Impl : public std::enable_shared_from_this<StreamServer::Imp
         [self = shared_from_this()](const error_code& error, tcp::socket socket) {
           if (!self->acceptor_.is_open()) return;
           if (error) return self->start_later();
-          self->take(std::move(socket));
+          self->add_connection(std::move(socket));
           self->start();
         });
   }
@@ -235,7 +235,7 @@ class StreamServer::Impl : public std::enable_shared_from_this<StreamServer::Imp
     });
   }
 
-  void take(tcp::socket socket) {
+  void add_connection(tcp::socket socket) {
     if (connections_.size() == kMostConnections && !make_room()) return count(troubles_.refused);
     const auto connection = std::make_shared<StreamConnection>(
         std::move(socket),

@@ -51,9 +51,9 @@ std::vector<RecordGroup> groups_of(const LiveRefereeOptions& options) {
 class EndFinder final : public league::LogVisitor {
  public:
   explicit EndFinder(const Field& field) : end_(field) {}
-  void on_frame(const Frame& frame) override { end_.take(frame); }
+  void on_frame(const Frame& frame) override { end_.add(frame); }
   void on_referee(double /*time_s*/, const league::RefereePacket& packet) override {
-    end_.take(packet);
+    end_.add(packet);
   }
   std::optional<Side> end() const { return end_.end(); }
 
@@ -64,9 +64,9 @@ class EndFinder final : public league::LogVisitor {
 }  // namespace
 
 // Passes everything on to the first and then to the second.
-class BothVisitors final : public league::LogVisitor {
+class VisitorPair final : public league::LogVisitor {
  public:
-  BothVisitors(league::LogVisitor& first, league::LogVisitor& second)
+  VisitorPair(league::LogVisitor& first, league::LogVisitor& second)
       : first_(first), second_(second) {}
 
   void on_frame(const Frame& frame) override {
@@ -98,13 +98,13 @@ struct LiveMessage {
   std::string host;   // of the sender
 };
 
-class LiveJudge final : league::LogVisitor {
+class LiveSession final : league::LogVisitor {
  public:
   // `watch` and `outputs` must outlive the object.
-  LiveJudge(const referee::Configuration& configuration, const logs::RecordedFacts& facts,
-            bool frames_are_tracked, const LiveRefereeCallbacks& watch, RefereeOutputs& outputs);
+  LiveSession(const referee::Configuration& configuration, const logs::RecordedFacts& facts,
+              bool frames_are_tracked, const LiveRefereeCallbacks& watch, RefereeOutputs& outputs);
 
-  void take(const LiveMessage& live);
+  void add(const LiveMessage& live);
 
   // Call it often: sends what is due, and calls on_idle every 50 ms.
   void idle();
@@ -121,8 +121,8 @@ class LiveJudge final : league::LogVisitor {
 
   const LiveRefereeCallbacks& watch_;
   RefereeOutputs& outputs_;
-  logs::RecordReferee referee_;
-  BothVisitors both_;
+  logs::LogReferee referee_;
+  VisitorPair both_;
   league::RecordReader reader_;
   VisionQuality quality_;
   PlacementWatch placement_;
@@ -131,9 +131,9 @@ class LiveJudge final : league::LogVisitor {
   Clock::time_point idle_due_{};
 };
 
-LiveJudge::LiveJudge(const referee::Configuration& configuration, const logs::RecordedFacts& facts,
-                     bool frames_are_tracked, const LiveRefereeCallbacks& watch,
-                     RefereeOutputs& outputs)
+LiveSession::LiveSession(const referee::Configuration& configuration,
+                         const logs::RecordedFacts& facts, bool frames_are_tracked,
+                         const LiveRefereeCallbacks& watch, RefereeOutputs& outputs)
     : watch_(watch),
       outputs_(outputs),
       referee_({configuration}, facts.teams, logs::SignalOrder::kByArrival,
@@ -143,14 +143,14 @@ LiveJudge::LiveJudge(const referee::Configuration& configuration, const logs::Re
   status_.names = facts.names;
 }
 
-void LiveJudge::take(const LiveMessage& live) {
-  const league::Taken taken = reader_.take(live.message, live.time_s, live.host);
+void LiveSession::add(const LiveMessage& live) {
+  const league::ReadResult result = reader_.read(live.message, live.time_s, live.host);
   if (std::holds_alternative<league::RefereePacket>(live.message.packet) &&
-      taken == league::Taken::kUsed)
+      result == league::ReadResult::kUsed)
     outputs_.note_referee(live.host);
 }
 
-void LiveJudge::idle() {
+void LiveSession::idle() {
   const auto now = Clock::now();
   outputs_.send_signal(referee_.signal(), frame_time_s(now));
   if (now < idle_due_) return;
@@ -162,8 +162,8 @@ void LiveJudge::idle() {
   if (watch_.on_idle) watch_.on_idle(status_);
 }
 
-void LiveJudge::on_frame(const Frame& frame) {
-  quality_.take(frame);
+void LiveSession::on_frame(const Frame& frame) {
+  quality_.add(frame);
   status_.time_s = frame.time_s;
   ++status_.frames;
   judged_ = Clock::now();
@@ -177,16 +177,16 @@ void LiveJudge::on_frame(const Frame& frame) {
   if (watch_.on_frame) watch_.on_frame(frame, published(referee_.signal()));
 }
 
-void LiveJudge::on_vision(double time_s, const league::VisionPacket& packet) {
-  quality_.take(time_s, packet);
+void LiveSession::on_vision(double time_s, const league::VisionPacket& packet) {
+  quality_.add(time_s, packet);
 }
 
-void LiveJudge::on_referee(double /*time_s*/, const league::RefereePacket& packet) {
+void LiveSession::on_referee(double /*time_s*/, const league::RefereePacket& packet) {
   status_.has_referee = true;
   status_.names = {{packet.yellow().name(), packet.blue().name()}};
 }
 
-void LiveJudge::report(const referee::Decision& decision) {
+void LiveSession::report(const referee::Decision& decision) {
   const std::optional<GameEvent> event =
       game::game_event_of(decision, reader_.merger().clocks().start_capture_s().value_or(0));
   outputs_.note(decision);
@@ -194,13 +194,13 @@ void LiveJudge::report(const referee::Decision& decision) {
   if (event) report(*event);
 }
 
-void LiveJudge::report(const GameEvent& event) {
+void LiveSession::report(const GameEvent& event) {
   outputs_.report(event);
   if (watch_.on_game_event) watch_.on_game_event(event);
 }
 
 // The time on the frames' clock, also while no frames arrive.
-double LiveJudge::frame_time_s(Clock::time_point now) const {
+double LiveSession::frame_time_s(Clock::time_point now) const {
   return status_.time_s + std::chrono::duration<double>(now - judged_).count();
 }
 
@@ -210,14 +210,14 @@ class LiveReferee::Impl {
       : options_(options), source_(options.interface, groups_of(options)) {}
 
   logs::RecordedFacts gather(const std::function<void(std::int64_t packets)>& check) {
-    logs::FactFinder finder;
+    logs::FactsCollector finder;
     league::RecordReader reader(finder, is_tracked());
     std::optional<Clock::time_point> first;
     while (!is_enough(reader, first)) {
       check(static_cast<std::int64_t>(gathered_.size()));
       std::optional<LiveMessage> live = next_message();
       if (!live) continue;
-      reader.take(live->message, live->time_s, live->host);
+      reader.read(live->message, live->time_s, live->host);
       if (gathered_.size() < kMostGathered && received_bytes_ <= kMostGathered_bytes)
         gathered_.push_back(*std::move(live));
       if (!first && reader.frames() > 0) first = Clock::now();
@@ -235,14 +235,14 @@ class LiveReferee::Impl {
   void run(const referee::Configuration& configuration, const logs::RecordedFacts& facts,
            const LiveRefereeCallbacks& watch) {
     RefereeOutputs outputs(options_, configuration.field, facts.names);
-    LiveJudge judge(configuration, facts, is_tracked(), watch, outputs);
-    for (const LiveMessage& live : gathered_) judge.take(live);
+    LiveSession session(configuration, facts, is_tracked(), watch, outputs);
+    for (const LiveMessage& live : gathered_) session.add(live);
     gathered_ = {};
     const auto begun = Clock::now();
     const std::chrono::duration<double> length_s(options_.seconds);
     while (options_.seconds == 0 || Clock::now() - begun < length_s) {
-      if (const std::optional<LiveMessage> live = next_message()) judge.take(*live);
-      judge.idle();
+      if (const std::optional<LiveMessage> live = next_message()) session.add(*live);
+      session.idle();
     }
   }
 
@@ -251,7 +251,7 @@ class LiveReferee::Impl {
 
   // The next packet; nullopt if none arrives for a moment.
   std::optional<LiveMessage> next_message() {
-    const std::optional<ReceivedRecord> record = source_.take(Clock::now() + kIdle);
+    const std::optional<ReceivedRecord> record = source_.next(Clock::now() + kIdle);
     if (!record) return std::nullopt;
     if (first_ns_ == 0) first_ns_ = record->arrived_ns;
     received_bytes_ += record->bytes.size();
@@ -272,7 +272,7 @@ class LiveReferee::Impl {
   std::optional<Side> yellow_end(const Field& field) {
     EndFinder finder(field);
     league::RecordReader reader(finder, is_tracked());
-    for (const LiveMessage& live : gathered_) reader.take(live.message, live.time_s, live.host);
+    for (const LiveMessage& live : gathered_) reader.read(live.message, live.time_s, live.host);
     return finder.end();
   }
 

@@ -106,7 +106,7 @@ RecordSource::RecordSource(const std::string& interface, const std::vector<Recor
 
 RecordSource::~RecordSource() = default;
 
-std::optional<ReceivedRecord> RecordSource::take(Clock::time_point deadline) {
+std::optional<ReceivedRecord> RecordSource::next(Clock::time_point deadline) {
   if (records_.empty() && wait(deadline)) read_all();
   if (records_.empty()) return std::nullopt;
   ReceivedRecord record = std::move(records_.front());

@@ -46,7 +46,7 @@ class RecordSource {
   RecordSource& operator=(const RecordSource&) = delete;
 
   // The next packet; nullopt if none arrives by the deadline.
-  std::optional<ReceivedRecord> take(Clock::time_point deadline);
+  std::optional<ReceivedRecord> next(Clock::time_point deadline);
 
   int port(std::size_t group) const;
   std::int64_t oversized() const { return oversized_; }

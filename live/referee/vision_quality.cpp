@@ -27,7 +27,7 @@ double span_s(const std::deque<double>& times) {
 
 }  // namespace
 
-void VisionQuality::take(double time_s, const league::VisionPacket& packet) {
+void VisionQuality::add(double time_s, const league::VisionPacket& packet) {
   if (!packet.has_detection()) return;
   const league::DetectionFrame& detection = packet.detection();
   const std::uint32_t camera = detection.camera_id();
@@ -52,7 +52,7 @@ void VisionQuality::compare(double time_s, Side side, const league::DetectionFra
   }
 }
 
-void VisionQuality::take(const Frame& frame) {
+void VisionQuality::add(const Frame& frame) {
   frames_.push_back({frame.time_s,
                      frame.ball.has_value(),
                      {{static_cast<int>(frame.robots[Side::kWest].size()),

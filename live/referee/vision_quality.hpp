@@ -29,8 +29,8 @@ class VisionQuality {
   static constexpr double kWindow_s = 5;
 
   // Times in s, increasing.
-  void take(double time_s, const league::VisionPacket& packet);
-  void take(const Frame& frame);
+  void add(double time_s, const league::VisionPacket& packet);
+  void add(const Frame& frame);
 
   VisionReport report() const;
 

@@ -44,7 +44,7 @@ class CommandSlots {
 
   // The commands of a side for the step after `frame`, as transmitted() sends them to robots.
   // Commands that have arrived since the last call count as of this frame.
-  TeamCommands take(Side side, std::int64_t frame, const SideState& state);
+  TeamCommands commands_for(Side side, std::int64_t frame, const SideState& state);
 
  private:
   struct Slot {

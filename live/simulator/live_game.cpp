@@ -109,14 +109,14 @@ class LiveGame::Impl {
     const RefereeSignal waiting = waiting_signal(game);
     while (!slots_.wait({{0, 0}}, is_network_, CommandSlots::Clock::now() + frame_period())) {
       check_();
-      say_notices();
+      print_notices();
       publisher_.add_waiting_frame(game.world().state(), waiting);
     }
     pacer_.set_rate(game_.sim.frame_rate_hz * options_.speed.factor);
   }
 
   // Why packets do not let the game go on.
-  void say_notices() {
+  void print_notices() {
     for (const std::string& notice : ports_.take_notices())
       io::write_message(stderr, fmt::format("autoref: {}\n", notice));
   }
@@ -146,7 +146,7 @@ class LiveGame::Impl {
       wait_in_slices(
           [&](auto until) { return lock_step_.advance(frame, reports, slots_, take, until); },
           [&] {
-            if (!is_first) blame(lock_step_.is_awaited());
+            if (!is_first) record_silence(lock_step_.is_awaited());
             return !is_first;
           });
     } else if (options_.speed.pace == Pace::kClock) {
@@ -157,7 +157,7 @@ class LiveGame::Impl {
     } else if (has_network_teams() && frame >= sim::split_latency(game_.sim).frames) {
       wait_in_slices([&](auto until) { return slots_.wait(before, is_network_, until); },
                      [&] {
-                       blame(silent_since(before));
+                       record_silence(silent_since(before));
                        return true;
                      });
     }
@@ -173,7 +173,7 @@ class LiveGame::Impl {
     while (!wait(CommandSlots::Clock::now() + kSlice)) {
       check_();
       if (options_.speed.pace == Pace::kLockStep) publisher_.repeat_standing_field();
-      say_notices();
+      print_notices();
       if (CommandSlots::Clock::now() >= deadline && give_up()) return;
     }
   }
@@ -185,7 +185,7 @@ class LiveGame::Impl {
     return silent;
   }
 
-  void blame(const PerSide<bool>& silent) {
+  void record_silence(const PerSide<bool>& silent) {
     for (const Side side : kSides) {
       if (is_network_[side] && silent[side])
         inputs_[side].fault = fmt::format("sent no commands for {} s", options_.answer_s);
@@ -197,7 +197,7 @@ class LiveGame::Impl {
     for (const Side side : kSides) {
       if (!is_network_[side]) continue;
       headings_of(game.world().state(), side, game.signal().blue_on_positive_half, states_[side]);
-      inputs_[side].commands = slots_.take(side, game.frame().number, states_[side]);
+      inputs_[side].commands = slots_.commands_for(side, game.frame().number, states_[side]);
       const bool is_new = packets[side] > before[side];
       silent_frames_[side] = is_new ? 0 : silent_frames_[side] + 1;
       ++ages_[side].at(static_cast<std::size_t>(std::min(silent_frames_[side], 2)));
@@ -207,7 +207,7 @@ class LiveGame::Impl {
   // Does what the control port has asked for. While the speed is 0, the field is sent as it is.
   void control(game::Game& game, game::GamePrograms& programs) {
     do {
-      for (const league::SimulatorRequest& request : requests_.take())
+      for (const league::SimulatorRequest& request : requests_.take_all())
         control(request, game, programs);
       if (!is_paused_) return;
       check_();

@@ -73,7 +73,7 @@ bool ControlRequests::add(league::SimulatorRequest request) {
   return true;
 }
 
-std::vector<league::SimulatorRequest> ControlRequests::take() {
+std::vector<league::SimulatorRequest> ControlRequests::take_all() {
   const std::lock_guard lock(mutex_);
   return std::exchange(requests_, {});
 }

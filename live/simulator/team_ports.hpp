@@ -54,7 +54,7 @@ class ControlRequests {
  public:
   // In the network's thread. Returns false if there is no room.
   bool add(league::SimulatorRequest request);
-  std::vector<league::SimulatorRequest> take();
+  std::vector<league::SimulatorRequest> take_all();
   // The speed that the latest of the waiting requests asks for, if any does.
   std::optional<double> speed() const;
 

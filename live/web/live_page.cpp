@@ -92,7 +92,7 @@ void LivePage::add(const Frame& frame, const RefereeSignal& signal) {
   calls_.add(frame.time_s, signal);
   if (now + kEarliest >= next_frame_) {
     next_frame_ = std::max(next_frame_ + kFrameEvery, now);
-    take(frame);
+    record(frame);
   } else {
     skipped_ = frame;
   }
@@ -104,7 +104,7 @@ void LivePage::add(const view::RecordedDecision& decision) {
   calls_.add(decision);
 }
 
-void LivePage::take(const Frame& frame) {
+void LivePage::record(const Frame& frame) {
   newest_.add(frame);
   frames_.add(frame);
   skipped_.reset();
@@ -112,7 +112,7 @@ void LivePage::take(const Frame& frame) {
 
 // The last frame is always sent: the page shows no signal later than that.
 void LivePage::end() {
-  if (skipped_) take(Frame(*skipped_));
+  if (skipped_) record(Frame(*skipped_));
   send_newest(clock_->now());
   send_(history_.add(view::over_message("The game is over."), false));
 }
@@ -127,13 +127,13 @@ void LivePage::send_newest(FrameClock::Time now) {
   const bool is_frame = !has_calls(newest_);
   if (is_frame && newest_.frames() == 0) return;
   next_message_ = now + kMessageEvery;
-  send_(history_.add(view::part_message(newest_.take()), is_frame));
+  send_(history_.add(view::part_message(newest_.take_recording()), is_frame));
   if (frames_.frames() >= kFramesPerFold) fold();
 }
 
 void LivePage::fold() {
-  auto [signals, clock, decisions] = view::call_messages(calls_.take());
-  const view::GameRecording frames = frames_.take();
+  auto [signals, clock, decisions] = view::call_messages(calls_.take_recording());
+  const view::GameRecording frames = frames_.take_recording();
   history_.fold({std::move(signals), std::move(clock), std::move(decisions),
                  view::CountedMessage{view::part_message(frames), frames.frames()}});
 }

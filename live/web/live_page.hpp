@@ -86,7 +86,7 @@ class LivePage {
   WebBacklog backlog() const;
 
  private:
-  void take(const Frame& frame);
+  void record(const Frame& frame);
   void send_newest(FrameClock::Time now);
   void fold();
 

@@ -125,29 +125,29 @@ bool needs_preparation(const std::optional<Command>& command) {
                      command->kind == CommandKind::kPreparePenalty);
 }
 
-bool waits_for_robots(const Beginning& beginning) {
-  return beginning.is_stopped || needs_preparation(beginning.restart);
+bool waits_for_robots(const MidwayStart& midway_start) {
+  return midway_start.is_stopped || needs_preparation(midway_start.restart);
 }
 
 bool begins_in_play(const RefereeState& state, const RefereeInput& /*input*/) {
-  return state.beginning && !waits_for_robots(*state.beginning);
+  return state.midway_start && !waits_for_robots(*state.midway_start);
 }
 
 bool begins_at_restart(const RefereeState& state, const RefereeInput& /*input*/) {
-  return state.beginning && waits_for_robots(*state.beginning);
+  return state.midway_start && waits_for_robots(*state.midway_start);
 }
 
 void start_half(RefereeState& state, const RefereeInput& input) {
   allow_robots(state, input.configuration);
   state.signal.stage = stage_of(state.half);
   state.half_began_s = clock_s(state, input.configuration.rules, input.time_s());
-  state.signal.next_command = state.beginning->restart;
+  state.signal.next_command = state.midway_start->restart;
 }
 
 void begin_in_play(RefereeState& state, const RefereeInput& input, const Finding& finding) {
   start_half(state, input);
-  if (state.beginning->restart) {
-    place_ball(state, state.beginning->ball_m);
+  if (state.midway_start->restart) {
+    place_ball(state, state.midway_start->ball_m);
     start_play(state, input, finding);
   } else {
     send(state, input, {CommandKind::kForceStart, Side::kWest});
@@ -157,8 +157,8 @@ void begin_in_play(RefereeState& state, const RefereeInput& input, const Finding
 
 void begin_at_restart(RefereeState& state, const RefereeInput& input, const Finding& finding) {
   start_half(state, input);
-  place_ball(state, state.beginning->ball_m);
-  if (state.beginning->is_stopped) {
+  place_ball(state, state.midway_start->ball_m);
+  if (state.midway_start->is_stopped) {
     send(state, input, {CommandKind::kStop, Side::kWest});
     wait_anew(state, input);
   } else {

@@ -30,8 +30,8 @@ bool may_decide_penalty(Event event);
 // What triggers a transition: one event, or every event of a kind (event.hpp).
 struct Trigger {
   constexpr Trigger(Event of) : event(of) {}  // implicit, so that a row can name its event
-  constexpr Trigger(std::string_view words, bool (*of_kind)(Event))
-      : text(words), includes(of_kind) {}
+  constexpr Trigger(std::string_view its_text, bool (*of_kind)(Event))
+      : text(its_text), includes(of_kind) {}
 
   bool has(Event found) const { return event ? *event == found : includes(found); }
 
@@ -94,7 +94,7 @@ Step step(std::span<const std::span<const Transition>> tables, const RefereeStat
           const RefereeInput& input, const Finding& finding);
 
 // Transitions of games that begin in the middle of a half (referee/state.hpp). Tried before all
-// others: without a Beginning, none of them applies.
+// others: without a MidwayStart, none of them applies.
 std::span<const Transition> transitions_midway();
 
 }  // namespace autoref::referee

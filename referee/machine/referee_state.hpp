@@ -115,8 +115,8 @@ struct TeamPlacement {
 
 struct RefereeState {
   State machine_state = State::kInit;
-  std::optional<Beginning> beginning;  // nullopt: with the first kick-off
-  RefereeSignal signal;                // in force; includes score, placement and the paper's `next`
+  std::optional<MidwayStart> midway_start;  // nullopt: with the first kick-off
+  RefereeSignal signal;  // in force; includes score, placement and the paper's `next`
 
   double wait_began_s = 0;  // in WAIT_START and WAIT_STOP: start of the timeout
   SavedPositions saved;     // reference positions for detecting whether robots move

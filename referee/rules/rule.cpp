@@ -10,8 +10,8 @@ std::optional<Finding> Rule::find(RefereeState& state, const RefereeInput& input
   return std::nullopt;
 }
 
-std::span<const AskedRule> rules() {
-  static constexpr std::array<AskedRule, kRuleCount> kRules = {{
+std::span<const ListedRule> rules() {
+  static constexpr std::array<ListedRule, kRuleCount> kRules = {{
 #define AUTOREF_RULE(id, ...) {RuleId::id, &id##Rule},
 #include "soccer/rules/rules.def"
 #undef AUTOREF_RULE

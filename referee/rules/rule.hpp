@@ -51,13 +51,13 @@ class Rule {
 // The kicks of a shoot-out, whatever rules are in force; called after the others.
 extern const Rule kShootoutRule;
 
-struct AskedRule {
+struct ListedRule {
   RuleId id;
   const Rule* rule;
 };
 
 // All rules in the order of rules.def, in which they are called. Rules that are not in force are
 // skipped.
-std::span<const AskedRule> rules();
+std::span<const ListedRule> rules();
 
 }  // namespace autoref::referee

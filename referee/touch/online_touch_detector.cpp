@@ -169,11 +169,11 @@ void OnlineTouchDetector::conclude(const Verdict& verdict, int interval, const V
   if (!verdict.is_touch) return;
   const BallDetection& end = ball(interval);
   const double carpet_mps = parameters_.carpet_mps2 * end.duration_s;
-  take(verdict, end.time_s - (1 - verdict.share) * end.duration_s,
-       std::max(0.0, change.norm() - carpet_mps));
+  apply(verdict, end.time_s - (1 - verdict.share) * end.duration_s,
+        std::max(0.0, change.norm() - carpet_mps));
 }
 
-void OnlineTouchDetector::take(const Verdict& verdict, double time_s, double speed_change_mps) {
+void OnlineTouchDetector::apply(const Verdict& verdict, double time_s, double speed_change_mps) {
   last_ = {verdict.side, verdict.robot, time_s, verdict.gap_m, speed_change_mps, verdict.runner_up};
 }
 
@@ -227,7 +227,7 @@ void OnlineTouchDetector::detect_velocity_change() {
   const Verdict verdict =
       attribute_touch(candidates, gap_to_goals_m(field_, change->segment), last_.side, parameters_);
   if (!verdict.is_touch) return;
-  take(verdict, change->before->time_s, change->impulse.change_mps.norm());
+  apply(verdict, change->before->time_s, change->impulse.change_mps.norm());
   settled_ = last_;
 }
 

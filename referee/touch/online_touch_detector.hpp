@@ -75,7 +75,7 @@ class OnlineTouchDetector {
   void detect_onwards();
   Verdict verdict_on(const BallSegment& segment, int interval, const Impulse& impulse) const;
   void conclude(const Verdict& verdict, int interval, const Vec2& change_mps);
-  void take(const Verdict& verdict, double time_s, double speed_change_mps);
+  void apply(const Verdict& verdict, double time_s, double speed_change_mps);
 
   const BallDetection& ball(int back) const { return frames_.detection(back).ball; }
   Vec2 change_mps(int from_back, int to_back) const {

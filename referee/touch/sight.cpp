@@ -70,7 +70,7 @@ Sight::Sight(const Configuration& configuration, bool ball_may_jump)
       retrospective_touch_(history_, configuration.field, TouchHypothesisParameters{},
                            configuration.noise) {}
 
-bool Sight::take(const Frame& frame, bool is_play) {
+bool Sight::add(const Frame& frame, bool is_play) {
   const bool is_gap = has_begun_ && frame.time_s - frame_.time_s > kLongestGap_s;
   frame_ = is_finite(frame) ? frame : finite_part(frame);
   is_complete_ = false;

@@ -55,10 +55,10 @@ class Sight {
   Sight(const Sight&) = delete;
   Sight& operator=(const Sight&) = delete;
 
-  // Takes the next frame, without objects that have non-finite numbers or a ball that jumps.
+  // Adds the next frame, without objects that have non-finite numbers or a ball that jumps.
   // Returns true after a long gap: then the earlier frames are forgotten. While play is stopped
   // (`is_play` is false), a ball may jump, since people move it.
-  bool take(const Frame& frame, bool is_play);
+  bool add(const Frame& frame, bool is_play);
 
   // Adds the tracks' estimates of unseen robots and of a flying ball to that frame. Call it once
   // for each frame (asserted).

@@ -103,13 +103,13 @@ Choice BallHandler::choose(int index, const Vec2& from_m) const {
     const double chance = chances_[static_cast<std::size_t>(predicted_.robot(mate).number)];
     const Choice pass = pass_to(predicted_, mate, chance, from_m);
     consider(pass);
-    if (pass.worth < predicted_.style().worthless)
+    if (pass.worth < predicted_.style().clear_below)
       consider(chip_to(predicted_, mate, chance, from_m));
   }
   if (predicted_.now().play == Play::kRunning && !must_release())
     consider(carry_from(predicted_, from_m));
   if (may_dribble_restart()) consider(dribble_from(predicted_, from_m));
-  if (best.worth >= predicted_.style().worthless) return best;
+  if (best.worth >= predicted_.style().clear_below) return best;
   consider(clear_from(predicted_, from_m, robot.heading));
   if (best.kind == Choice::Kind::kClear && pressure > predicted_.style().pressed)
     best.strike.tolerance_rad = predicted_.style().rough_clear_rad;
@@ -157,9 +157,9 @@ RobotCommand BallHandler::carry(int index) const {
   for (const TrackedRobot& opponent : predicted_.now().opponents) {
     const Vec2 off = robot.position_m - opponent.position_m;
     const double distance_m = off.norm();
-    if (distance_m < predicted_.style().shy_m && distance_m > 1e-6)
-      direction +=
-          off / distance_m * (predicted_.style().shy_m - distance_m) * predicted_.style().shyness;
+    if (distance_m < predicted_.style().avoid_opponents_m && distance_m > 1e-6)
+      direction += off / distance_m * (predicted_.style().avoid_opponents_m - distance_m) *
+                   predicted_.style().avoid_opponents;
   }
   const Vec2 edge_m(predicted_.field().half_length_m(), predicted_.field().half_width_m());
   for (int axis = 0; axis < 2; ++axis) {
@@ -167,7 +167,7 @@ RobotCommand BallHandler::carry(int index) const {
         std::abs(robot.position_m[axis]) - (edge_m[axis] - predicted_.style().edge_m);
     if (near > 0)
       direction[axis] -=
-          std::copysign(near / predicted_.style().edge_m * predicted_.style().edge_shyness,
+          std::copysign(near / predicted_.style().edge_m * predicted_.style().avoid_lines,
                         robot.position_m[axis]);
   }
   const Vec2 heading = direction_of(direction, Vec2(1, 0));

@@ -56,7 +56,7 @@ void attack(Style& style) {
   style.carry_worth = 0.45;
   style.limited_carry = 0.55;
   style.carry_mps = 1.9;
-  style.shyness = 0.6;
+  style.avoid_opponents = 0.6;
   style.choice_loyalty = 0.12;
   style.receiver_hold_frames = 10;
   style.dribbled_restart = 0.4;

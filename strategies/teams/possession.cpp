@@ -33,7 +33,7 @@ Waypoint knot(const PredictedState& predicted, const Vec2& direction) {
           1 - (waypoint.position_m - ball_m).norm() / (predicted.style().net_nearest * net_m);
       const double score = pass_safety(ball_m, waypoint.position_m, predicted.style().net_pass_mps,
                                        predicted.now().opponents) +
-                           (aside == 0 && reach == 1 ? predicted.style().net_plain : 0) -
+                           (aside == 0 && reach == 1 ? predicted.style().net_centre_bonus : 0) -
                            predicted.style().net_too_near * std::max(0.0, near);
       if (score <= best_score) continue;
       best_score = score;

@@ -18,18 +18,18 @@ using namespace autoref;
 
 class Game {
  public:
-  void take(int kind, const std::uint8_t* data, int size) {
-    if (kind == 0) take_as<league::VisionPacket>(data, size);
-    if (kind == 1) take_as<league::RefereePacket>(data, size);
-    if (kind == 2) take_as<league::VisionPacket2010>(data, size);
-    if (kind == 3) take_as<league::TrackerPacket>(data, size);
-    if (kind == 4) take_as<league::GameEventMessage>(data, size);
+  void add(int kind, const std::uint8_t* data, int size) {
+    if (kind == 0) add_as<league::VisionPacket>(data, size);
+    if (kind == 1) add_as<league::RefereePacket>(data, size);
+    if (kind == 2) add_as<league::VisionPacket2010>(data, size);
+    if (kind == 3) add_as<league::TrackerPacket>(data, size);
+    if (kind == 4) add_as<league::GameEventMessage>(data, size);
   }
   void finish() { judge(merger_.finish()); }
 
  private:
   template <typename Packet>
-  void take_as(const std::uint8_t* data, int size) {
+  void add_as(const std::uint8_t* data, int size) {
     Packet packet;
     if (packet.ParsePartialFromArray(data, size) && packet.IsInitialized()) read(packet);
   }
@@ -81,7 +81,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Game game;
   while (size >= kHead) {
     const std::size_t length = std::min<std::size_t>(data[1] * 256U + data[2], size - kHead);
-    game.take(data[0] % 5, data + kHead, static_cast<int>(length));
+    game.add(data[0] % 5, data + kHead, static_cast<int>(length));
     data += kHead + length;
     size -= kHead + length;
   }

@@ -110,25 +110,25 @@ TEST(Quantile, IsTheSmallestValueNotExceededByTheShare) {
 }
 
 TEST(JudgeSchedule, PlaysTheSameSeedsWithEachCameraAndChangesSides) {
-  const std::vector<experiments::JudgeGame> games = experiments::games_of(schedule());
+  const std::vector<experiments::ScheduledJudgeGame> games = experiments::games_of(schedule());
   ASSERT_EQ(games.size(), 4U);
-  EXPECT_EQ(games[0].settings.whole().seed, games[1].settings.whole().seed);
+  EXPECT_EQ(games[0].settings.combined().seed, games[1].settings.combined().seed);
   EXPECT_NE(games[0].camera, games[1].camera);
-  EXPECT_EQ(games[0].settings.whole().match.a_plays, Side::kWest);
-  EXPECT_EQ(games[2].settings.whole().match.a_plays, Side::kEast);
-  EXPECT_EQ(games[0].settings.whole().match.half_s, 20);
+  EXPECT_EQ(games[0].settings.combined().match.a_plays, Side::kWest);
+  EXPECT_EQ(games[2].settings.combined().match.a_plays, Side::kEast);
+  EXPECT_EQ(games[0].settings.combined().match.half_s, 20);
 }
 
 TEST(JudgeSchedule, PlaysEveryGameWithEachNamedSeed) {
   experiments::JudgeSchedule two = schedule();
   two.cameras = {"none"};
   two.seeds = {{"tuning", "1", 1}, {"test", "2", 2}};
-  const std::vector<experiments::JudgeGame> games = experiments::games_of(two);
+  const std::vector<experiments::ScheduledJudgeGame> games = experiments::games_of(two);
   ASSERT_EQ(games.size(), 4U);
   EXPECT_EQ(games[0].game_id, "tuning+paper+none+basic~basic-p0001-1");
   EXPECT_EQ(games[1].game_id, "test+paper+none+basic~basic-p0001-1");
   EXPECT_EQ(games[1].id, "test paper none basic~basic 1");
-  EXPECT_NE(games[0].settings.whole().seed, games[1].settings.whole().seed);
+  EXPECT_NE(games[0].settings.combined().seed, games[1].settings.combined().seed);
 }
 
 TEST(JudgeSchedule, PlaysTheSameGamesIfOnlyOneSeedIsKept) {
@@ -136,11 +136,12 @@ TEST(JudgeSchedule, PlaysTheSameGamesIfOnlyOneSeedIsKept) {
   two.teams = {"rowdy", "basic", "zone"};
   two.seeds = {{"tuning", "1", 1}, {"test", "2", 2}};
   std::set<std::string> all;
-  for (const experiments::JudgeGame& game : experiments::games_of(two)) all.insert(game.game_id);
+  for (const experiments::ScheduledJudgeGame& game : experiments::games_of(two))
+    all.insert(game.game_id);
   experiments::keep_seed(two, "test");
-  const std::vector<experiments::JudgeGame> games = experiments::games_of(two);
+  const std::vector<experiments::ScheduledJudgeGame> games = experiments::games_of(two);
   EXPECT_EQ(games.size(), 4U);
-  for (const experiments::JudgeGame& game : games)
+  for (const experiments::ScheduledJudgeGame& game : games)
     EXPECT_TRUE(all.contains(game.game_id)) << game.game_id;
 }
 
@@ -156,12 +157,13 @@ TEST(JudgeSchedule, DealsTheSameTeamsToEveryCamera) {
   experiments::JudgeSchedule dealt = schedule();
   dealt.teams = {"rowdy", "basic", "zone"};
   dealt.games_each = 12;
-  const std::vector<experiments::JudgeGame> games = experiments::games_of(dealt);
+  const std::vector<experiments::ScheduledJudgeGame> games = experiments::games_of(dealt);
   std::set<std::string> matchups;
   for (std::size_t i = 0; i < games.size(); i += 2) {
-    EXPECT_EQ(games[i].settings.whole().a.strategy, games[i + 1].settings.whole().a.strategy);
-    EXPECT_EQ(games[i].settings.whole().b.strategy, games[i + 1].settings.whole().b.strategy);
-    matchups.insert(games[i].settings.whole().a.strategy + games[i].settings.whole().b.strategy);
+    EXPECT_EQ(games[i].settings.combined().a.strategy, games[i + 1].settings.combined().a.strategy);
+    EXPECT_EQ(games[i].settings.combined().b.strategy, games[i + 1].settings.combined().b.strategy);
+    matchups.insert(games[i].settings.combined().a.strategy +
+                    games[i].settings.combined().b.strategy);
   }
   EXPECT_EQ(matchups.size(), 6U);
 }
@@ -180,7 +182,7 @@ TEST(JudgeSchedule, RefusesAnUnknownCamera) {
 
 TEST(CallEvaluation, ReadsBackEqualFromItsText) {
   const experiments::CallEvaluation evaluation =
-      evaluate_calls(game::resolved(experiments::games_of(schedule())[1].settings.whole()))
+      evaluate_calls(game::resolved(experiments::games_of(schedule())[1].settings.combined()))
           .evaluation;
   EXPECT_FALSE(evaluation.verdicts.empty());
   EXPECT_EQ(
@@ -216,8 +218,8 @@ TEST(CallEvaluation, IsWrittenInAFixedForm) {
 TEST(JudgeReport, HasATableForEveryBookAndCamera) {
   const experiments::JudgeSchedule the_schedule = schedule();
   experiments::RowsById rows;
-  for (const experiments::JudgeGame& one : experiments::games_of(the_schedule)) {
-    const game::GameConfiguration game = game::resolved(one.settings.whole());
+  for (const experiments::ScheduledJudgeGame& one : experiments::games_of(the_schedule)) {
+    const game::GameConfiguration game = game::resolved(one.settings.combined());
     game::GamePrograms programs = game::GamePrograms::live(game, {});
     play_judged(game, programs, rows[one.game_id]);
   }
@@ -234,7 +236,7 @@ JudgeReport report_on(const std::vector<int>& goals) {
   schedule.seeds = {{"test", "5", 5}};
   schedule.games_each = 1;
   experiments::RowsById rows;
-  for (const experiments::JudgeGame& game : experiments::games_of(schedule)) {
+  for (const experiments::ScheduledJudgeGame& game : experiments::games_of(schedule)) {
     const auto count = static_cast<std::size_t>(goals[rows.size()]);
     rows[game.game_id].evaluation.verdicts.assign(count, verdict(experiments::CallOutcome::kRight));
   }
@@ -292,7 +294,7 @@ TEST(JudgeReport, ListsCallsBeforeTheirEvents) {
   experiments::JudgeSchedule schedule;
   schedule.cameras = {"none"};
   schedule.games_each = 1;
-  const experiments::JudgeGame game = experiments::games_of(schedule).front();
+  const experiments::ScheduledJudgeGame game = experiments::games_of(schedule).front();
   experiments::CallVerdict right = verdict(experiments::CallOutcome::kRight);
   right.time_s = 2;
   right.delay_s = -0.016;
@@ -315,7 +317,7 @@ TEST(JudgedRow, ReadsBackEqualWithAnyContent) {
 }
 
 TEST(JudgedRow, IsVoidIfItsEvaluationIsTooLong) {
-  JudgedGame judged;
+  EvaluatedGame judged;
   judged.evaluation.calls_in_stop.assign(5000, "throw_in at 1234.567 s");
   experiments::GameRow row;
   keep(std::move(judged), row);
@@ -330,7 +332,7 @@ TEST(Judging, FindsThePapersRefereeMostlyRightWithExactVision) {
   game.match.half_s = 240;
   game.seed = 11;
   CameraTally tally;
-  const JudgedGame judged = evaluate_calls(game);
+  const EvaluatedGame judged = evaluate_calls(game);
   tally.add(judged.record, judged.evaluation);
   ASSERT_GT(tally.events["throw_in"].happened(), 10);
   EXPECT_GE(tally.events["throw_in"].f1().value(), 0.9);

@@ -17,17 +17,17 @@ Detected seen_by(std::uint32_t camera, double time_s) {
 
 class RobotBetweenCameras : public testing::Test {
  protected:
-  Detected take(const std::vector<std::uint32_t>& cameras) {
+  Detected add(const std::vector<std::uint32_t>& cameras) {
     std::vector<Detected> all;
     all.reserve(cameras.size());
     for (const std::uint32_t camera : cameras) all.push_back(seen_by(camera, time_s_));
-    Detected used = robot_.take(time_s_, all, all.back());
+    Detected used = robot_.add(time_s_, all, all.back());
     time_s_ += kTrackedFrame_s;
     return used;
   }
-  Detected take(const std::vector<std::uint32_t>& cameras, double duration_s) {
+  Detected add(const std::vector<std::uint32_t>& cameras, double duration_s) {
     Detected used;
-    for (const double end_s = time_s_ + duration_s; time_s_ < end_s;) used = take(cameras);
+    for (const double end_s = time_s_ + duration_s; time_s_ < end_s;) used = add(cameras);
     return used;
   }
 
@@ -36,33 +36,33 @@ class RobotBetweenCameras : public testing::Test {
 };
 
 TEST_F(RobotBetweenCameras, StaysWithItsCamera) {
-  take({0});
-  EXPECT_EQ(take({0, 1}).position_m.y(), 0);
+  add({0});
+  EXPECT_EQ(add({0, 1}).position_m.y(), 0);
 }
 
 TEST_F(RobotBetweenCameras, DoesNotJumpToTheNextCamera) {
-  take({0});
-  take({0, 1});
-  const Detected used = take({1});
+  add({0});
+  add({0, 1});
+  const Detected used = add({1});
   EXPECT_NEAR(used.position_m.y(), 0, 0.5e-3);
   EXPECT_NEAR(angle_of(used.heading), 0, 0.5e-3);
 }
 
 TEST_F(RobotBetweenCameras, ForgetsTheLastCameraWithinASecond) {
-  take({0});
-  take({0, 1});
-  const Detected used = take({1}, 1);
+  add({0});
+  add({0, 1});
+  const Detected used = add({1}, 1);
   EXPECT_NEAR(used.position_m.y(), 0.02, 1e-9);
   EXPECT_NEAR(angle_of(used.heading), 0.02, 1e-9);
 }
 
 TEST_F(RobotBetweenCameras, IsWhereTheNextCameraSeesItIfNeverBothSawIt) {
-  take({0});
-  EXPECT_EQ(take({1}).position_m.y(), 0.02);
+  add({0});
+  EXPECT_EQ(add({1}).position_m.y(), 0.02);
 }
 
 TEST_F(RobotBetweenCameras, IsExpectedWhereItsVelocityBringsIt) {
-  take({0}, 1);
+  add({0}, 1);
   EXPECT_NEAR(robot_.expected_m(time_s_ + 0.1).x(), time_s_ + 0.1, 1e-9);
   EXPECT_NEAR(robot_.expected_m(time_s_ + 10).x(), robot_.seen_s() + 0.5, 1e-9);
 }

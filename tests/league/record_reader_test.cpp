@@ -41,11 +41,11 @@ class ReaderOfRecords : public testing::Test {
     if (!source.empty()) packet.set_source_identifier(source);
     return packet.SerializeAsString();
   }
-  Taken take_vision(double capture_s) {
-    return reader_.take(MessageKind::kVision2014, vision_at(capture_s), capture_s);
+  ReadResult read_vision(double capture_s) {
+    return reader_.read(MessageKind::kVision2014, vision_at(capture_s), capture_s);
   }
-  Taken take_command(const std::string& bytes, double now_s, const std::string& sender = "") {
-    return reader_.take(MessageKind::kReferee2013, bytes, now_s, sender);
+  ReadResult read_command(const std::string& bytes, double now_s, const std::string& sender = "") {
+    return reader_.read(MessageKind::kReferee2013, bytes, now_s, sender);
   }
 
   Received received_;
@@ -57,22 +57,22 @@ TEST_F(ReaderOfRecords, ShowsNoCopies) {
   std::vector<std::string> sent;
   for (int i = 0; i < 100; ++i) {
     sent.push_back(vision_at(5 + i / 60.0));
-    reader_.take(MessageKind::kVision2014, sent.back(), i / 60.0);
-    if (i >= 10) reader_.take(MessageKind::kVision2014, sent[sent.size() - 10], i / 60.0);
+    reader_.read(MessageKind::kVision2014, sent.back(), i / 60.0);
+    if (i >= 10) reader_.read(MessageKind::kVision2014, sent[sent.size() - 10], i / 60.0);
   }
   EXPECT_EQ(received_.vision, 100);
   EXPECT_EQ(reader_.faults().copies, 90);
   EXPECT_EQ(reader_.faults().late, 0);
   const std::string stop = command(2, 10);
-  EXPECT_EQ(take_command(stop, 10), Taken::kUsed);
-  EXPECT_EQ(take_command(stop, 10.01), Taken::kCopy);
+  EXPECT_EQ(read_command(stop, 10), ReadResult::kUsed);
+  EXPECT_EQ(read_command(stop, 10.01), ReadResult::kCopy);
   TrackerPacket tracker;
   tracker.set_uuid("tracker");
   tracker.mutable_tracked_frame()->set_frame_number(1);
   tracker.mutable_tracked_frame()->set_timestamp(10);
   const std::string tracks = tracker.SerializeAsString();
-  EXPECT_EQ(reader_.take(MessageKind::kTracker2020, tracks, 10), Taken::kUsed);
-  EXPECT_EQ(reader_.take(MessageKind::kTracker2020, tracks, 10), Taken::kCopy);
+  EXPECT_EQ(reader_.read(MessageKind::kTracker2020, tracks, 10), ReadResult::kUsed);
+  EXPECT_EQ(reader_.read(MessageKind::kTracker2020, tracks, 10), ReadResult::kCopy);
   EXPECT_EQ(received_.tracks, 1);
 }
 
@@ -80,17 +80,17 @@ TEST_F(ReaderOfRecords, TakesMessagesThatAreParsedForSeveralReaders) {
   Received others;
   RecordReader other(others, false);
   ParsedMessage message;
-  const auto take = [&](MessageKind kind, const std::string& bytes) {
+  const auto read_twice = [&](MessageKind kind, const std::string& bytes) {
     parse(kind, bytes, message);
-    const Taken taken = reader_.take(message, 5);
-    EXPECT_EQ(other.take(message, 5), taken);
-    return taken;
+    const ReadResult result = reader_.read(message, 5);
+    EXPECT_EQ(other.read(message, 5), result);
+    return result;
   };
-  EXPECT_EQ(take(MessageKind::kVision2014, vision_at(5)), Taken::kUsed);
-  EXPECT_EQ(take(MessageKind::kVision2014, vision_at(5)), Taken::kCopy);
-  EXPECT_EQ(take(MessageKind::kReferee2013, command(7, 5)), Taken::kUsed);
-  EXPECT_EQ(take(MessageKind::kReferee2013, "no packet"), Taken::kUnreadable);
-  EXPECT_EQ(take(MessageKind::kIndex2021, command(8, 5)), Taken::kUsed);
+  EXPECT_EQ(read_twice(MessageKind::kVision2014, vision_at(5)), ReadResult::kUsed);
+  EXPECT_EQ(read_twice(MessageKind::kVision2014, vision_at(5)), ReadResult::kCopy);
+  EXPECT_EQ(read_twice(MessageKind::kReferee2013, command(7, 5)), ReadResult::kUsed);
+  EXPECT_EQ(read_twice(MessageKind::kReferee2013, "no packet"), ReadResult::kUnreadable);
+  EXPECT_EQ(read_twice(MessageKind::kIndex2021, command(8, 5)), ReadResult::kUsed);
   EXPECT_EQ(others.vision, 1);
   EXPECT_EQ(received_.vision, 1);
   EXPECT_EQ(others.commands, (std::vector<std::uint32_t>{7}));
@@ -98,47 +98,47 @@ TEST_F(ReaderOfRecords, TakesMessagesThatAreParsedForSeveralReaders) {
 }
 
 TEST_F(ReaderOfRecords, DoesNotGoBackToAnOlderCommand) {
-  take_command(command(1, 10), 10);
-  take_command(command(2, 10.025), 10.1);
-  EXPECT_EQ(take_command(command(1, 10.02), 10.101), Taken::kLate);
+  read_command(command(1, 10), 10);
+  read_command(command(2, 10.025), 10.1);
+  EXPECT_EQ(read_command(command(1, 10.02), 10.101), ReadResult::kLate);
   EXPECT_EQ(received_.commands, (std::vector<std::uint32_t>{1, 2}));
   EXPECT_EQ(reader_.faults().late, 1);
   // The controller's clock was set, by an hour.
-  EXPECT_EQ(take_command(command(3, 10.05 - 3600), 10.2), Taken::kUsed);
+  EXPECT_EQ(read_command(command(3, 10.05 - 3600), 10.2), ReadResult::kUsed);
 }
 
 TEST_F(ReaderOfRecords, FollowsOneRefereeUntilItIsSilent) {
   for (int i = 0; i < 40; ++i) {
-    take_command(command(7, 0.025 * i, "field A"), 0.025 * i);
-    EXPECT_EQ(take_command(command(1, 500 + 0.025 * i, "forgotten"), 0.025 * i + 0.01),
-              Taken::kOtherReferee);
+    read_command(command(7, 0.025 * i, "field A"), 0.025 * i);
+    EXPECT_EQ(read_command(command(1, 500 + 0.025 * i, "forgotten"), 0.025 * i + 0.01),
+              ReadResult::kOtherReferee);
   }
   EXPECT_EQ(received_.commands, std::vector<std::uint32_t>(40, 7));
   EXPECT_EQ(reader_.faults().of_other_referee, 40);
   EXPECT_EQ(reader_.faults().referee, "field A");
   EXPECT_EQ(reader_.faults().other_referee, "forgotten");
   // "field A" is restarted under another name; the forgotten one was ended meanwhile.
-  EXPECT_EQ(take_command(command(8, 1.5, "restarted"), 1.5), Taken::kOtherReferee);
-  EXPECT_EQ(take_command(command(8, 2.1, "restarted"), 2.1), Taken::kUsed);
+  EXPECT_EQ(read_command(command(8, 1.5, "restarted"), 1.5), ReadResult::kOtherReferee);
+  EXPECT_EQ(read_command(command(8, 2.1, "restarted"), 2.1), ReadResult::kUsed);
   EXPECT_EQ(reader_.faults().referee, "restarted");
 }
 
 TEST_F(ReaderOfRecords, DistinguishesUnnamedRefereesByAddress) {
-  take_command(command(7, 1), 1, "10.0.0.1");
-  EXPECT_EQ(take_command(command(1, 500), 1.01, "10.0.0.2"), Taken::kOtherReferee);
-  EXPECT_EQ(take_command(command(7, 1.1), 1.1, "10.0.0.1"), Taken::kUsed);
+  read_command(command(7, 1), 1, "10.0.0.1");
+  EXPECT_EQ(read_command(command(1, 500), 1.01, "10.0.0.2"), ReadResult::kOtherReferee);
+  EXPECT_EQ(read_command(command(7, 1.1), 1.1, "10.0.0.1"), ReadResult::kUsed);
   EXPECT_EQ(reader_.faults().other_referee, "10.0.0.2");
   // The same controller by another interface, whose copy comes first.
-  EXPECT_EQ(take_command(command(8, 1.2), 1.2, "10.0.0.2"), Taken::kOtherReferee);
-  EXPECT_EQ(take_command(command(8, 1.2), 1.201, "10.0.0.1"), Taken::kUsed);
+  EXPECT_EQ(read_command(command(8, 1.2), 1.2, "10.0.0.2"), ReadResult::kOtherReferee);
+  EXPECT_EQ(read_command(command(8, 1.2), 1.201, "10.0.0.1"), ReadResult::kUsed);
 }
 
 TEST_F(ReaderOfRecords, CountsWhatItIgnores) {
-  take_vision(5);
-  take_vision(6);
-  EXPECT_EQ(take_vision(5.5), Taken::kLate);
-  EXPECT_EQ(reader_.take(MessageKind::kVision2014, "no packet", 6), Taken::kUnreadable);
-  EXPECT_EQ(take_command("nor this", 6), Taken::kUnreadable);
+  read_vision(5);
+  read_vision(6);
+  EXPECT_EQ(read_vision(5.5), ReadResult::kLate);
+  EXPECT_EQ(reader_.read(MessageKind::kVision2014, "no packet", 6), ReadResult::kUnreadable);
+  EXPECT_EQ(read_command("nor this", 6), ReadResult::kUnreadable);
   EXPECT_EQ(reader_.faults().late, 1);
   EXPECT_EQ(reader_.faults().unreadable, 2);
   EXPECT_EQ(received_.vision, 2);

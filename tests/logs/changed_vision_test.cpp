@@ -55,15 +55,15 @@ void count(const std::vector<Call>& whole, const std::vector<Call>& judged,
 }
 
 // A game and AutoRef's calls with its unchanged vision.
-struct JudgedGame {
+struct EvaluatedGame {
   RecordedVision vision;
   std::vector<Call> calls;
 };
 
-const std::vector<JudgedGame>& games() {
-  static const std::vector<JudgedGame> all = [] {
+const std::vector<EvaluatedGame>& games() {
+  static const std::vector<EvaluatedGame> all = [] {
     const TemporaryFolder folder;
-    std::vector<JudgedGame> played;
+    std::vector<EvaluatedGame> played;
     for (const char* book : {"2026-b", "paper"}) {
       for (std::uint64_t seed = 1; seed <= kGames; ++seed) {
         RecordedVision vision = played_vision(book, kHalf_s, seed);
@@ -87,7 +87,7 @@ TEST_P(LogWithChangedVision, IsJudgedAlike) {
   const TemporaryFolder folder;
   Counts counts;
   std::uint64_t seed = 0;
-  for (const JudgedGame& game : games()) {
+  for (const EvaluatedGame& game : games()) {
     const RecordedVision changed = GetParam().change(game.vision, RandomStream(++seed));
     const double begin_s = changed.frames.front().t_capture();
     count(game.calls, later(judged_calls(changed, folder / "game.log"), begin_s), GetParam(),
@@ -182,7 +182,7 @@ const std::vector<ChangedVision> kChanges = {
 TEST(LogWithTracker, IsJudgedFromItIfChosen) {
   const TemporaryFolder folder;
   Counts counts;
-  for (const JudgedGame& game : games()) {
+  for (const EvaluatedGame& game : games()) {
     const RecordedVision both = with_tracker(game.vision);
     RecordedVision alone = both;
     alone.frames.resize(1);

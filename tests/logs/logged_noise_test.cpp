@@ -30,7 +30,7 @@ LoggedNoise noise_of(const tracking::VisionNoise& noise, double rate_hz, double 
     }
     const double since_kick_s = frame.time_s - std::floor(frame.time_s);
     frame.ball.emplace().position_m = blurred({4 * since_kick_s, 0}, noise.ball_m);
-    measured.take(frame);
+    measured.add(frame);
   }
   return measured;
 }
@@ -64,7 +64,7 @@ TEST(LoggedNoise, IgnoresUnevenIntervals) {
   for (int i = 0; i < 3000; ++i) {
     frame.time_s += i % 2 == 0 ? 0.016 : 0.032;
     frame.ball->position_m.x() += i % 2 == 0 ? 0.05 : -0.02;
-    measured.take(frame);
+    measured.add(frame);
   }
   EXPECT_FALSE(measured.noise());
 }

@@ -88,11 +88,11 @@ TEST_F(LoggedStateTest, HasTheVelocitiesOfTheTracks) {
 
 // The kick-off of a game of AutoRef's begins with a stop.
 TEST_F(LoggedStateTest, HasTheNextRestartDuringAStop) {
-  const referee::Beginning beginning = logged_state(log_, 0.5).start.referee;
-  EXPECT_TRUE(beginning.is_stopped);
-  ASSERT_TRUE(beginning.restart);
-  EXPECT_EQ(beginning.restart->kind, CommandKind::kPrepareKickoff);
-  EXPECT_EQ(beginning.ball_m, Vec2(0, 0));
+  const referee::MidwayStart midway_start = logged_state(log_, 0.5).start.referee;
+  EXPECT_TRUE(midway_start.is_stopped);
+  ASSERT_TRUE(midway_start.restart);
+  EXPECT_EQ(midway_start.restart->kind, CommandKind::kPrepareKickoff);
+  EXPECT_EQ(midway_start.ball_m, Vec2(0, 0));
 }
 
 std::string error_at(const std::string& log, double at_s) {

@@ -9,9 +9,9 @@ TEST(RecordedEnds, AreThoseInThePackets) {
   RecordedEnds ends(Side::kWest, true);
   league::RefereePacket packet;
   packet.set_blue_team_on_positive_half(false);
-  ends.take(packet, Stage::kFirstHalfPre);
+  ends.add(packet, Stage::kFirstHalfPre);
   EXPECT_EQ(ends.yellow(), Side::kEast);
-  ends.take(packet, Stage::kSecondHalfPre);
+  ends.add(packet, Stage::kSecondHalfPre);
   EXPECT_EQ(ends.yellow(), Side::kEast) << "the packet knows better";
 }
 
@@ -19,7 +19,7 @@ TEST(RecordedEnds, ChangeBeforeEveryHalfAfterTheFirst) {
   RecordedEnds ends(Side::kEast, true);
   const league::RefereePacket silent;
   const auto after = [&](Stage stage) {
-    ends.take(silent, stage);
+    ends.add(silent, stage);
     return ends.yellow();
   };
   EXPECT_EQ(after(Stage::kFirstHalf), Side::kEast);
@@ -33,7 +33,7 @@ TEST(RecordedEnds, ChangeBeforeEveryHalfAfterTheFirst) {
 
 TEST(RecordedEnds, StayUnderOtherBooks) {
   RecordedEnds ends(Side::kWest, false);
-  ends.take({}, Stage::kSecondHalfPre);
+  ends.add({}, Stage::kSecondHalfPre);
   EXPECT_EQ(ends.yellow(), Side::kWest);
 }
 

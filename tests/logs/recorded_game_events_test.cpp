@@ -26,7 +26,7 @@ league::RefereePacket referee_packet_of(const std::vector<GameEvent>& events) {
 std::vector<double> times_in(const std::vector<std::vector<GameEvent>>& packets) {
   RecordedGameEvents recorded;
   double time_s = 0;
-  for (const auto& events : packets) recorded.take(time_s++, referee_packet_of(events));
+  for (const auto& events : packets) recorded.add(time_s++, referee_packet_of(events));
   std::vector<double> times_s;
   for (const game::TimedGameEvent& event : recorded.events()) times_s.push_back(event.time_s);
   return times_s;
@@ -74,7 +74,7 @@ TEST(RecordedGameEvents, AreNotProposals) {
   league::fill_game_event(kTouchLineEvent, message);
   league::RefereePacket packet;
   RecordedGameEvents recorded;
-  recorded.take(0, packet);
+  recorded.add(0, packet);
   std::string group;  // field 1 of a group of proposals, which is field 17 of the packet
   const std::string bytes = message.SerializeAsString();
   group += '\x0a';
@@ -84,15 +84,15 @@ TEST(RecordedGameEvents, AreNotProposals) {
   proposal += static_cast<char>(group.size());
   proposal += group;
   ASSERT_TRUE(packet.ParsePartialFromString(proposal));
-  recorded.take(1, packet);
+  recorded.add(1, packet);
   EXPECT_TRUE(recorded.events().empty());
 }
 
 TEST(RecordedGameEvents, AreBounded) {
   RecordedGameEvents recorded;
-  recorded.take(0, {});
+  recorded.add(0, {});
   for (std::size_t i = 0; i < RecordedGameEvents::kMostEvents + 10; ++i)
-    recorded.take(1, referee_packet_of({event_of(GameEventType::kGoal, std::to_string(i))}));
+    recorded.add(1, referee_packet_of({event_of(GameEventType::kGoal, std::to_string(i))}));
   EXPECT_EQ(recorded.events().size(), RecordedGameEvents::kMostEvents);
 }
 

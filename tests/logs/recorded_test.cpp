@@ -78,7 +78,7 @@ PlayedAndLogged played_and_recorded(const game::GameConfiguration& game,
 
 std::vector<Call> calls_of(const std::vector<std::pair<double, Command>>& commands) {
   CallMaker maker;
-  for (const auto& [time_s, command] : commands) maker.take(time_s, command);
+  for (const auto& [time_s, command] : commands) maker.add(time_s, command);
   return maker.calls();
 }
 

@@ -28,7 +28,7 @@ game::GameSettings mutated_game_in(const std::string& log, const std::string& bo
                                    const RecordedFacts& facts, const RecordedGame& recorded) {
   game::GameSettings game = logged_game(book, facts, recorded);
   game::set_by_path(game, "sim.camera", "realistic");
-  game::blame(log, [&game] { check_judged(game); });
+  game::locate_errors(log, [&game] { check_judged(game); });
   return game;
 }
 

@@ -23,7 +23,7 @@ league::RefereePacket packet_with_keepers(std::uint32_t yellow, std::uint32_t bl
 TEST(YellowEnd, IsUnknownWithoutEvidence) {
   YellowEnd yellow{Field{}};
   EXPECT_FALSE(yellow.end());
-  yellow.take(recorded_frame_at(0, 0.1, 0.2));
+  yellow.add(recorded_frame_at(0, 0.1, 0.2));
   EXPECT_FALSE(yellow.end());
 }
 
@@ -31,37 +31,36 @@ TEST(YellowEnd, IsWhatTheRefereeSaidFirst) {
   YellowEnd yellow{Field{}};
   league::RefereePacket packet = packet_with_keepers(0, 0);
   packet.set_blue_team_on_positive_half(false);
-  yellow.take(packet);
+  yellow.add(packet);
   packet.set_blue_team_on_positive_half(true);  // after half-time
-  yellow.take(packet);
-  yellow.take(recorded_frame_at(0, -2, 2));
+  yellow.add(packet);
+  yellow.add(recorded_frame_at(0, -2, 2));
   EXPECT_EQ(yellow.end(), Side::kEast);
 }
 
 // Yellow's keeper stands at +x, although its robots are at -x on average.
 TEST(YellowEnd, IsWhereTheNamedKeeperStands) {
   YellowEnd yellow{Field{}};
-  yellow.take(packet_with_keepers(2, 9));
+  yellow.add(packet_with_keepers(2, 9));
   Frame frame = recorded_frame_at(20, 2.8, 0);
   frame.robots[Side::kWest].push_back({3, {-3, 0}, {1, 0}});
   frame.robots[Side::kWest].push_back({4, {-3, 1}, {1, 0}});
-  yellow.take(frame);
+  yellow.add(frame);
   EXPECT_EQ(yellow.end(), Side::kEast);
 }
 
 TEST(YellowEnd, FollowsFromTheOtherTeamsKeeper) {
   YellowEnd yellow{Field{}};
-  yellow.take(packet_with_keepers(9, 7));
-  yellow.take(recorded_frame_at(0, 0, 2.9));
+  yellow.add(packet_with_keepers(9, 7));
+  yellow.add(recorded_frame_at(0, 0, 2.9));
   EXPECT_EQ(yellow.end(), Side::kWest);
 }
 
 TEST(YellowEnd, IsWhereItsRobotsStandAtFirst) {
   YellowEnd yellow{Field{}};
-  for (int second = 0; second <= 10; ++second)
-    yellow.take(recorded_frame_at(5.0 + second, 1.5, -1));
+  for (int second = 0; second <= 10; ++second) yellow.add(recorded_frame_at(5.0 + second, 1.5, -1));
   for (int second = 11; second <= 100; ++second)
-    yellow.take(recorded_frame_at(5.0 + second, -1.5, 1));
+    yellow.add(recorded_frame_at(5.0 + second, -1.5, 1));
   EXPECT_EQ(yellow.end(), Side::kEast);
 }
 

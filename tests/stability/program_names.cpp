@@ -21,7 +21,8 @@ Names setting_names() {
   Names names;
   for (const game::Setting& setting : game::settings_with(game, "a.players.3.handicap")) {
     names.push_back(setting.path);
-    for (const std::string& word : setting.words) names.push_back(setting.path + " = " + word);
+    for (const std::string& word : setting.allowed_words)
+      names.push_back(setting.path + " = " + word);
   }
   return names;
 }

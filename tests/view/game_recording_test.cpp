@@ -78,12 +78,12 @@ TEST(GameRecording, TakenInPartsRepeatsNoSignal) {
   GameRecording recording;
   recording.add(Frame{});
   recording.add(0, stopped());
-  const GameRecording first = recording.take();
+  const GameRecording first = recording.take_recording();
   EXPECT_EQ(first.frames(), 1U);
   EXPECT_EQ(first.signals().size(), 1U);
   recording.add(1, stopped());
   recording.add(1, RefereeSignal{});
-  const GameRecording second = recording.take();
+  const GameRecording second = recording.take_recording();
   EXPECT_EQ(second.frames(), 0U);
   EXPECT_EQ(second.signals().size(), 1U);
 }

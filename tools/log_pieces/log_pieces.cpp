@@ -46,7 +46,7 @@ class Recorder final : public game::Observer {
   void on_other_detections(const OtherDetections& others) override { log_.note(others); }
   void on_decision(const referee::Decision& decision) override {
     if (decision.command) log_.note(*decision.command);
-    calls.take(decision);
+    calls.add(decision);
   }
   void close() { log_.close(); }
 
@@ -93,7 +93,7 @@ CallList judged(const std::string& log, const std::string& book, const std::stri
   game::set_by_path(game, "sim.camera", camera);
   CallList calls;
   logs::referee_log(log, facts, {game::referee_configuration(game::resolved(game))},
-                    [&calls](const referee::Decision& decision) { calls.take(decision); });
+                    [&calls](const referee::Decision& decision) { calls.add(decision); });
   return calls;
 }
 

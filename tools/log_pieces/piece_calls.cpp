@@ -76,7 +76,7 @@ void say(const std::string& name, const char* what, const PieceCall& call) {
 
 }  // namespace
 
-void CallList::take(const referee::Decision& d) {
+void CallList::add(const referee::Decision& d) {
   const bool starts = d.to == State::kRun && (d.from != State::kRun || d.command);
   const bool stops = d.to == State::kWaitStop && d.from != State::kWaitStop;
   if (referee::is_call(d.finding.event)) {

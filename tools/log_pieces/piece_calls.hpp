@@ -22,7 +22,7 @@ struct PieceCall {
 
 class CallList {
  public:
-  void take(const referee::Decision& decision);
+  void add(const referee::Decision& decision);
   // The same calls, `by_s` later.
   CallList later(double by_s) const;
   const std::vector<PieceCall>& calls() const { return calls_; }

@@ -141,12 +141,13 @@ Matchups matchups_of(const JudgeSchedule& schedule, const NamedSeed& seed) {
                         static_cast<std::size_t>(schedule.games_each + 1) / 2);
 }
 
-JudgeGame game_of(JudgeCell& cell, const Matchups& matchups, const NamedSeed& seed, int number) {
+ScheduledJudgeGame game_of(JudgeCell& cell, const Matchups& matchups, const NamedSeed& seed,
+                           int number) {
   const int pair = (number + 1) / 2;
   const int leg = 2 - number % 2;
   const SharedSettings& settings = cell.settings(matchups, pair);
-  JudgeGame game{"", seed.name, cell.rules, cell.camera,
-                 settings.with(leg_of(seed.value, pair, leg))};
+  ScheduledJudgeGame game{"", seed.name, cell.rules, cell.camera,
+                          settings.with(leg_of(seed.value, pair, leg))};
   std::vector<std::string> names = {
       cell.rules, cell.camera, name_of({game::name_of(settings.a()), game::name_of(settings.b())})};
   if (!seed.name.empty()) names.insert(names.begin(), seed.name);
@@ -202,7 +203,7 @@ void keep_seed(JudgeSchedule& schedule, const std::string& name) {
   std::erase_if(schedule.seeds, [&name](const NamedSeed& seed) { return seed.name != name; });
 }
 
-std::vector<JudgeGame> games_of(const JudgeSchedule& schedule) {
+std::vector<ScheduledJudgeGame> games_of(const JudgeSchedule& schedule) {
   refuse_too_many(static_cast<double>(schedule.rules.size()) *
                       static_cast<double>(schedule.cameras.size()) *
                       static_cast<double>(schedule.seeds.size()) * schedule.games_each,
@@ -211,7 +212,7 @@ std::vector<JudgeGame> games_of(const JudgeSchedule& schedule) {
   std::vector<Matchups> matchups;
   matchups.reserve(schedule.seeds.size());
   for (const NamedSeed& seed : schedule.seeds) matchups.push_back(matchups_of(schedule, seed));
-  std::vector<JudgeGame> games;
+  std::vector<ScheduledJudgeGame> games;
   for (int number = 1; number <= schedule.games_each; ++number) {
     for (std::size_t i = 0; i < schedule.seeds.size(); ++i) {
       for (JudgeCell& cell : cells) {
@@ -229,7 +230,7 @@ std::vector<Factor> JudgeSchedule::varied_settings() const {
 
 std::vector<ScheduledGame> JudgeSchedule::games() const {
   std::vector<ScheduledGame> games;
-  for (const JudgeGame& game : games_of(*this)) {
+  for (const ScheduledJudgeGame& game : games_of(*this)) {
     games.push_back({game.game_id,
                      {game.seeds, game.rules, game.camera},
                      game.pair,

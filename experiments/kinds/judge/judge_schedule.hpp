@@ -63,7 +63,7 @@ struct JudgeSchedule : ExperimentOf<JudgeSchedule> {
 inline constexpr const char* kRulesPath = "match.rules";
 inline constexpr const char* kCameraPath = "sim.camera";
 
-struct JudgeGame {
+struct ScheduledJudgeGame {
   std::string id;  // for display: "test 2014 realistic basic~basic 3"; without a name of the seed,
                    // "2014 realistic basic~basic 3"
   std::string seeds;  // name of its master seed
@@ -88,6 +88,6 @@ void keep_seed(JudgeSchedule& schedule, const std::string& name);
 // Returns every game number with every seed, under every rule book and camera. A game number has
 // the same teams and the same seed under all rule books and cameras. The teams change ends between
 // odd and even games. Throws std::invalid_argument if values contradict each other.
-std::vector<JudgeGame> games_of(const JudgeSchedule& schedule);
+std::vector<ScheduledJudgeGame> games_of(const JudgeSchedule& schedule);
 
 }  // namespace autoref::experiments

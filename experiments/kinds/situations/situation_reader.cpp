@@ -132,19 +132,20 @@ void take_from_log(const LoggedInstant& instant, const Field& field, int most_at
   logs::renumber(start.robots[Side::kWest], most_attackers);
   logs::renumber(start.robots[Side::kEast], most_defenders);
   // Before a restart, the ball rests where it is taken.
-  const referee::Beginning& beginning = start.referee;
-  if (beginning.restart) start.ball = {beginning.ball_m, {0, 0}, 0, 0, true};
+  const referee::MidwayStart& midway_start = start.referee;
+  if (midway_start.restart) start.ball = {midway_start.ball_m, {0, 0}, 0, 0, true};
   const LoggedNumbers numbers(instant.spread_m);
   situation.attackers = drawn_robots(start.robots[Side::kWest], field, numbers);
   situation.defenders = drawn_robots(start.robots[Side::kEast], field, numbers);
   const sim::BallState& ball = start.ball;
-  LoggedNumbers(beginning.restart ? 0 : instant.spread_m)
+  LoggedNumbers(midway_start.restart ? 0 : instant.spread_m)
       .set(numbers_of(situation.ball, field),
            {ball.position_m.x(), ball.position_m.y(), ball.velocity_mps.x(), ball.velocity_mps.y(),
             ball.height_m, ball.vertical_mps});
-  situation.restart = restart_of(beginning.restart);
-  situation.is_attackers_restart = !beginning.restart || beginning.restart->side == Side::kWest;
-  situation.is_after_stop = beginning.is_stopped;
+  situation.restart = restart_of(midway_start.restart);
+  situation.is_attackers_restart =
+      !midway_start.restart || midway_start.restart->side == Side::kWest;
+  situation.is_after_stop = midway_start.is_stopped;
 }
 
 SituationSetup SituationReader::read(const game::YamlEntry& entry) const {

@@ -180,7 +180,7 @@ std::string Tuning::caveat() const {
   return "at most, since the test of the result ends once it is decided";
 }
 
-std::vector<ScheduledGame> Tuning::rehearsed(std::vector<ScheduledGame> all) const {
+std::vector<ScheduledGame> Tuning::trial_games(std::vector<ScheduledGame> all) const {
   for (ScheduledGame& game : all) {
     if (game.id.starts_with("k")) game.id = "search" + game.id.substr(game.id.find('-'));
   }

@@ -56,7 +56,7 @@ struct Tuning : ExperimentOf<Tuning> {
   std::vector<ScheduledGame> games() const override;
   std::string caveat() const override;
   // All iterations as one matchup: "search-plus~zone-p0001-1" for "k0007-plus~zone-p0001-1".
-  std::vector<ScheduledGame> rehearsed(std::vector<ScheduledGame> all) const override;
+  std::vector<ScheduledGame> trial_games(std::vector<ScheduledGame> all) const override;
   bool follows_its_rows() const override { return true; }
   // The games of iterations that are not known yet count as needed.
   Schedule schedule(const RowsById& rows) const override;

@@ -69,7 +69,7 @@ void read_team(TopReader& top, Tuning& tuning) {
       .read(top.required("team"), "team");
   for (const game::Assignment& assignment : top.assignments()) {
     if (!assignment.path.starts_with("team.")) continue;
-    game::blame(assignment.flag, [&] {
+    game::locate_errors(assignment.flag, [&] {
       game::set_by_path({tuning.base, tuning.team, "team."}, assignment.path, assignment.value);
     });
   }

@@ -33,7 +33,7 @@ std::optional<ActiveFoul> find_chance(const RowdyView& view) {
   return foul_by(keeper, ball.position_m);
 }
 
-RobotCommand take(const RowdyView& view, const TrackedRobot& keeper) {
+RobotCommand fetch(const RowdyView& view, const TrackedRobot& keeper) {
   const Vec2 behind_m = view.now.ball.position_m - Vec2(kBehind_m, 0);
   if ((keeper.position_m - behind_m).norm() < kThere_m) {
     return drive_with(keeper, Vec2(kApproach_mps, 0), Vec2(1, 0), {});
@@ -49,7 +49,7 @@ bool go_on(const RowdyView& view, ActiveFoul& foul, TeamOutput& output) {
     const bool is_forth = static_cast<int>(lasts_s / kSway_s) % 2 == 0;
     command = drive_with(keeper, Vec2(is_forth ? kSway_mps : -kSway_mps, 0), Vec2(1, 0), {});
   } else {
-    command = take(view, keeper);
+    command = fetch(view, keeper);
   }
   command.dribble = true;
   return is_running(view) && is_held(view) &&

@@ -29,7 +29,7 @@ class FolderVerbs : public testing::Test {
   std::string results_ = (folder_ / "results").string();
 };
 
-TEST_F(FolderVerbs, CheckListsAndRehearsesTheGames) {
+TEST_F(FolderVerbs, CheckListsAndTriesTheGames) {
   const Answer games = answer_to({"check", file_.c_str(), "--games"});
   EXPECT_EQ(games.code, io::kDone);
   EXPECT_TRUE(games.out.starts_with("b.robots=6-p0001-1\nb.robots=6-p0001-2\n")) << games.out;

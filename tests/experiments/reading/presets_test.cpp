@@ -43,10 +43,10 @@ std::vector<Preset> presets() {
   game::set_by_path(game, "b.players.2.handicap", "1");
   std::vector<Preset> found;
   for (const game::Setting& setting : game::settings_of(game)) {
-    if (game::is_preset(setting)) found.push_back({setting.path, setting.words});
+    if (game::is_preset(setting)) found.push_back({setting.path, setting.allowed_words});
     for (const std::string& name : game::names_in(setting)) {
       const game::Setting held = game::setting_in(setting, name).value();
-      if (game::is_preset(held)) found.push_back({held.path, held.words});
+      if (game::is_preset(held)) found.push_back({held.path, held.allowed_words});
     }
   }
   return found;
@@ -173,7 +173,7 @@ Sweep preset_sweep_of(const std::string& lines) {
 std::map<std::string, game::GameSettings> cells_of(const Sweep& sweep) {
   std::map<std::string, game::GameSettings> cells;
   for (const ScheduledGame& game : sweep.games()) {
-    cells[game.id.substr(0, game.id.find("-p"))] = game.settings.whole();
+    cells[game.id.substr(0, game.id.find("-p"))] = game.settings.combined();
   }
   return cells;
 }

@@ -17,7 +17,7 @@ const RowFormat kFormat({"b.robots"});
 GameRow sample_row() {
   const ScheduledGame game = small_sweep().as<Sweep>()->games().front();
   GameRow row = row_of(game);
-  row.record = fake_game(game::resolved(game.settings.whole()));
+  row.record = fake_game(game::resolved(game.settings.combined()));
   row.circumstances = {.build = "build",
                        .host = "host",
                        .cpu = "A, \"fast\" CPU",

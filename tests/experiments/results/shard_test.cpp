@@ -116,7 +116,7 @@ const RowFormat kShardFormat({"b.robots"});
 std::string row_line() {
   const ScheduledGame game = small_sweep().as<Sweep>()->games().front();
   GameRow row = row_of(game);
-  row.record = fake_game(game::resolved(game.settings.whole()));
+  row.record = fake_game(game::resolved(game.settings.combined()));
   return kShardFormat.line(row);
 }
 

@@ -27,7 +27,7 @@ GameRow rows_played(const ScheduledGame& game, const game::GameRecord& record,
 }
 
 GameRow rows_played(const ScheduledGame& game, const std::string& build = "x") {
-  return rows_played(game, fake_game(game::resolved(game.settings.whole())), build);
+  return rows_played(game, fake_game(game::resolved(game.settings.combined())), build);
 }
 
 CompletedGames completed_games_of(const std::vector<GameRow>& in_files,
@@ -52,7 +52,7 @@ TEST(CompletedGames, CountsDuplicateRowsOnce) {
 
 TEST(CompletedGames, ReportsNondeterminismIfTwoRowsOfOneGameDiffer) {
   const ScheduledGame game = fake_schedule()[0];
-  game::GameRecord other = fake_game(game::resolved(game.settings.whole()));
+  game::GameRecord other = fake_game(game::resolved(game.settings.combined()));
   ++other.state_hash;
   try {
     completed_games_of({rows_played(game), rows_played(game, other, "x")});
@@ -90,7 +90,7 @@ TEST(CompletedGames, CountsAllowedRowsOfAnotherBuildSeparately) {
 
 TEST(CompletedGames, RefusesAGameOfAnotherConfiguration) {
   ScheduledGame game = fake_schedule()[0];
-  game::GameSettings longer = game.settings.whole();
+  game::GameSettings longer = game.settings.combined();
   longer.match.half_s = 60;
   game.settings = SharedSettings(longer);
   EXPECT_THROW(completed_games_of({rows_played(game)}), io::InputError);

@@ -141,8 +141,9 @@ TEST_P(EveryScenario, PlaysShortenedGames) {
     return;
   }
   if (auto* schedule = scenario.as<JudgeSchedule>()) {
-    for (const JudgeGame& game : games_of(*schedule))
-      EXPECT_EQ(judge::evaluate_calls(game::resolved(game.settings.whole())).record.void_reason, "")
+    for (const ScheduledJudgeGame& game : games_of(*schedule))
+      EXPECT_EQ(judge::evaluate_calls(game::resolved(game.settings.combined())).record.void_reason,
+                "")
           << game.id;
     return;
   }

@@ -47,16 +47,16 @@ TEST(RoundRobinSchedule, GivesEachTeamItsOwnSettingsAndName) {
   robin.base.match.half_s = 60;
   const ScheduledGame game = robin.games().back();
   EXPECT_EQ(game.team_a, "bold");
-  EXPECT_EQ(game.settings.whole().a.robots, robin.teams["bold"].robots);
-  EXPECT_EQ(game.settings.whole().b.robots, robin.teams["zone"].robots);
-  EXPECT_EQ(game.settings.whole().match.half_s, 60);
+  EXPECT_EQ(game.settings.combined().a.robots, robin.teams["bold"].robots);
+  EXPECT_EQ(game.settings.combined().b.robots, robin.teams["zone"].robots);
+  EXPECT_EQ(game.settings.combined().match.half_s, 60);
 }
 
 TEST(RoundRobinSchedule, DerivesSeedAndSidesFromMasterSeedPairAndLegOnly) {
   std::map<std::pair<int, int>, std::set<std::uint64_t>> seeds;
   for (const ScheduledGame& game : robin_of({"zone", "bold", "calm"}, 4).games()) {
-    seeds[{game.pair, game.leg}].insert(game.settings.whole().seed);
-    EXPECT_EQ(game.settings.whole().match.a_plays, game.leg == 1 ? Side::kWest : Side::kEast);
+    seeds[{game.pair, game.leg}].insert(game.settings.combined().seed);
+    EXPECT_EQ(game.settings.combined().match.a_plays, game.leg == 1 ? Side::kWest : Side::kEast);
   }
   EXPECT_EQ(seeds.size(), 8U);
   for (const auto& [leg, its] : seeds) {
@@ -69,10 +69,10 @@ TEST(RoundRobinSchedule, KeepsAllGamesWhenTeamsOrPairsAreAdded) {
   RoundRobin many = robin_of({"zone", "bold"}, 5);
   many.teams["calm"] = {};
   for (const ScheduledGame& game : many.games()) {
-    hashes[game.id] = game::configuration_hash(game.settings.whole());
+    hashes[game.id] = game::configuration_hash(game.settings.combined());
   }
   for (const ScheduledGame& game : robin_of({"zone", "bold"}, 2).games()) {
-    EXPECT_EQ(hashes.at(game.id), game::configuration_hash(game.settings.whole())) << game.id;
+    EXPECT_EQ(hashes.at(game.id), game::configuration_hash(game.settings.combined())) << game.id;
   }
 }
 

@@ -21,7 +21,7 @@ game::GameSettings some_game() {
 }
 
 TEST(SharedSettings, AreTheWholeSettings) {
-  const game::GameSettings whole = SharedSettings(some_game()).whole();
+  const game::GameSettings whole = SharedSettings(some_game()).combined();
   EXPECT_EQ(game::configuration_hash(whole), game::configuration_hash(some_game()));
   EXPECT_EQ(whole.match.a_plays, Side::kEast);
   EXPECT_EQ(whole.seed, 7U);
@@ -41,8 +41,8 @@ TEST(SharedSettings, DifferInTeamsAndLeg) {
   expected.match.a_plays = Side::kWest;
   expected.match.first_kickoff = Side::kEast;
   expected.seed = 9;
-  EXPECT_EQ(game::configuration_hash(other.whole()), game::configuration_hash(expected));
-  EXPECT_EQ(game::configuration_hash(shared.whole()), game::configuration_hash(some_game()));
+  EXPECT_EQ(game::configuration_hash(other.combined()), game::configuration_hash(expected));
+  EXPECT_EQ(game::configuration_hash(shared.combined()), game::configuration_hash(some_game()));
 }
 
 TEST(SharedSettings, TurnTheStartOfASceneIfTeamAPlaysInTheEast) {
@@ -50,8 +50,8 @@ TEST(SharedSettings, TurnTheStartOfASceneIfTeamAPlaysInTheEast) {
   start.ball.position_m = {1, 2};
   const SharedSettings scene =
       SharedSettings(some_game()).starting_from(std::make_shared<const game::StartState>(start));
-  EXPECT_EQ(scene.with({Side::kWest, Side::kWest, 1}).whole().start->ball.position_m.x(), 1);
-  EXPECT_EQ(scene.with({Side::kEast, Side::kWest, 1}).whole().start->ball.position_m.x(), -1);
+  EXPECT_EQ(scene.with({Side::kWest, Side::kWest, 1}).combined().start->ball.position_m.x(), 1);
+  EXPECT_EQ(scene.with({Side::kEast, Side::kWest, 1}).combined().start->ball.position_m.x(), -1);
 }
 
 // Else a tournament of many teams needs memory for the settings of all teams in each of its games.

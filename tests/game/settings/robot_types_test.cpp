@@ -75,8 +75,8 @@ TEST_F(ScenarioWithTypes, VariesThemAsFactorsWithReadableIds) {
         return game.id == "b.type=slow+b.players.3.handicap=0.7-p0001-2";
       });
   ASSERT_NE(both, games.end());
-  EXPECT_EQ(speed_mps(games.front().settings.whole(), 3), 3.0);
-  const GameSettings it = both->settings.whole();
+  EXPECT_EQ(speed_mps(games.front().settings.combined(), 3), 3.0);
+  const GameSettings it = both->settings.combined();
   EXPECT_EQ(speed_mps(it, 3), 2.2);
   EXPECT_EQ(spec_of(it, it.b, "teams.b").robots[3].speed_factor, 0.7);
   EXPECT_EQ(spec_of(it, it.b, "teams.b").robots[2].speed_factor, 1.0);
@@ -88,7 +88,7 @@ TEST_F(ScenarioWithTypes, VariesATypeTogetherWithTheTeamsValues) {
           "base: { teams: { b: { type: robots/fast.yaml, robot: { mass_kg: 3 } } } }\n"
           "factors: { b.type: [robots/slow.yaml] }\n")
           .games();
-  const GameSettings it = games[0].settings.whole();
+  const GameSettings it = games[0].settings.combined();
   EXPECT_EQ(speed_mps(it, 0), 2.2);
   EXPECT_EQ(spec_of(it, it.b, "teams.b").robots[0].body.mass_kg, 3);
 }
@@ -114,8 +114,8 @@ TEST_F(ScenarioWithTypes, HasItsSweepReproducedFromTheEffectiveText) {
   ASSERT_EQ(games_back.size(), games.size());
   for (std::size_t i = 0; i < games.size(); ++i) {
     EXPECT_EQ(games_back[i].id, games[i].id);
-    EXPECT_EQ(configuration_hash(games_back[i].settings.whole()),
-              configuration_hash(games[i].settings.whole()));
+    EXPECT_EQ(configuration_hash(games_back[i].settings.combined()),
+              configuration_hash(games[i].settings.combined()));
   }
 }
 

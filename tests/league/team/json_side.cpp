@@ -23,23 +23,23 @@ Vec2 vector(const json& object, const char* x, const char* y) {
 }
 
 Field field_of(const json& field) {
-  Field read;
-  const auto take = [&field](const char* name, double& value) { value = number(field, name); };
-  take("length_m", read.length_m);
-  take("width_m", read.width_m);
-  take("run_off_m", read.run_off_m);
-  take("line_width_m", read.line_width_m);
-  take("centre_circle_radius_m", read.centre_circle_radius_m);
-  take("penalty_mark_m", read.penalty_mark_m);
-  take("defence_area_depth_m", read.defence_area.depth_m);
-  take("defence_area_straight_m", read.defence_area.straight_m);
-  take("goal_width_m", read.goal_width_m);
-  take("goal_depth_m", read.goal_depth_m);
-  take("goal_opening_height_m", read.goal_opening_height_m);
-  take("goal_bar_radius_m", read.goal_bar_radius_m);
-  take("goal_wall_thickness_m", read.goal_wall_thickness_m);
-  if (field.at("defence_area_is_box")) read.defence_area.shape = DefenceArea::Shape::kBox;
-  return read;
+  Field described;
+  const auto read = [&field](const char* name, double& value) { value = number(field, name); };
+  read("length_m", described.length_m);
+  read("width_m", described.width_m);
+  read("run_off_m", described.run_off_m);
+  read("line_width_m", described.line_width_m);
+  read("centre_circle_radius_m", described.centre_circle_radius_m);
+  read("penalty_mark_m", described.penalty_mark_m);
+  read("defence_area_depth_m", described.defence_area.depth_m);
+  read("defence_area_straight_m", described.defence_area.straight_m);
+  read("goal_width_m", described.goal_width_m);
+  read("goal_depth_m", described.goal_depth_m);
+  read("goal_opening_height_m", described.goal_opening_height_m);
+  read("goal_bar_radius_m", described.goal_bar_radius_m);
+  read("goal_wall_thickness_m", described.goal_wall_thickness_m);
+  if (field.at("defence_area_is_box")) described.defence_area.shape = DefenceArea::Shape::kBox;
+  return described;
 }
 
 Play play_of(const json& name) {

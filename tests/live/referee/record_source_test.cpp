@@ -23,7 +23,7 @@ class RecordSourceTest : public testing::Test {
   std::optional<ReceivedRecord> next_record() {
     const auto deadline = RecordSource::Clock::now() + std::chrono::minutes(1);
     std::optional<ReceivedRecord> record;
-    while (!record && RecordSource::Clock::now() < deadline) record = source_.take(deadline);
+    while (!record && RecordSource::Clock::now() < deadline) record = source_.next(deadline);
     return record;
   }
   std::string next() {
@@ -87,7 +87,7 @@ TEST_F(RecordSourceTest, OversizedPacketsAreCountedAndDropped) {
 }
 
 TEST_F(RecordSourceTest, WithoutPacketsNothingIsTakenByTheDeadline) {
-  EXPECT_FALSE(source_.take(RecordSource::Clock::now()));
+  EXPECT_FALSE(source_.next(RecordSource::Clock::now()));
 }
 
 TEST(RecordSource, AnAddressOfAnotherComputerIsAnError) {
@@ -105,7 +105,7 @@ TEST(RecordSourceOfAGroup, ReceivesWhatIsBroadcast) {
   everybody.send("stop");
   const auto deadline = RecordSource::Clock::now() + std::chrono::minutes(1);
   std::optional<ReceivedRecord> record;
-  while (!record && RecordSource::Clock::now() < deadline) record = source.take(deadline);
+  while (!record && RecordSource::Clock::now() < deadline) record = source.next(deadline);
   ASSERT_TRUE(record);
   EXPECT_EQ(record->kind, MessageKind::kReferee2013);
   EXPECT_EQ(record->bytes, "stop");

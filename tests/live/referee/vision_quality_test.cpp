@@ -30,8 +30,8 @@ Frame seen_frame_at(double time_s, bool has_ball, int robots) {
 TEST(VisionQuality, CountsThePacketsOfEachCamera) {
   VisionQuality quality;
   for (int i = 0; i < 100; ++i) {
-    quality.take(i * kPeriod_s, packet_of(0, 0));
-    if (i % 2 == 0) quality.take(i * kPeriod_s, packet_of(1, 0));
+    quality.add(i * kPeriod_s, packet_of(0, 0));
+    if (i % 2 == 0) quality.add(i * kPeriod_s, packet_of(1, 0));
   }
   const VisionReport report = quality.report();
   EXPECT_NEAR(report.rates_hz.at(0), 50, 1);
@@ -40,15 +40,15 @@ TEST(VisionQuality, CountsThePacketsOfEachCamera) {
 
 TEST(VisionQuality, OnlyTheLastSecondsCount) {
   VisionQuality quality;
-  for (int i = 0; i < 100; ++i) quality.take(seen_frame_at(i * kPeriod_s, false, 1));
+  for (int i = 0; i < 100; ++i) quality.add(seen_frame_at(i * kPeriod_s, false, 1));
   for (int i = 0; i < 250; ++i)
-    quality.take(seen_frame_at(VisionQuality::kWindow_s + 3 + i * kPeriod_s, true, 1));
+    quality.add(seen_frame_at(VisionQuality::kWindow_s + 3 + i * kPeriod_s, true, 1));
   EXPECT_DOUBLE_EQ(quality.report().ball_seen, 1);
 }
 
 TEST(VisionQuality, SaysHowOftenBallAndRobotsAreMissed) {
   VisionQuality quality;
-  for (int i = 0; i < 100; ++i) quality.take(seen_frame_at(i * kPeriod_s, i % 4 != 0, i % 2 + 1));
+  for (int i = 0; i < 100; ++i) quality.add(seen_frame_at(i * kPeriod_s, i % 4 != 0, i % 2 + 1));
   EXPECT_DOUBLE_EQ(quality.report().ball_seen, 0.75);
   EXPECT_DOUBLE_EQ(quality.report().robots_seen, 0.75);
 }
@@ -56,8 +56,8 @@ TEST(VisionQuality, SaysHowOftenBallAndRobotsAreMissed) {
 TEST(VisionQuality, ComparesWhatTwoCamerasSayOfARobot) {
   VisionQuality quality;
   for (int i = 0; i < 20; ++i) {
-    quality.take(i * kPeriod_s, packet_of(0, 1000));
-    quality.take(i * kPeriod_s + 0.001, packet_of(1, 1020));
+    quality.add(i * kPeriod_s, packet_of(0, 1000));
+    quality.add(i * kPeriod_s + 0.001, packet_of(1, 1020));
   }
   ASSERT_TRUE(quality.report().cameras_disagree_m);
   EXPECT_NEAR(*quality.report().cameras_disagree_m, 0.020, 1e-6);
@@ -65,7 +65,7 @@ TEST(VisionQuality, ComparesWhatTwoCamerasSayOfARobot) {
 
 TEST(VisionQuality, OneCameraCannotDisagree) {
   VisionQuality quality;
-  for (int i = 0; i < 20; ++i) quality.take(i * kPeriod_s, packet_of(0, 1000 + i));
+  for (int i = 0; i < 20; ++i) quality.add(i * kPeriod_s, packet_of(0, 1000 + i));
   EXPECT_FALSE(quality.report().cameras_disagree_m);
 }
 

@@ -66,7 +66,7 @@ TEST_F(TeamPortsTest, AConnectionCommandsRobots) {
   ASSERT_TRUE(response.ParseFromString(team.hear()));
   ASSERT_EQ(response.errors_size(), 1);
   EXPECT_EQ(response.errors(0).code(), "ROBOT_ID");
-  EXPECT_EQ(slots_.take(Side::kWest, 0, {})[0].velocity_mps.x(), 0.5);
+  EXPECT_EQ(slots_.commands_for(Side::kWest, 0, {})[0].velocity_mps.x(), 0.5);
   EXPECT_EQ(ports_->traffic()[Side::kWest].packets, 1);
   EXPECT_EQ(ports_->traffic()[Side::kWest].wrong, 1);
 }
@@ -220,7 +220,7 @@ TEST_F(TeamPortsTest, AConnectionControlsTheSimulator) {
   simulation::SimulatorResponse response;
   ASSERT_TRUE(response.ParseFromString(program.hear()));
   EXPECT_EQ(response.errors_size(), 0);
-  const std::vector<league::SimulatorRequest> requests = control_.take();
+  const std::vector<league::SimulatorRequest> requests = control_.take_all();
   ASSERT_EQ(requests.size(), 1U);
   EXPECT_EQ(requests[0].speed, 0.5);
 }

@@ -18,9 +18,9 @@ Frame frame_with_ball(int number, const Vec2& ball_m) {
   return frame;
 }
 
-AutoRef begun_with(const Beginning& beginning, const Vec2& ball_m) {
+AutoRef begun_with(const MidwayStart& midway_start, const Vec2& ball_m) {
   AutoRef referee{Configuration{}};
-  referee.begin(beginning);
+  referee.begin(midway_start);
   referee.update(frame_with_ball(0, ball_m), {});
   return referee;
 }

@@ -146,14 +146,14 @@ class PenaltyGame {
   // Returns whether a rule changed the state.
   bool ask_rules(const RefereeInput& now) {
     const State machine_state = state.machine_state;
-    for (const AskedRule& asked : rules()) {
-      if (configuration_.rules.has(asked.id)) ask(*asked.rule, now, machine_state);
+    for (const ListedRule& listed : rules()) {
+      if (configuration_.rules.has(listed.id)) evaluate(*listed.rule, now, machine_state);
       if (state.machine_state != machine_state) return true;
     }
     return false;
   }
 
-  void ask(const Rule& rule, const RefereeInput& now, State machine_state) {
+  void evaluate(const Rule& rule, const RefereeInput& now, State machine_state) {
     for (const RuleSearch& search : rule.searches()) {
       if (state.machine_state != machine_state || !search.active_in.has(machine_state)) continue;
       if (const auto found = search.find(state, now)) decide(now, *found);

@@ -35,12 +35,12 @@ TEST(Gauntlet, PairsEachChallengerWithEachTeamOfTheField) {
 TEST(Gauntlet, HasTheGamesOfARoundRobin) {
   std::map<std::string, std::uint64_t> robins;
   for (const ScheduledGame& game : small_roundrobin({6, 5, 4, 3}).experiment().games()) {
-    robins[game.id] = game::configuration_hash(game.settings.whole());
+    robins[game.id] = game::configuration_hash(game.settings.combined());
   }
   const std::vector<ScheduledGame> games = first_gauntlet().games();
   EXPECT_EQ(games.size(), 16U);
   for (const ScheduledGame& game : games) {
-    EXPECT_EQ(robins.at(game.id), game::configuration_hash(game.settings.whole())) << game.id;
+    EXPECT_EQ(robins.at(game.id), game::configuration_hash(game.settings.combined())) << game.id;
   }
 }
 

@@ -146,9 +146,9 @@ TEST(KnockoutGames, ChangeEndsAndSeedWhenReplayed) {
   ties[0].games = {"team0~team1-p0001-1"};
   const std::vector<ScheduledGame> games = games_of(knockout_of(2), ties);
   ASSERT_EQ(games.size(), 2U);
-  EXPECT_EQ(games[0].settings.whole().match.a_plays, Side::kWest);
-  EXPECT_EQ(games[1].settings.whole().match.a_plays, Side::kEast);
-  EXPECT_NE(games[0].settings.whole().seed, games[1].settings.whole().seed);
+  EXPECT_EQ(games[0].settings.combined().match.a_plays, Side::kWest);
+  EXPECT_EQ(games[1].settings.combined().match.a_plays, Side::kEast);
+  EXPECT_NE(games[0].settings.combined().seed, games[1].settings.combined().seed);
   EXPECT_EQ(games[0].unit, games[1].unit);
 }
 

@@ -64,8 +64,8 @@ TEST(EffectiveConfiguration, OfARoundRobinReadsBackEqual) {
   ASSERT_EQ(back.size(), there.size());
   for (std::size_t i = 0; i < back.size(); ++i) {
     EXPECT_EQ(back[i].id, there[i].id);
-    EXPECT_EQ(game::configuration_hash(back[i].settings.whole()),
-              game::configuration_hash(there[i].settings.whole()));
+    EXPECT_EQ(game::configuration_hash(back[i].settings.combined()),
+              game::configuration_hash(there[i].settings.combined()));
   }
 }
 

@@ -29,30 +29,30 @@ class LoggedSituation : public testing::Test {
 
   TemporaryFolder folder_;
   std::string log_ = write_short_log(folder_, "paper");
-  game::StartState there_ = logs::logged_state(log_, 12.5).start;
+  game::StartState logged_start_ = logs::logged_state(log_, 12.5).start;
 };
 
 TEST_F(LoggedSituation, HasTheStateOfTheLogBesideTheFile) {
   const SituationSetup situation = read("at_s: 12.5");
   const game::StartState start = drawn_state(situation, "logged", Field{}, 1, 1);
   for (const Side side : kSides) {
-    ASSERT_EQ(start.robots[side].size(), there_.robots[side].size());
+    ASSERT_EQ(start.robots[side].size(), logged_start_.robots[side].size());
     for (std::size_t i = 0; i < start.robots[side].size(); ++i) {
       const sim::RobotState& robot = start.robots[side][i];
-      EXPECT_LT((robot.position_m - there_.robots[side][i].position_m).norm(), 1e-4);
-      EXPECT_LT((robot.velocity_mps - there_.robots[side][i].velocity_mps).norm(), 2e-4);
-      EXPECT_GT(robot.heading.dot(there_.robots[side][i].heading), 0.9999);
+      EXPECT_LT((robot.position_m - logged_start_.robots[side][i].position_m).norm(), 1e-4);
+      EXPECT_LT((robot.velocity_mps - logged_start_.robots[side][i].velocity_mps).norm(), 2e-4);
+      EXPECT_GT(robot.heading.dot(logged_start_.robots[side][i].heading), 0.9999);
     }
   }
-  EXPECT_EQ(start.referee.restart, there_.referee.restart);
+  EXPECT_EQ(start.referee.restart, logged_start_.referee.restart);
 }
 
 TEST_F(LoggedSituation, IsTurnedIfBlueAttacks) {
   const SituationSetup situation = read("at_s: 12.5, attackers: blue");
-  EXPECT_NEAR(situation.attackers[0].x_m.first, -there_.robots[Side::kEast][0].position_m.x(),
-              1e-4);
-  EXPECT_NEAR(situation.defenders[0].y_m.first, -there_.robots[Side::kWest][0].position_m.y(),
-              1e-4);
+  EXPECT_NEAR(situation.attackers[0].x_m.first,
+              -logged_start_.robots[Side::kEast][0].position_m.x(), 1e-4);
+  EXPECT_NEAR(situation.defenders[0].y_m.first,
+              -logged_start_.robots[Side::kWest][0].position_m.y(), 1e-4);
 }
 
 TEST_F(LoggedSituation, HasASpreadOfItsPositionsOnly) {

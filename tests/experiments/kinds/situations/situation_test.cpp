@@ -74,9 +74,9 @@ TEST(DrawnState, HasTheRestartOfTheDefendersIfTheyTakeIt) {
   situation.restart = Restart::kPenalty;
   situation.is_attackers_restart = false;
   situation.is_after_stop = true;
-  const referee::Beginning beginning = drawn_from(situation).referee;
-  EXPECT_EQ(beginning.restart, (Command{CommandKind::kPreparePenalty, Side::kEast}));
-  EXPECT_TRUE(beginning.is_stopped);
+  const referee::MidwayStart midway_start = drawn_from(situation).referee;
+  EXPECT_EQ(midway_start.restart, (Command{CommandKind::kPreparePenalty, Side::kEast}));
+  EXPECT_TRUE(midway_start.is_stopped);
 }
 
 TEST(DrawnState, IsDrawnAgainWhileBodiesOverlap) {

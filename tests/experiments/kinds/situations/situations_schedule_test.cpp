@@ -31,10 +31,10 @@ TEST(SituationsSchedule, PlaysEverySituationWithEveryTeamInTwoLegs) {
 
 TEST(SituationsSchedule, TurnsTheStartStateInTheSecondLeg) {
   const std::vector<ScheduledGame> games = small_schedule();
-  const game::StartState first = *games[0].settings.whole().start;
-  const game::StartState second = *games[1].settings.whole().start;
-  EXPECT_EQ(games[0].settings.whole().match.a_plays, Side::kWest);
-  EXPECT_EQ(games[1].settings.whole().match.a_plays, Side::kEast);
+  const game::StartState first = *games[0].settings.combined().start;
+  const game::StartState second = *games[1].settings.combined().start;
+  EXPECT_EQ(games[0].settings.combined().match.a_plays, Side::kWest);
+  EXPECT_EQ(games[1].settings.combined().match.a_plays, Side::kEast);
   EXPECT_EQ(first.ball.velocity_mps, Vec2(3, 0));
   EXPECT_EQ(second.ball.position_m, Vec2(-first.ball.position_m));
   EXPECT_EQ(second.robots[Side::kEast].size(), 2U);
@@ -42,8 +42,10 @@ TEST(SituationsSchedule, TurnsTheStartStateInTheSecondLeg) {
 
 TEST(SituationsSchedule, GivesAllTeamsTheSameStatesAndSeeds) {
   const std::vector<ScheduledGame> games = small_schedule();
-  const game::GameSettings one = scheduled_scene(games, "goal+one~still-p0002-1").settings.whole();
-  const game::GameSettings two = scheduled_scene(games, "goal+two~still-p0002-1").settings.whole();
+  const game::GameSettings one =
+      scheduled_scene(games, "goal+one~still-p0002-1").settings.combined();
+  const game::GameSettings two =
+      scheduled_scene(games, "goal+two~still-p0002-1").settings.combined();
   EXPECT_EQ(one.start->ball.position_m, two.start->ball.position_m);
   EXPECT_EQ(one.start->robots[Side::kEast][0].position_m,
             two.start->robots[Side::kEast][0].position_m);
@@ -58,13 +60,13 @@ TEST(SituationsSchedule, ChangesNoGameIfSituationsTeamsOrPairsAreAdded) {
   situations.pairs = 3;
   const std::vector<ScheduledGame> after = situations.games();
   for (const ScheduledGame& game : before) {
-    EXPECT_EQ(game::configuration_hash(game.settings.whole()),
-              game::configuration_hash(scheduled_scene(after, game.id).settings.whole()));
+    EXPECT_EQ(game::configuration_hash(game.settings.combined()),
+              game::configuration_hash(scheduled_scene(after, game.id).settings.combined()));
   }
 }
 
 TEST(ConfigurationHash, CoversTheStartStateAndTheScene) {
-  const game::GameSettings game = small_schedule().front().settings.whole();
+  const game::GameSettings game = small_schedule().front().settings.combined();
   game::GameSettings other = game;
   other.start->robots[Side::kWest][0].position_m.x() += 0.001;
   EXPECT_NE(game::configuration_hash(other), game::configuration_hash(game));

@@ -34,8 +34,8 @@ TEST(SprtMatchSchedule, HasTheGamesOfARoundRobinOfItsTwoTeams) {
   ASSERT_EQ(games.size(), robins.size());
   for (std::size_t i = 0; i < games.size(); ++i) {
     EXPECT_EQ(games[i].id, robins[i].id);
-    EXPECT_EQ(game::configuration_hash(games[i].settings.whole()),
-              game::configuration_hash(robins[i].settings.whole()));
+    EXPECT_EQ(game::configuration_hash(games[i].settings.combined()),
+              game::configuration_hash(robins[i].settings.combined()));
   }
 }
 
@@ -93,7 +93,8 @@ TEST(SprtMatchRun, EndsUndecidedAfterItsLastPair) {
 }
 
 TEST(SprtMatchRun, LeavesPairsWithAVoidLegOutOfTheTest) {
-  const std::uint64_t void_seed = small_sprt_match().experiment().games()[3].settings.whole().seed;
+  const std::uint64_t void_seed =
+      small_sprt_match().experiment().games()[3].settings.combined().seed;
   const TemporaryFolder folder;
   ExperimentOptions options = fake_options(folder.path());
   options.play = [void_seed](const game::GameConfiguration& game) -> game::GameRecord {
@@ -143,7 +144,7 @@ SprtMatchState state_without(int missing_pair, int pairs) {
   RowsById rows;
   for (const ScheduledGame& game : scenario.experiment().games()) {
     if (game.pair == missing_pair || game.pair > pairs) continue;
-    rows[game.id].record = fake_game(game::resolved(game.settings.whole()));
+    rows[game.id].record = fake_game(game::resolved(game.settings.combined()));
   }
   return state_of(*scenario.as<SprtMatch>(), rows);
 }

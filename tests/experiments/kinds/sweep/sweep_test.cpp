@@ -22,7 +22,7 @@ Sweep handicap_sweep(std::vector<game::SettingValue> values, int pairs) {
 std::map<std::string, std::uint64_t> hashes_of(const Sweep& sweep) {
   std::map<std::string, std::uint64_t> hashes;
   for (const ScheduledGame& game : sweep.games()) {
-    hashes[game.id] = game::configuration_hash(game.settings.whole());
+    hashes[game.id] = game::configuration_hash(game.settings.combined());
   }
   return hashes;
 }
@@ -32,7 +32,7 @@ TEST(Schedule, NamesGamesByValuePairAndLeg) {
   ASSERT_EQ(games.size(), 28U);
   EXPECT_EQ(games.front().id, "b.handicap=1.0-p0001-1");
   EXPECT_EQ(games.back().id, "b.handicap=0.8-p0007-2");
-  EXPECT_EQ(games.back().settings.whole().b.speed_factor, 0.8);
+  EXPECT_EQ(games.back().settings.combined().b.speed_factor, 0.8);
 }
 
 TEST(Schedule, PlaysTheLegsBackToBackAndPairByPairOverAllValues) {
@@ -48,7 +48,7 @@ TEST(Schedule, PlaysTheLegsBackToBackAndPairByPairOverAllValues) {
 TEST(Schedule, GivesEachTeamEachSideAndTheFirstKickOffEquallyOften) {
   std::map<std::pair<Side, bool>, int> counts;  // side of team a, whether a kicks off
   for (const ScheduledGame& game : handicap_sweep({1.0}, 10).games()) {
-    const referee::Match match = game.settings.whole().match;
+    const referee::Match match = game.settings.combined().match;
     EXPECT_EQ(match.a_plays, game.leg == 1 ? Side::kWest : Side::kEast);
     ++counts[{match.a_plays, match.a_plays == match.first_kickoff}];
   }
@@ -66,8 +66,8 @@ TEST(Schedule, GivesEveryLegItsOwnSeedIndependentOfTheValue) {
   std::map<std::pair<int, int>, std::set<std::uint64_t>> by_leg;
   std::set<std::uint64_t> all;
   for (const ScheduledGame& game : handicap_sweep({1.0, 0.8}, 50).games()) {
-    by_leg[{game.pair, game.leg}].insert(game.settings.whole().seed);
-    all.insert(game.settings.whole().seed);
+    by_leg[{game.pair, game.leg}].insert(game.settings.combined().seed);
+    all.insert(game.settings.combined().seed);
   }
   EXPECT_EQ(all.size(), 100U);
   for (const auto& [leg, seeds] : by_leg) EXPECT_EQ(seeds.size(), 1U);
@@ -79,7 +79,7 @@ TEST(Schedule, CombinesAllValuesOfSeveralFactors) {
   const std::vector<ScheduledGame> games = sweep.games();
   ASSERT_EQ(games.size(), 12U);
   std::map<std::string, int> robots;
-  for (const ScheduledGame& game : games) robots[game.id] = game.settings.whole().a.robots;
+  for (const ScheduledGame& game : games) robots[game.id] = game.settings.combined().a.robots;
   EXPECT_EQ(robots.size(), 12U);
   EXPECT_EQ(robots.at("b.handicap=1.0+a.robots=5-p0001-1"), 5);
 }
@@ -88,7 +88,7 @@ TEST(Schedule, GivesALegTheSameSeedInAllCombinationsOfTwoFactorsAndInASweepOverO
   std::map<std::string, std::set<std::uint64_t>> by_leg;  // by the end of the id, "p0001-1"
   const auto add = [&by_leg](const Sweep& sweep) {
     for (const ScheduledGame& game : sweep.games())
-      by_leg[game.id.substr(game.id.size() - 7)].insert(game.settings.whole().seed);
+      by_leg[game.id.substr(game.id.size() - 7)].insert(game.settings.combined().seed);
   };
   Sweep grid = handicap_sweep({1.0}, 3);
   add(grid);
@@ -104,8 +104,8 @@ TEST(Schedule, SweepsATeamsParameter) {
   const std::vector<ScheduledGame> games = sweep.games();
   ASSERT_EQ(games.size(), 4U);
   EXPECT_EQ(games[2].id, "a.params.shot_mps=4.0-p0001-1");
-  EXPECT_EQ(games[2].settings.whole().a.params.at("shot_mps"), 4);
-  EXPECT_TRUE(games[2].settings.whole().b.params.empty());
+  EXPECT_EQ(games[2].settings.combined().a.params.at("shot_mps"), 4);
+  EXPECT_TRUE(games[2].settings.combined().b.params.empty());
 }
 
 TEST(SeedOf, StaysBelowTwoToThe53AndDependsOnTheMasterSeed) {

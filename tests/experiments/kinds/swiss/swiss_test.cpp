@@ -124,7 +124,7 @@ TEST(SwissGames, HavePairNumbersOfTheirRound) {
 TEST(SwissGames, ChangeSidesAndTheFirstKickOff) {
   const std::vector<ScheduledGame> games = swiss_of(2, 1, 3).games();
   ASSERT_EQ(games.size(), 6U);
-  const auto match = [&games](std::size_t i) { return games[i].settings.whole().match; };
+  const auto match = [&games](std::size_t i) { return games[i].settings.combined().match; };
   EXPECT_EQ(match(0).a_plays, Side::kWest);
   EXPECT_EQ(match(1).a_plays, Side::kEast);
   EXPECT_EQ(match(0).first_kickoff, match(1).first_kickoff);

@@ -33,7 +33,7 @@ TEST(ReadTuning, PlaysWholeNumbersOnlyIfAsked) {
   const Tuning tuning = read_tune("tune: { wall: { from: 1, to: 4, start: 2, whole: true } }\n");
   EXPECT_DOUBLE_EQ(tuning.parameters.front().step, 1);
   for (const ScheduledGame& game : tuning.games()) {
-    const double wall = game.settings.whole().a.params.at("wall");
+    const double wall = game.settings.combined().a.params.at("wall");
     EXPECT_EQ(wall, static_cast<int>(wall));
   }
 }

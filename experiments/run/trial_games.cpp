@@ -1,4 +1,4 @@
-#include "experiments/run/rehearsal.hpp"
+#include "experiments/run/trial_games.hpp"
 
 #include <fmt/format.h>
 
@@ -61,17 +61,17 @@ PlayedPart played_part_of(const std::string& text) {
 }
 
 struct Entry {
-  Rehearsal rehearsal;
+  Trial trial;
   std::vector<const ScheduledGame*> games;  // the first kMostWholeGames
-  std::vector<RehearsedPart> samples;       // of parts that were not void, the first part first
+  std::vector<PartTime> samples;            // of parts that were not void, the first part first
 
   // Scenes are short enough to be played whole.
   double first_share() const {
-    const game::GameSettings game = games.front()->settings.whole();
+    const game::GameSettings game = games.front()->settings.combined();
     if (game.scene) return 1;
-    return std::min(1.0, kRehearsedHalf_s / game.match.half_s);
+    return std::min(1.0, kTrialHalf_s / game.match.half_s);
   }
-  bool plays() const { return !samples.empty() && rehearsal.void_reason.empty(); }
+  bool plays() const { return !samples.empty() && trial.void_reason.empty(); }
 
   // Whether such a part says more than those that were played: it is longer, or one of the first
   // whole games after the first part.
@@ -80,35 +80,33 @@ struct Entry {
     return share > 2 * longest().share || (share >= 1 && samples.size() == 1);
   }
 
-  const RehearsedPart& longest() const {
-    return *std::max_element(samples.begin(), samples.end(),
-                             [](const RehearsedPart& one, const RehearsedPart& other) {
-                               return one.share < other.share;
-                             });
+  const PartTime& longest() const {
+    return *std::max_element(
+        samples.begin(), samples.end(),
+        [](const PartTime& one, const PartTime& other) { return one.share < other.share; });
   }
 
   // Programs are started again, and play the first seconds again.
   double repetition_s(double game_s) const {
-    const game::GameSettings game = games.front()->settings.whole();
+    const game::GameSettings game = games.front()->settings.combined();
     if (game.a.program.command.empty() && game.b.program.command.empty()) return 0;
     const double start_s = longest().start_s;
     return start_s + (game_s - start_s) * std::min(1.0, kRepeated_s / whole_length_s(game));
   }
 
   void estimate() {
-    const double game_s = whole_game_s(samples);
-    rehearsal.wall_s_a_game = game_s + repetition_s(game_s);
-    rehearsal.share = std::min(1.0, longest().share);
+    const double game_s = estimated_game_s(samples);
+    trial.wall_s_a_game = game_s + repetition_s(game_s);
+    trial.share = std::min(1.0, longest().share);
     const ScheduledGame& game = *games.front();
-    rehearsal.teams = {
-        RehearsedTeam{game.team_a, !game.settings.a().program.command.empty(), team_s(0)},
-        RehearsedTeam{game.team_b, !game.settings.b().program.command.empty(), team_s(1)}};
+    trial.teams = {TrialTeam{game.team_a, !game.settings.a().program.command.empty(), team_s(0)},
+                   TrialTeam{game.team_b, !game.settings.b().program.command.empty(), team_s(1)}};
   }
 
   // A team's part of the estimate.
   double team_s(std::size_t team) const {
-    const RehearsedPart& part = longest();
-    return rehearsal.wall_s_a_game * std::min(1.0, part.team_s[team] / part.wall_s);
+    const PartTime& part = longest();
+    return trial.wall_s_a_game * std::min(1.0, part.team_s[team] / part.wall_s);
   }
 };
 
@@ -119,11 +117,11 @@ std::vector<Entry> entries_of(const std::vector<ScheduledGame>& games) {
     const auto [number, is_new] = numbers.try_emplace(played_in(game), entries.size());
     if (is_new) {
       entries.emplace_back();
-      entries.back().rehearsal.played = number->first;
-      entries.back().rehearsal.variant = game.variant;
+      entries.back().trial.played = number->first;
+      entries.back().trial.variant = game.variant;
     }
     Entry& entry = entries[number->second];
-    ++entry.rehearsal.games;
+    ++entry.trial.games;
     if (entry.games.size() < kMostWholeGames) entry.games.push_back(&game);
   }
   return entries;
@@ -136,12 +134,12 @@ struct Part {
   double share = 1;
 };
 
-class Rehearsals {
+class TrialRun {
  public:
-  Rehearsals(const std::vector<ScheduledGame>& games, const RehearsalOptions& options)
+  TrialRun(const std::vector<ScheduledGame>& games, const TrialOptions& options)
       : options_(options), entries_(entries_of(games)) {}
 
-  std::vector<Rehearsal> run() {
+  std::vector<Trial> run() {
     play(first_parts(), kShareOfFirst * options_.longest_s, Limit::kEqualShare);
     for (int round = 0; round < kMostRounds; ++round) {
       play(longer_parts(), options_.longest_s, Limit::kTimeLeft);
@@ -167,7 +165,8 @@ class Rehearsals {
   // to the same fraction.
   std::vector<Part> longer_parts() const {
     double whole_s = 0;
-    for (const Entry& entry : entries_) whole_s += entry.plays() ? whole_game_s(entry.samples) : 0;
+    for (const Entry& entry : entries_)
+      whole_s += entry.plays() ? estimated_game_s(entry.samples) : 0;
     if (whole_s <= 0) return {};
     const double room_s =
         kShareOfSecond * std::max(0.0, options_.longest_s - elapsed_s()) * options_.workers;
@@ -188,7 +187,7 @@ class Rehearsals {
   std::string played(const Part& part, double most_wall_s) const {
     try {
       return answer_with(
-          options_.play(game::resolved(part_of(part.game->settings.whole(), part.share)),
+          options_.play(game::resolved(part_of(part.game->settings.combined(), part.share)),
                         std::max(kLeastLimit_s, most_wall_s)));
     } catch (const std::exception& error) {
       if (io::environment_failure(error)) throw;
@@ -226,34 +225,34 @@ class Rehearsals {
       if (played.void_reason.empty()) {
         entry.samples.push_back(
             {part.share * played.share, result.wall_s, played.start_s, played.team_s});
-      } else if (entry.rehearsal.void_reason.empty()) {
-        entry.rehearsal.void_reason = played.void_reason;
+      } else if (entry.trial.void_reason.empty()) {
+        entry.trial.void_reason = played.void_reason;
       }
     } else if (entry.samples.empty() || !result.is_late) {
-      entry.rehearsal.void_reason = result.failure;
+      entry.trial.void_reason = result.failure;
     }  // otherwise, a longer part ran out of time
   }
 
-  std::vector<Rehearsal> estimates() {
+  std::vector<Trial> estimates() {
     double sum_s = 0;
     int tried = 0;
     for (Entry& entry : entries_) {
       if (!entry.plays()) continue;
       entry.estimate();
-      sum_s += entry.rehearsal.wall_s_a_game;
+      sum_s += entry.trial.wall_s_a_game;
       ++tried;
     }
-    std::vector<Rehearsal> rehearsals;
+    std::vector<Trial> trials;
     for (const Entry& entry : entries_) {
-      rehearsals.push_back(entry.rehearsal);
-      Rehearsal& rehearsal = rehearsals.back();
-      rehearsal.was_tried = !entry.samples.empty() || !rehearsal.void_reason.empty();
-      if (!rehearsal.was_tried && tried > 0) rehearsal.wall_s_a_game = sum_s / tried;
+      trials.push_back(entry.trial);
+      Trial& trial = trials.back();
+      trial.was_tried = !entry.samples.empty() || !trial.void_reason.empty();
+      if (!trial.was_tried && tried > 0) trial.wall_s_a_game = sum_s / tried;
     }
-    return rehearsals;
+    return trials;
   }
 
-  const RehearsalOptions& options_;
+  const TrialOptions& options_;
   std::vector<Entry> entries_;
   const Clock::time_point began_ = Clock::now();
 };
@@ -293,11 +292,11 @@ std::string text_of_costs(const std::map<std::string, double>& programs_s, doubl
 }  // namespace
 
 // Extrapolates linearly, through the first part and the mean of the longest ones.
-double whole_game_s(const std::vector<RehearsedPart>& parts) {
-  const RehearsedPart& first = parts.front();
+double estimated_game_s(const std::vector<PartTime>& parts) {
+  const PartTime& first = parts.front();
   double longest = 0;
-  for (const RehearsedPart& part : parts) longest = std::max(longest, part.share);
-  RehearsedPart longer;
+  for (const PartTime& part : parts) longest = std::max(longest, part.share);
+  PartTime longer;
   double count = 0;
   for (std::size_t i = 1; i < parts.size(); ++i) {
     if (parts[i].share < longest / 2) continue;
@@ -313,19 +312,19 @@ double whole_game_s(const std::vector<RehearsedPart>& parts) {
   return longer.wall_s + slope * (1 - longer.share);
 }
 
-std::vector<Rehearsal> rehearse(const std::vector<ScheduledGame>& games,
-                                const RehearsalOptions& options) {
-  return Rehearsals(games, options).run();
+std::vector<Trial> play_trials(const std::vector<ScheduledGame>& games,
+                               const TrialOptions& options) {
+  return TrialRun(games, options).run();
 }
 
 // List scheduling: each game goes to the worker that becomes free first.
-double duration_s(const std::vector<Rehearsal>& rehearsals, int workers) {
+double duration_s(const std::vector<Trial>& trials, int workers) {
   std::priority_queue<double, std::vector<double>, std::greater<>> free_s;
   for (int i = 0; i < workers; ++i) free_s.push(0);
   double end_s = 0;
-  for (const Rehearsal& rehearsal : rehearsals) {
-    for (int game = 0; game < rehearsal.games; ++game) {
-      const double done_s = free_s.top() + rehearsal.wall_s_a_game;
+  for (const Trial& trial : trials) {
+    for (int game = 0; game < trial.games; ++game) {
+      const double done_s = free_s.top() + trial.wall_s_a_game;
       free_s.pop();
       free_s.push(done_s);
       end_s = std::max(end_s, done_s);
@@ -334,17 +333,17 @@ double duration_s(const std::vector<Rehearsal>& rehearsals, int workers) {
   return end_s;
 }
 
-std::string cost_of_programs(const std::vector<Rehearsal>& rehearsals, int workers) {
+std::string cost_of_programs(const std::vector<Trial>& trials, int workers) {
   double all_s = 0;
   std::map<std::string, double> programs_s;
-  for (const Rehearsal& rehearsal : rehearsals) {
-    all_s += rehearsal.games * rehearsal.wall_s_a_game;
-    for (const RehearsedTeam& team : rehearsal.teams) {
-      if (team.is_program) programs_s[team.name] += rehearsal.games * team.wall_s_a_game;
+  for (const Trial& trial : trials) {
+    all_s += trial.games * trial.wall_s_a_game;
+    for (const TrialTeam& team : trial.teams) {
+      if (team.is_program) programs_s[team.name] += trial.games * team.wall_s_a_game;
     }
   }
   if (programs_s.empty() || all_s <= 0) return "";
-  return text_of_costs(programs_s, all_s, duration_s(rehearsals, workers));
+  return text_of_costs(programs_s, all_s, duration_s(trials, workers));
 }
 
 }  // namespace autoref::experiments

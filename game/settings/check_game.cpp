@@ -142,9 +142,9 @@ std::string start_text(const GameSettings& game) {
   const sim::BallState& ball = start.ball;
   add("ball", ball.position_m.x(), ball.position_m.y(), ball.velocity_mps.x(),
       ball.velocity_mps.y(), ball.height_m, ball.vertical_mps, ball.is_rolling);
-  const referee::Beginning& beginning = start.referee;
-  add(beginning.restart ? name_of(*beginning.restart) : "play", beginning.ball_m.x(),
-      beginning.ball_m.y(), beginning.is_stopped);
+  const referee::MidwayStart& midway_start = start.referee;
+  add(midway_start.restart ? name_of(*midway_start.restart) : "play", midway_start.ball_m.x(),
+      midway_start.ball_m.y(), midway_start.is_stopped);
   return text;
 }
 

@@ -1,4 +1,4 @@
-#include "experiments/run/rehearsed_part.hpp"
+#include "experiments/run/played_part.hpp"
 
 #include <algorithm>
 #include <chrono>

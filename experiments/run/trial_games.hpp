@@ -6,42 +6,42 @@
 #include <string>
 #include <vector>
 
-#include "experiments/run/rehearsed_part.hpp"
+#include "experiments/run/played_part.hpp"
 #include "experiments/schedule/schedule.hpp"
 
 namespace autoref::experiments {
 
 // What a team adds to the time of a game.
-struct RehearsedTeam {
+struct TrialTeam {
   std::string name;         // as in result rows
   bool is_program = false;  // not compiled in
   double wall_s_a_game = 0;
 };
 
 // Trial games of one combination of values or one matchup.
-struct Rehearsal {
+struct Trial {
   std::string played;        // prefix of the games' ids, such as "b.handicap=0.8"
   int games = 0;             // in the experiment
   std::string void_reason;   // empty unless void
   double wall_s_a_game = 0;  // estimate; 0 if void
   bool was_tried = true;     // false if there was no time; the estimate is then the others' mean
   double share = 1;          // of a game: the longest part that was played; 1 if void or not tried
-  std::array<RehearsedTeam, 2> teams = {};  // a and b
-  std::size_t variant = 0;                  // as in ScheduledGame
+  std::array<TrialTeam, 2> teams = {};  // a and b
+  std::size_t variant = 0;              // as in ScheduledGame
 };
 
-struct RehearsalOptions {
-  // Plays a game for at most this wall time; called in workers (rehearsed_part.hpp).
+struct TrialOptions {
+  // Plays a game for at most this wall time; called in workers (played_part.hpp).
   std::function<PlayedPart(const game::GameConfiguration&, double most_wall_s)> play;
   int workers = 1;       // as many as in the experiment, since workers share caches and processors
-  double longest_s = 8;  // approximate wall-clock limit for all rehearsals together
+  double longest_s = 8;  // approximate wall-clock limit for all trials together
 };
 
-// Simulated length of each half in the first rehearsal, unless the game's halves are shorter.
-inline constexpr double kRehearsedHalf_s = 5;
+// Simulated length of each half in the first trial, unless the game's halves are shorter.
+inline constexpr double kTrialHalf_s = 5;
 
 // Wall time of a part of a game.
-struct RehearsedPart {
+struct PartTime {
   double share = 0;  // of the game's length
   double wall_s = 0;
   double start_s = 0;              // before the first frame, as part of `wall_s`
@@ -49,23 +49,23 @@ struct RehearsedPart {
 };
 
 // Estimates the wall time of a whole game. The first part is the shortest.
-double whole_game_s(const std::vector<RehearsedPart>& parts);
+double estimated_game_s(const std::vector<PartTime>& parts);
 
-// Returns one rehearsal per combination of values or matchup, in the schedule's order. Each first
+// Returns one trial per combination of values or matchup, in the schedule's order. Each first
 // plays a few seconds, which shows whether its teams play at all; if that takes long, each stops
 // after an equal share of the time. Then follow one or more whole games if there is time, otherwise
 // the longest part of a game that fits. The start of a game costs less than its middle, and under
 // the 2026 rules the clock stops when play does, so only longer parts show how long a game takes.
 // If a team is a program, the estimate includes that a run starts it again to see whether it
 // repeats its commands. Throws Interrupted if the user interrupts.
-std::vector<Rehearsal> rehearse(const std::vector<ScheduledGame>& games,
-                                const RehearsalOptions& options);
+std::vector<Trial> play_trials(const std::vector<ScheduledGame>& games,
+                               const TrialOptions& options);
 
 // Estimated wall time of all games with this number of workers, in s.
-double duration_s(const std::vector<Rehearsal>& rehearsals, int workers);
+double duration_s(const std::vector<Trial>& trials, int workers);
 
 // How much of duration_s() the teams that are programs take, the largest first: "of that, the
 // teams' programs take: mine 35 s (83 %); all else takes about 7 s". Empty without programs.
-std::string cost_of_programs(const std::vector<Rehearsal>& rehearsals, int workers);
+std::string cost_of_programs(const std::vector<Trial>& trials, int workers);
 
 }  // namespace autoref::experiments
