@@ -136,8 +136,8 @@ std::vector<std::string> gaps_of(const RecordedFacts& facts, const game::GameSet
                    "(change with --set field.defence_area.depth_m=...)",
                    field.defence_area.depth_m, game.match.rules.name));
   note(!has_referee, "match.control",
-       "no referee packets: play is taken to be on throughout, and there is nothing to compare "
-       "AutoRef's calls with (change with --control autoref)");
+       "no referee packets: assuming that play is on throughout; there are no calls to compare "
+       "AutoRef's with (change with --control autoref)");
   const bool is_alone = game.match.control == referee::Control::kAutoref;
   note(
       is_alone && !recorded.half_s, "match.half_s",
@@ -158,10 +158,10 @@ std::vector<std::string> gaps_of(const RecordedFacts& facts, const game::GameSet
   }
   for (const Side side : kSides) {
     note(facts.robots[side] == 0, "",
-         fmt::format("no robot of the {} team is ever detected",
+         fmt::format("robots of the {} team are never detected",
                      side == Side::kWest ? "yellow" : "blue"));
   }
-  note(!facts.has_ball, "", "no ball is ever detected, so that nothing about it can be called");
+  note(!facts.has_ball, "", "the ball is never detected, so AutoRef cannot make calls about it");
   return gaps;
 }
 

@@ -105,7 +105,7 @@ std::string submit(const std::vector<std::string>& words) {
   const std::optional<io::CommandResult> result = io::run_command(words);
   if (!result) {
     throw io::InputError({}, "",
-                         "there is no sbatch in PATH: submit from a machine with Slurm, such as a "
+                         "sbatch is not in PATH: submit from a machine with Slurm, such as a "
                          "cluster's login node, or only write the scripts with --dry-run");
   }
   // With several clusters, sbatch prints "123;name".

@@ -43,8 +43,8 @@ void print_traffic(Side side, const live::LiveReport& report) {
   const double recent = static_cast<double>(ages[0] + ages[1]) / static_cast<double>(frames);
   io::write_message(
       stderr,
-      fmt::format("{}: {} packets, {} wrong, {} from another computer; in {:.1f} % "
-                  "of the frames a command at most one frame old\n",
+      fmt::format("{}: {} packets, {} invalid, {} from another computer; commands at most one "
+                  "frame old in {:.1f} % of the frames\n",
                   colour_of(side), traffic.packets, traffic.wrong, traffic.foreign, 100 * recent));
   if (!traffic.last_error.empty())
     io::write_message(stderr,
@@ -54,9 +54,10 @@ void print_traffic(Side side, const live::LiveReport& report) {
 void print_connections(const live::StreamTroubles& troubles) {
   if (troubles.refused + troubles.invalid + troubles.unread == 0) return;
   io::write_message(
-      stderr, fmt::format("TCP: {} connections too many were refused; closed: {} because of a "
-                          "wrong message, {} because responses were not read\n",
-                          troubles.refused, troubles.invalid, troubles.unread));
+      stderr,
+      fmt::format("TCP: {} connections above the limit were refused; {} were closed after an "
+                  "invalid message, {} because responses were not read\n",
+                  troubles.refused, troubles.invalid, troubles.unread));
 }
 
 void print_report(const live::LiveReport& report) {
@@ -71,7 +72,7 @@ void print_report(const live::LiveReport& report) {
   print_connections(report.connections);
   if (report.wrong_control > 0)
     io::write_message(stderr,
-                      fmt::format("control port: {} packets wrong\n", report.wrong_control));
+                      fmt::format("control port: {} invalid packets\n", report.wrong_control));
   for (const Side side : kSides) print_traffic(side, report);
 }
 

@@ -292,7 +292,7 @@ void add_referee_live_verb(CLI::App& referee, Chosen& chosen) {
   add_referee_options(*verb, *arguments, "default", "default");
   add_decision_outputs(*verb, arguments->events, arguments->game_events);
   verb->footer(
-      "AutoRef only says what it would call. With --game-controller it reports to the league's\n"
+      "AutoRef only reports what it would call. With --game-controller it reports to the league's\n"
       "game controller; with --control autoref it commands the game itself.\n\n"
       "Field, lengths of halves, first kick-off and robots are taken from the packets if they\n"
       "contain them; anything missing is reported once, with the option that sets it. Yellow is\n"

@@ -38,8 +38,8 @@ void print_keepers(const RefereeLogArguments& arguments, const logs::RecordedFac
     const std::string colour(colour_of(side));
     const std::string what =
         *keeper < 0
-            ? "no other robot keeps it all the time: the rules on keepers do not apply to " + colour
-            : fmt::format("robot {} keeps it: using {}", *keeper, *keeper);
+            ? "no other robot stays in goal, so the rules on keepers do not apply to " + colour
+            : fmt::format("robot {} does: using {}", *keeper, *keeper);
     io::write_message(
         stderr, fmt::format("autoref: {}: the announced keeper of {} does not keep the goal; {}\n",
                             arguments.log, colour, what));
@@ -51,8 +51,9 @@ void print_ends(const RefereeLogArguments& arguments, const logs::RecordedFacts&
   if (stages.empty()) return;
   std::vector<std::string> names;
   for (const Stage stage : stages) names.emplace_back(name_of(stage));
-  io::write_message(stderr, fmt::format("autoref: {}: both keepers are at the other ends than the "
-                                        "referee packets say in {}; using those that are seen\n",
+  io::write_message(stderr, fmt::format("autoref: {}: the referee packets and the "
+                                        "positions of both keepers disagree about the ends in {}; "
+                                        "using the keepers' positions\n",
                                         arguments.log, io::listed(names)));
 }
 

@@ -98,8 +98,8 @@ const experiments::ScheduledGame& game_named(const experiments::ResultFolder& fo
       turned.empty() ? nullptr : find_game_or_fault(folder, turned);
   if (game == nullptr) refuse_game(folder, id, turned);
   io::write_message(
-      stderr,
-      fmt::format("autoref: '{}' has its teams the other way round here: {}\n", id, game->id));
+      stderr, fmt::format("autoref: this folder lists the teams of '{}' in the other order: {}\n",
+                          id, game->id));
   return *game;
 }
 

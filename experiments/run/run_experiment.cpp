@@ -302,8 +302,7 @@ class ExperimentRun {
     io::replace_file(options_.folder / kEffectiveFile, effective_text(scenario_));
     progress_.say(
         fmt::format("{} was replaced, moved, shortened or removed while this run was writing it; "
-                    "the rows of this experiment "
-                    "are there again",
+                    "this experiment's rows have been restored",
                     (options_.folder / kGamesFolder / options_.shard.file_name()).string()));
   }
 

@@ -257,8 +257,8 @@ TEST_F(DisturbedLog, WhoseEndsWereNotSwitchedIsJudgedByThoseThatAreSeen) {
     records.back().message = packet.SerializeAsString();
   });
   expect_judged_alike(
-      "both keepers are at the other ends than the referee packets say in SECOND_HALF_PRE, "
-      "SECOND_HALF; using those that are seen");
+      "the referee packets and the positions of both keepers disagree about the ends in "
+      "SECOND_HALF_PRE, SECOND_HALF; using the keepers' positions");
 }
 
 // Nor at the beginning, so that they are wrong in the first half and right in the second.

@@ -127,7 +127,7 @@ TEST_F(ForeignLog, WithChangingGeometryIsJudgedOnTheLastField) {
 
 TEST_F(ForeignLog, WithoutARefereeIsJudged) {
   write({.has_referee = false});
-  expect_judged("no referee packets: play is taken to be on throughout");
+  expect_judged("no referee packets: assuming that play is on throughout");
   const app::Answer alone = referee({"--control", "autoref"});
   EXPECT_EQ(detections_of("the first kick-off is missing: giving it to west", alone.err), 1);
   const app::Answer set = referee({"--control", "autoref", "--first-kickoff", "east"});
@@ -136,7 +136,7 @@ TEST_F(ForeignLog, WithoutARefereeIsJudged) {
 
 TEST_F(ForeignLog, WithoutRobotsOfOneTeamIsJudged) {
   write({.robots = {{6, 0}}});
-  expect_judged("no robot of the blue team is ever detected");
+  expect_judged("robots of the blue team are never detected");
 }
 
 TEST_F(ForeignLog, WithUnknownStagesAndCommandsIsJudged) {
@@ -216,7 +216,7 @@ TEST_F(ForeignLog, WithRecordsOutOfOrderIsJudged) {
 
 TEST_F(ForeignLog, WithoutABallSaysSo) {
   write({.change_detection = [](league::DetectionFrame& detection) { detection.clear_balls(); }});
-  expect_judged("no ball is ever detected");
+  expect_judged("the ball is never detected");
   write({});
   EXPECT_EQ(referee().err.find("no ball"), std::string::npos);
 }

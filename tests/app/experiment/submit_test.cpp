@@ -116,7 +116,7 @@ TEST_F(Submit, RefusesAnInvalidTime) {
 TEST_F(Submit, SaysWhatToDoWithoutSlurm) {
   const Answer answer = submit({});
   EXPECT_EQ(answer.code, io::kBadInput);
-  EXPECT_NE(answer.err.find("no sbatch in PATH"), std::string::npos) << answer.err;
+  EXPECT_NE(answer.err.find("sbatch is not in PATH"), std::string::npos) << answer.err;
   EXPECT_NE(answer.err.find("--dry-run"), std::string::npos) << answer.err;
 }
 

@@ -38,8 +38,9 @@ class NamedGame : public testing::Test {
 TEST_F(NamedGame, IsFoundWithItsTeamsTheOtherWayRound) {
   const Answer answer = answer_to({"results", "replay", results_.c_str(), "bert~anna-p0001-2"});
   EXPECT_EQ(answer.code, io::kDone) << answer.err;
-  EXPECT_NE(answer.err.find("autoref: 'bert~anna-p0001-2' has its teams the other way round here: "
-                            "anna~bert-p0001-2\n"),
+  EXPECT_NE(answer.err.find(
+                "autoref: this folder lists the teams of 'bert~anna-p0001-2' in the other order: "
+                "anna~bert-p0001-2\n"),
             std::string::npos)
       << answer.err;
   const std::string score = "a (dummy, east)  0 : 0  b (dummy, west)";
