@@ -1,10 +1,10 @@
-// A fixed Box2D scene as the baseline for the speed of whole games: the cost of bare physics of
-// this size.
+// A fixed Box2D scene as the baseline for the speed of whole games: the cost of bare physics at
+// this scale.
 //
 // 12 robots of eight vertices with a flat front on a 9 x 6 m field, velocities set each 60 Hz frame
 // towards random targets, one bullet ball that is kicked when reached, 10 static edges, 8 velocity
-// and 3 position iterations, 240 Hz, 10 units per metre, no clock reads. It must never change, so
-// that measurements stay comparable.
+// and 3 position iterations, 240 Hz, 10 units per metre, no clock reads. The scene must never
+// change, so that measurements stay comparable.
 #pragma once
 
 #include <cstdint>

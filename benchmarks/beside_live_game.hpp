@@ -1,4 +1,4 @@
-// What runs beside a live game while its punctuality is measured.
+// Threads and processes that run alongside a live game while its punctuality is measured.
 #pragma once
 
 #include <sys/types.h>
@@ -23,7 +23,7 @@ class BareLoop {
   // The first frame is due after `delay`, so that the two loops do not wake each other.
   BareLoop(double frames_per_s, std::chrono::duration<double> delay);
 
-  // Ends the loop and returns how punctual it was.
+  // Ends the loop and returns its punctuality.
   live::Punctuality stop();
 
  private:
@@ -31,8 +31,8 @@ class BareLoop {
   std::jthread thread_;
 };
 
-// Processes that never sleep, as other programs on the computer: the system distributes processors
-// between sessions first, and they are in one of their own.
+// Processes that never sleep, like other programs on the computer. Since the system first
+// distributes processors between sessions, they have a session of their own.
 class BusyProcesses {
  public:
   // Throws InputOutputError. Call it before there are threads.
@@ -45,7 +45,7 @@ class BusyProcesses {
   std::vector<pid_t> processes_;
 };
 
-// A thread that commands teams by the simulation protocol, a packet per team and period.
+// A thread that commands teams using the simulation protocol, with one packet per team and period.
 class CommandingThread {
  public:
   CommandingThread(const std::vector<int>& ports, int robots, double packets_per_s);
@@ -64,7 +64,7 @@ class FrameCounter {
 
   int port() const { return receiver_.port(); }
   std::int64_t received() const { return received_; }
-  // The frames that are missing from 0 to the last one.
+  // The number of frames missing between 0 and the last one.
   std::int64_t lost() const { return last_ + 1 - received_; }
 
  private:
@@ -77,9 +77,9 @@ class FrameCounter {
 std::optional<std::int64_t> vision_frame_in(std::string_view bytes);
 std::optional<std::int64_t> tracker_frame_in(std::string_view bytes);
 
-// Different ports of this computer that nobody uses at the moment, neither for datagrams nor for
-// connections. They are below those that Linux gives to sockets without a port of their own, so
-// that no such socket takes one of them before it is used. Throws InputError if none is found.
+// Different ports of this computer that are currently unused, both for datagrams and for
+// connections. They are below the range from which Linux assigns ports to sockets, so that no other
+// socket takes one of them before it is used. Throws InputError if none is found.
 std::vector<int> free_ports(live::NetworkThread& thread, std::size_t count);
 
 }  // namespace autoref::benchmarks

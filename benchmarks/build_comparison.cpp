@@ -50,7 +50,7 @@ class MeasuredProgram {
     return last_.processor_s_per_sim_s;
   }
 
-  // Call this after playing the game of `round`.
+  // Must be called after the game of `round`.
   void end_round(int round, double mean_s) {
     speeds_.push_back(1 / mean_s);
     if (round < game::kFixedGames) signature_.add(last_.state_hash);

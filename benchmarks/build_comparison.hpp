@@ -10,7 +10,7 @@
 
 namespace autoref::benchmarks {
 
-// What one build did.
+// The results of one build.
 struct MeasuredBuild {
   std::string build;            // its version
   double x_real_time = 0;       // simulated seconds per processor second, median of the rounds
@@ -20,8 +20,8 @@ struct MeasuredBuild {
 struct BuildComparison {
   MeasuredBuild before;
   MeasuredBuild after;
-  // Processor time per simulated second, of `after` relative to `before`, in each round; below 1,
-  // `after` is faster.
+  // Processor time per simulated second of `after`, relative to `before`, in each round; `after` is
+  // faster if it is below 1.
   std::vector<double> ratios;
   MeasuredRatio ratio;
 
@@ -35,15 +35,15 @@ struct MeasuredGame {
   std::string build;
 };
 
-// Reads what `autoref play --json` printed, having used `processor_s`. Throws InputError naming
-// `program` if the text is anything else, or if the game is void.
+// Reads the output of `autoref play --json`, which used `processor_s`. Throws an InputError that
+// names `program` if the text is anything else or the game is void.
 MeasuredGame measured_game(const std::string& program, const std::string& text, double processor_s);
 
-// In each round, both programs play the same fixed game twice, each time in a process of its own,
-// in the order before, after, after, before, and the reverse in the next round, so that a slowdown
-// of the machine affects both. A game may take `longest_game_s` of wall-clock time; only to detect
-// hangs. Throws InputError if a program cannot be run, takes too long, fails, or prints something
-// else.
+// In each round, both programs play the same fixed game twice, each time in a separate process, in
+// the order before, after, after, before, and in reverse order in the next round, so that a
+// slowdown of the machine affects both. `longest_game_s` limits a game's wall-clock time, only to
+// detect hangs. Throws InputError if a program cannot be run, takes too long, fails, or prints
+// something else.
 BuildComparison compare_builds(const std::string& before, const std::string& after,
                                const Options& options, double longest_game_s = 600);
 

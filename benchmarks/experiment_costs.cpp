@@ -112,7 +112,7 @@ class ExperimentRounds {
     short_wall_.add(brief.frames_per_wall_s() / full.frames_per_wall_s());
   }
 
-  // Every other round in the opposite order.
+  // Every other round runs in the opposite order.
   void compare_crowds() {
     std::array<RunCosts, kCrowds.size()> costs;
     for (std::size_t i = 0; i < kCrowds.size(); ++i) {
@@ -178,7 +178,7 @@ RunCosts costs_of(const MeasuredExperiment& experiment) {
   const double workers_s = io::processor_s_of(RUSAGE_CHILDREN);
   const double waits = waits_of(RUSAGE_CHILDREN);
   const Clock::time_point start = Clock::now();
-  // Once the experiment returns, all workers have been waited for.
+  // By the time the experiment returns, it has waited for all workers.
   const experiments::ExperimentReport report =
       experiments::run_experiment({"", sweep_of(experiment)}, options);
   if (!report.is_complete) throw io::Interrupted();

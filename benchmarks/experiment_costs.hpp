@@ -1,5 +1,5 @@
-// Measures what experiments cost besides the frames of their games (starting the program, games and
-// workers, writing rows, many short games, many workers), and what a second worker gains.
+// Measures the cost of experiments besides the frames of their games (starting the program, games
+// and workers, writing rows, many short games, many workers), and the gain from a second worker.
 #pragma once
 
 #include <string>
@@ -11,25 +11,25 @@
 
 namespace autoref::benchmarks {
 
-// An experiment of games of the default team against itself.
+// An experiment in which the default team plays against itself.
 struct MeasuredExperiment {
-  int pairs = 1;  // two games each
+  int pairs = 1;  // with two games each
   double half_s = 600;
   int halves = 2;
   int workers = 1;
   bool with_memory = false;  // also measure the memory of the workers
 };
 
-// What one run of such an experiment cost, from an empty folder to the result files.
+// The cost of one run of such an experiment, from an empty folder to the result files.
 struct RunCosts {
   WorkerCosts worker;
   double parent_s = 0;   // processor time of the process that hands out games and writes rows
   double workers_s = 0;  // of all workers
-  double waits = 0;      // how often a worker had to wait: for a game, a lock, a file
+  double waits = 0;      // number of times a worker had to wait: for a game, a lock or a file
   double wall_s = 0;
 
   double total_s() const { return parent_s + workers_s; }
-  // Share of the processor time that is not spent in frames.
+  // Share of the processor time spent outside frames.
   double overhead() const { return (total_s() - worker.frames_s) / total_s(); }
   double frames_per_s() const { return static_cast<double>(worker.frames) / total_s(); }
   double frames_per_wall_s() const { return static_cast<double>(worker.frames) / wall_s; }
@@ -45,21 +45,21 @@ RunCosts costs_of(const MeasuredExperiment& experiment);
 struct CrowdRow {
   int workers = 1;
   MeasuredRatio cost;         // of the processor time per game
-  double waits_per_game = 0;  // medians of the rounds
+  double waits_per_game = 0;  // median over the rounds
   double parent_share = 0;    // of the processor time
-  double private_mb = 0;      // the most of any worker in any round
+  double private_mb = 0;      // the maximum over workers and rounds
   double resident_mb = 0;
 };
 
 struct ExperimentCosts {
   int rounds = 0;
-  double full_game_s = 0;      // processor time of a full game; median, like all that follow
+  double full_game_s = 0;      // processor time of a full game; a median, like all members below
   MeasuredRatio overhead;      // share of a full game's processor time outside its frames
   double set_up_share = 0;     // part of that share: creating and destroying games
   double parent_share = 0;     // part of that share: handing out games, writing rows
-  MeasuredRatio speedup;       // full games per wall-clock time, of two workers relative to one
+  MeasuredRatio speedup;       // full games per wall-clock time, with two workers relative to one
   double short_game_s = 0;     // processor time of a game of 10 s
-  double short_overhead = 0;   // the share of `overhead`, in games of 10 s
+  double short_overhead = 0;   // the same share in games of 10 s
   MeasuredRatio short_speed;   // frames per processor time, relative to full games
   MeasuredRatio short_frames;  // the same, counting only the time of the frames
   MeasuredRatio short_wall;    // frames per wall-clock time, relative to full games
@@ -68,8 +68,8 @@ struct ExperimentCosts {
 };
 
 // In each round, runs full games with two workers and with one, games of 10 s, and games with 1, 4,
-// 16 and 64 workers in turn, so that a slowdown of the machine affects all; and starts `program`,
-// which is `autoref`, once. `rounds` is at least kFewestRounds.
+// 16 and 64 workers in turn, so that a slowdown of the machine affects all of them. Also starts
+// `program`, which is `autoref`, once. `rounds` is at least kFewestRounds.
 ExperimentCosts measure_experiments(const std::string& program, int rounds);
 
 void print_experiment_costs(const std::string& program, int rounds);

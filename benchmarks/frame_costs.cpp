@@ -37,7 +37,7 @@ ScaleSeries robots_series(const Options& options) {
   return series;
 }
 
-// With detections that miss and deviate, so that there is something to merge.
+// Detections are missed and deviate, so that there is something to merge.
 ScaleSeries cameras_series(const Options& options) {
   ScaleSeries series{"cameras (rc2026-a)", "camera", {}, 0};
   for (const int cameras : {1, 2, 4}) {

@@ -1,4 +1,5 @@
-// Measures how the cost of a frame grows with the robots, the cameras and the camera preset.
+// Measures how the cost of a frame grows with the number of robots and cameras, and how it depends
+// on the camera preset.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +15,13 @@ namespace autoref::benchmarks {
 // One configuration of a series.
 struct ScaledGame {
   std::string name;
-  int units = 0;  // robots per side, or cameras; 0 in a series of presets
+  int units = 0;  // robots per side, or cameras; 0 in the series of presets
   game::GameConfiguration game;
 };
 
 struct ScaleSeries {
-  std::string name;  // what changes from row to row
-  std::string unit;  // "robot" or "camera"; empty in a series of presets
+  std::string name;  // what varies from row to row
+  std::string unit;  // "robot" or "camera"; empty in the series of presets
   std::vector<ScaledGame> games;
   std::size_t base = 0;  // the row that the others are compared with
 };
@@ -42,22 +43,22 @@ struct ScaleTable {
   double base_ns_per_frame = 0;  // median of the rounds
   std::vector<ScaleRow> rows;
 
-  // Factor that turns a row's ratio into that of the cost per unit. Only in a series with units.
+  // Factor that converts a row's ratio to that of the cost per unit. Only for series with units.
   double per_unit(const ScaleRow& row) const;
 };
 
-// How the cost per unit behaves beyond the base row: of all rows with more units, the one in which
-// it is highest relative to the base row decides.
+// How the cost per unit behaves beyond the base row. Of all rows with more units, the one with the
+// highest cost per unit relative to the base row decides.
 enum class Growth : std::uint8_t {
   kNotApplicable,  // no units, or no row beyond the base row
   kLinearOrBetter,
   kUndecided,    // above the base row, but the interval contains equality
-  kSuperlinear,  // above the base row, as is the whole interval
+  kSuperlinear,  // the whole interval is above the base row
 };
 Growth growth_of(const ScaleTable& table);
 
-// `ns_per_frame` has one list per row of the series, with one value per round, at least
-// kFewestRounds.
+// `ns_per_frame` has one list per row of the series, with one value per round; at least
+// kFewestRounds rounds.
 ScaleTable scale_table(const ScaleSeries& series,
                        const std::vector<std::vector<double>>& ns_per_frame);
 

@@ -1,4 +1,4 @@
-// Measures how punctual live games are, relative to a loop that does nothing but sleep.
+// Measures how punctual live games are, compared with a loop that does nothing but sleep.
 #pragma once
 
 #include <cstdint>
@@ -11,25 +11,26 @@
 namespace autoref::benchmarks {
 
 struct LiveConditions {
-  double seconds = 60;  // of each game
-  int load = 0;         // processes that compute all the time
+  double seconds = 60;  // length of each game
+  int load = 0;         // number of processes that compute all the time
 };
 
-// A live game at real time, and a bare loop of the same period beside it.
+// A live game in real time, and a bare loop with the same period that runs alongside it.
 struct MeasuredLiveGame {
   std::string teams;
   live::Punctuality game;
   live::Punctuality bare;
   std::int64_t received = 0;  // frames of vision and of the tracker that arrived
-  std::int64_t lost = 0;      // those that did not
+  std::int64_t lost = 0;      // frames that did not arrive
 
-  // How many times as many of the game's frames as of the bare loop's are late; nullopt if none of
-  // the bare loop's is.
+  // The number of late frames of the game relative to that of the bare loop; nullopt if the bare
+  // loop was never late.
   std::optional<double> ratio() const;
 };
 
-// Plays two games on the loopback, one of compiled-in teams and one of teams that are commanded
-// over the network, and counts what arrives. Throws InputError if the network cannot be used.
+// Plays two games over the loopback interface, one between compiled-in teams and one between teams
+// that are commanded over the network, and counts the packets that arrive. Throws InputError if the
+// network cannot be used.
 std::vector<MeasuredLiveGame> measure_live_games(const LiveConditions& conditions);
 
 void print_live_punctuality(const LiveConditions& conditions);

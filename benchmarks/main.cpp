@@ -1,4 +1,4 @@
-// The program `benchmarks`: a verb for each thing that it measures (README.md).
+// The program `benchmarks`, with a verb for each thing that it measures (README.md).
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <filesystem>
@@ -26,7 +26,7 @@ struct Arguments {
 
 std::string this_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
-// The program that was built with this one.
+// The `autoref` program that was built together with this one.
 std::string autoref() {
   return (std::filesystem::path(this_program()).parent_path() / "autoref").string();
 }
@@ -84,7 +84,7 @@ void add_programs(CLI::App& app) {
   app.add_subcommand("programs", "Compare games between programs with bare pipes.")->callback([] {
     print_program_costs({this_program(), "answer"});
   });
-  // Hidden: the team of those games.
+  // A hidden verb: the team in those games.
   app.add_subcommand("answer")->group("")->callback([] { std::exit(answer_frames()); });
 }
 

@@ -1,4 +1,4 @@
-// Options of several benchmarks.
+// Options shared by several benchmarks.
 #pragma once
 
 #include <string>
@@ -7,12 +7,13 @@
 
 namespace autoref::benchmarks {
 
-// The fewest rounds that give a 95 % interval of the median
+// The smallest number of rounds that allows a 95 % interval of the median
 // (experiments/statistics/interval.hpp).
 inline constexpr int kFewestRounds = 6;
 
 struct Options {
-  bool strong = false;  // whether the strongest team plays against itself, not the default team
+  bool strong = false;  // whether the strongest team plays against itself instead of the default
+                        // team
   int rounds = 12;      // at least kFewestRounds
 
   std::string team() const { return strong ? "cobalt" : game::TeamConfiguration{}.strategy; }

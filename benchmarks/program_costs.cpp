@@ -91,7 +91,7 @@ class BareProgram {
   std::string received_;
 };
 
-// A FRAME as large as those of six against six.
+// A FRAME of the size used in games of six against six.
 std::string frame_bytes() {
   league::TeamFrame frame;
   for (int i = 0; i < kBenchedRobots; ++i) {
@@ -137,7 +137,7 @@ struct Answer {
   std::array<league::FlatCommand, kMostCommands> commands;
 };
 
-// Drives in curves, so that games with it differ from those in which nothing moves.
+// Drives in curves, so that the robots in these games do move.
 void fill(Answer& answer, const league::FlatFrame& frame) {
   const std::size_t robots = std::min<std::size_t>(frame.own_robots, kMostCommands);
   answer.output.length =

@@ -34,7 +34,7 @@ game::GameConfiguration game_with_all_rules(const std::string& team) {
   return game;
 }
 
-// Sums up the duration of each phase of the frames.
+// Adds up the duration of each phase over all frames.
 class Shares final : public game::Observer {
  public:
   void on_phase(game::Phase ended) override {
@@ -64,7 +64,7 @@ double bare_ns(std::uint64_t seed, std::int64_t frames) {
   const Clock::time_point start = Clock::now();
   for (std::int64_t i = 0; i < frames; ++i) bare.step_frame();
   const double ns = ns_since(start);
-  // Uses the result, so the compiler cannot remove the work; also fails for NaN.
+  // Uses the result, so that the compiler cannot remove the work; also fails for NaN.
   if (!(bare.checksum_m() < 1e9)) throw std::logic_error("the bare Box2D benchmark has diverged");
   return ns;
 }

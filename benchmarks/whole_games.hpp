@@ -24,7 +24,7 @@ struct WholeGames {
 };
 
 // Plays the fixed games of a registered team against itself, each immediately followed by the bare
-// Box2D benchmark with as many frames, so a slowdown of the machine affects both.
+// Box2D benchmark with the same number of frames, so that a slowdown of the machine affects both.
 WholeGames measure_whole_games(const std::string& team);
 
 // Decision time of one team.
@@ -35,11 +35,12 @@ struct TeamCost {
 };
 
 // Measures a registered team in a fixed game against itself: six against six, two halves of 300 s.
-// Reading the clock adds about 30 ns. Throws std::invalid_argument for an unknown name, and
-// std::logic_error if the game is void.
+// The result includes about 30 ns for reading the clock. Throws std::invalid_argument for an
+// unknown name, and std::logic_error if the game is void.
 TeamCost cost_of_team(std::string_view name);
 
-// Prints what the fixed games cost, and, without --strong, the decisions of each registered team.
+// Prints the cost of the fixed games and, without --strong, that of the decisions of each
+// registered team.
 void print_whole_games(const Options& options);
 
 }  // namespace autoref::benchmarks

@@ -42,7 +42,7 @@ void raise_to(std::atomic<std::int64_t>& most, std::int64_t value) {
   }
 }
 
-// A value of /proc/self/smaps_rollup, in kB of 1024 bytes; 0 if it is missing.
+// A value from /proc/self/smaps_rollup, in kB of 1024 bytes; 0 if it is missing.
 std::int64_t kb_in(std::string_view text, std::string_view name) {
   std::size_t at = text.find(name);
   if (at == std::string_view::npos) return 0;

@@ -1,4 +1,4 @@
-// What workers report about their own games while a benchmark runs.
+// Reports of workers about their own games while a benchmark runs.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +17,13 @@ struct WorkerCosts {
   std::int64_t frames = 0;
   double set_up_s = 0;  // processor time to create a game, take its record and destroy it
   double frames_s = 0;  // processor time of its frames
-  // What the largest worker occupies at the end of a game, in MB (10^6 bytes): pages of its own,
-  // and all pages, most of which it shares with its parent and other programs.
+  // Memory of the largest worker at the end of a game, in MB (10^6 bytes): pages of its own, and
+  // all pages, most of which it shares with its parent and other programs.
   double most_private_mb = 0;
   double most_resident_mb = 0;
 };
 
-// Adds up the costs of games that are played in child processes: shared memory. Create it before
+// Adds up the costs of games that are played in child processes, in shared memory. Create it before
 // the children.
 class WorkerMeter {
  public:
@@ -33,7 +33,7 @@ class WorkerMeter {
   WorkerMeter(const WorkerMeter&) = delete;
   WorkerMeter& operator=(const WorkerMeter&) = delete;
 
-  // Plays one game, like play(), and adds its costs. Called in workers. `with_memory` also measures
+  // Plays one game, like play(), and adds its costs. Called by workers. `with_memory` also measures
   // the worker's memory, which takes about a millisecond.
   game::GameRecord play(const game::GameConfiguration& game, bool with_memory) const;
 

@@ -6,26 +6,27 @@
 namespace autoref::league {
 namespace {
 
-// A camera heard within that time is a reference. A packet that is farther off has been delayed, or
+// A camera heard within this time is a reference. A packet that is farther off has been delayed, or
 // its clock was set.
 constexpr double kOff_s = 0.1;
-constexpr double kShortly_s = 0.02;         // packets that arrive so shortly after each other
+constexpr double kShortly_s = 0.02;         // packets that arrive within this time of each other
 constexpr double kLeap_s = 1;               // larger steps are restarts
-constexpr double kImpossibleLeap_s = 1000;  // whatever the pace
+constexpr double kImpossibleLeap_s = 1000;  // a larger leap is never real, whatever the pace
 constexpr int kLeaps = 5;                   // packets in a row that establish a restarted clock
-constexpr int kStrays = 20;                 // or one that is off
+constexpr int kStrays = 20;                 // or a clock that is off
 constexpr int kStraysOfAnyPace = 250;
 constexpr std::size_t kCompared = 31;  // packets, about half a second
 constexpr int kEstablished = 31;
 constexpr double kLongestInterval_s = 0.1;
-constexpr double kRestartPause_s = 0.2;  // at least, so that nothing seems to have moved at once
-// How much a packet's interval counts in the usual one; packets may be missing in a longer one.
+constexpr double kRestartPause_s = 0.2;  // at least, so that nothing seems to have moved instantly
+// The weight of a packet's interval in the usual interval. In a longer interval, packets may be
+// missing.
 constexpr double kIntervalShare = 0.125;
 constexpr double kGapShare = 0.01;
 constexpr double kGap = 1.5;  // times the usual interval
 constexpr double kPaceOver_s = 1;
 constexpr double kPaceTolerance = 0.1;
-// Of the time between the first and the last stray.
+// As a fraction of the time between the first and the last stray.
 constexpr double kStrayTolerance = 0.25;
 constexpr double kStrayTolerance_s = 0.02;
 
@@ -58,7 +59,7 @@ bool CameraClocks::is_heard(const Clock& clock, double received_s) {
   return clock.last && std::abs(received_s - clock.last->received_s) <= kOff_s;
 }
 
-// How far `clock` is ahead of another camera's, beyond what is known.
+// How far `clock` is ahead of another camera's clock, beyond the known difference.
 double CameraClocks::ahead_s(const Clock& clock, const Clock& other, const Heard& heard) {
   const double between_captures_s =
       (heard.capture_s - clock.start_s) - (other.last->capture_s - other.start_s);
@@ -72,8 +73,8 @@ CameraClocks::Clocks::const_iterator CameraClocks::reference(std::uint32_t camer
   });
 }
 
-// The median over the other cameras that are heard and keep pace, or may do so if `counts_unknown`;
-// nullopt if there are none.
+// The median over the other cameras that are heard and keep pace, including those that may keep
+// pace if `counts_unknown`; nullopt if there are none.
 std::optional<double> CameraClocks::ahead_of_others_s(std::uint32_t camera, const Heard& heard,
                                                       bool counts_unknown) const {
   const Clock& clock = clocks_.at(camera);
@@ -93,8 +94,8 @@ CameraClocks::Clock CameraClocks::first_clock(std::uint32_t camera, const Heard&
   if (other == clocks_.end()) return clock;
   clock.start_s = other->second.start_s;
   const double apart_s = ahead_s(clock, other->second, heard);
-  // Unless it is large, slow motion may be the reason, in which little time passes between captures
-  // and much between arrivals.
+  // Unless the difference is large, it may be due to slow motion, in which little time passes
+  // between captures and much between arrivals.
   const double between_arrivals_s = std::abs(heard.received_s - other->second.last->received_s);
   const bool is_plain = between_arrivals_s <= kShortly_s || std::abs(apart_s) > 2 * kOff_s;
   if (std::abs(apart_s) > kSameClock_s && is_plain && other->second.keeps_pace.value_or(true))
@@ -112,7 +113,7 @@ bool CameraClocks::is_off(std::uint32_t camera, const Heard& heard) const {
   return leap_s > (clock.keeps_pace.value_or(true) ? kLeap_s : kImpossibleLeap_s);
 }
 
-// Compares with the reference, and adjusts the clock if it is usually off by a little.
+// Compares the clock with the reference, and adjusts it if it is usually off by a little.
 void CameraClocks::compare(std::uint32_t camera, const Heard& heard) {
   const auto other = reference(camera, heard.received_s);
   if (other == clocks_.end() || other->first > camera) return;
@@ -133,8 +134,8 @@ std::optional<double> CameraClocks::time_if_newer_s(const Clock& clock, double c
   return is_newer && time_s <= kLongestGame_s ? std::optional(time_s) : std::nullopt;
 }
 
-// Counts a packet that cannot be used. Returns whether so many in a row agree with each other that
-// their clock is the camera's now.
+// Counts a packet that cannot be used. Returns whether so many packets in a row agree with each
+// other that their clock is now the camera's clock.
 bool CameraClocks::has_changed(Clock& clock, const Heard& heard) const {
   const bool follows =
       clock.strays > 0 && std::abs(heard.capture_s - clock.last_stray.capture_s) < kLeap_s;
@@ -150,7 +151,7 @@ bool CameraClocks::has_changed(Clock& clock, const Heard& heard) const {
                     : clock.strays >= kStraysOfAnyPace;
 }
 
-// The clock continues where the other cameras are, or else with the time of arrival.
+// The clock continues at the time of the other cameras or, without them, with the time of arrival.
 void CameraClocks::restart(std::uint32_t camera, const Heard& heard, double after_s) {
   Clock& clock = clocks_.at(camera);
   const double before_s = clock.start_s;

@@ -9,68 +9,69 @@
 
 namespace autoref::league {
 
-// Brings the packets of all cameras onto one clock, that of the frames: in seconds since the first
-// packet was captured. Each camera may have a clock of its own, since several computers may run
-// vision, and any clock may be set or restart.
+// Brings the packets of all cameras onto one clock, that of the frames, in seconds since the first
+// packet was captured. Each camera may have its own clock, since vision may run on several
+// computers, and any clock may be set or restarted.
 //
 // How far a clock is ahead is found by comparing when two packets arrived with when they were
-// captured. Each camera is compared with the one of the lowest number that was heard within the
-// last 0.1 s. Differences up to kSameClock_s are left alone: processing takes that much more or
-// less time. A camera's first packet decides at once; then the median of 31 packets.
+// captured. Each camera is compared with the lowest-numbered camera heard within the last 0.1 s.
+// Differences up to kSameClock_s are left alone, since processing times vary by that much. A
+// camera's first packet decides immediately; after that, the median of 31 packets does.
 //
 // A packet is not used if it is not newer than the camera's last one, if it is more than kOld_s
 // older than the last frame, or if its clock is off by more than 0.1 s from those of the other
-// cameras heard. If 20 of them in a row arrive as they were captured, or five that are off by more
-// than a second, the clock has changed: it continues with the time of arrival. Packets that waited
-// somewhere arrive at once; then it takes 250.
+// cameras heard. The clock has changed if 20 such packets in a row arrive at the pace at which they
+// were captured, or five if they are off by more than a second; it then continues with the time of
+// arrival. Packets that were held up arrive all at once, so then it takes 250.
 //
-// Clocks are not compared while packets arrive more slowly or faster than they are captured, as in
+// Clocks are not compared while packets arrive more slowly or faster than they were captured, as in
 // slow or fast motion.
 class CameraClocks {
  public:
   static constexpr double kSameClock_s = 0.01;
   static constexpr double kOld_s = 0.03;
-  // Packets of more cameras are ignored.
+  // Packets from further cameras are ignored.
   static constexpr std::size_t kMaxCameras = 64;
   static constexpr double kLongestGame_s = 1e6;
   static constexpr double kLatestCapture_s = 1e12;  // later times lose their milliseconds
 
-  // When the next packet was captured; nullopt if the packet is not to be used. `capture_s` is on
+  // When the next packet was captured; nullopt if the packet must not be used. `capture_s` is on
   // the camera's clock, and at most kLatestCapture_s from 0; `received_s` is the packet's arrival
   // on the frames' clock. `after_s` is the time of the last frame.
   std::optional<double> time_s(std::uint32_t camera, double capture_s, double received_s,
                                double after_s);
 
-  // Whether packets of the camera may be used: it is known, or there is room for another one.
+  // Whether packets from the camera can be used: it is known, or there is room for another one.
   bool has_room_for(std::uint32_t camera) const;
 
   // The usual time between two packets of a camera; 0 while unknown.
   double interval_s(std::uint32_t camera) const { return clocks_.at(camera).interval_s; }
 
-  // The capture time of the frames' time 0, by the clock of the first camera of which 31 packets
-  // were used, and before that of the first camera; nullopt before the first packet.
+  // The capture time of the frames' time 0, on the clock of the first camera with 31 used packets,
+  // or, until there is one, on that of the first camera; nullopt before the first packet.
   std::optional<double> start_capture_s() const;
 
-  // How far the clocks of other cameras are ahead of that one, if that was corrected.
+  // How far the clocks of other cameras are ahead of that one, for those that were corrected.
   std::map<std::uint32_t, double> ahead_s() const;
 
-  int restarts() const { return restarts_; }  // several at the same time count once
+  int restarts() const { return restarts_; }  // simultaneous restarts count once
 
  private:
-  // When a packet was captured, by its camera's clock, and when it arrived.
+  // When a packet was captured, on its camera's clock, and when it arrived.
   struct Heard {
     double capture_s = 0;
     double received_s = 0;
   };
   struct Clock {
     double start_s = 0;              // the capture time of the frames' time 0
-    std::optional<Heard> last;       // packet used
-    std::optional<Heard> before;     // about a second before it
-    std::optional<bool> keeps_pace;  // whether arrival keeps pace with it; nullopt while unknown
-    int used = 0;                    // packets
+    std::optional<Heard> last;       // the last packet used
+    std::optional<Heard> before;     // one from about a second earlier
+    std::optional<bool> keeps_pace;  // whether packets arrive at the pace of their capture; nullopt
+                                     // while unknown
+    int used = 0;                    // number of packets used
     double interval_s = 0;
-    std::vector<double> ahead_s;  // of the reference, by the last packets
-    int strays = 0;               // consecutive packets that cannot be used
+    std::vector<double> ahead_s;  // ahead of the reference, for the last packets
+    int strays = 0;               // consecutive packets that could not be used
     Heard first_stray;
     Heard last_stray;
   };
@@ -92,7 +93,7 @@ class CameraClocks {
 
   Clocks clocks_;
   std::optional<std::uint32_t> epoch_;  // the camera whose clock dates the frames' time 0
-  double latest_s_ = 0;                 // the latest packet
+  double latest_s_ = 0;                 // time of the latest packet
   double restarted_s_ = -kLongestGame_s;
   int restarts_ = 0;
 };

@@ -19,14 +19,14 @@ namespace autoref::league {
 
 // A frame consists of one packet per camera, and its time is that of the latest. The next frame
 // begins when a camera sends another packet, or nine tenths of a camera's interval after the first
-// packet, so that a lost packet costs nothing else; or after a gap of 0.1 s. Clocks that differ or
+// packet, so that a lost packet has no other effect; or after a gap of 0.1 s. Clocks that differ or
 // restart are corrected (camera_clocks.hpp).
 //
-// A robot that several cameras see stays with its camera, and changes to another without a jump
+// A robot seen by several cameras stays with one camera, and changes to another without a jump
 // (followed_body.hpp). If it appears twice, the detection nearest to where it is expected is used,
-// unless another is clearly more confident. Of several balls, one is followed (followed_body.hpp).
-// Ignores robots with a number outside the league's range, detections that are not finite or more
-// than 100 m away, and frames more than a million seconds after the first.
+// unless another is clearly more confident. If there are several balls, one is followed
+// (followed_body.hpp). Ignores robots with a number outside the league's range, detections that are
+// not finite or more than 100 m away, and frames more than a million seconds after the first.
 class DetectionMerger {
  public:
   // Adds the next packet, which arrived at `received_s` on the frames' clock. Returns the frame
@@ -40,25 +40,25 @@ class DetectionMerger {
   // The field in the most recent valid geometry.
   const std::optional<Field>& field() const { return field_; }
 
-  // The optional parts that the most recent valid geometry omits.
+  // The optional parts that are missing from the most recent valid geometry.
   const FieldGaps& field_gaps() const { return field_gaps_; }
-  // How often the field changed after the first geometry.
+  // How often the field has changed since the first geometry.
   int field_changes() const { return field_changes_; }
   // Detections of robots with a number outside the league's range.
   std::int64_t unnumbered() const { return unnumbered_; }
 
   const CameraClocks& clocks() const { return clocks_; }
 
-  // Packets that were ignored: they are not newer than those already used, or dated by a clock that
-  // is not known yet.
+  // Packets that were ignored because they are not newer than those already used, or because their
+  // clock is not known yet.
   std::int64_t late() const { return late_; }
-  // Packets that were ignored for another reason.
+  // Packets that were ignored for other reasons.
   std::int64_t unusable() const { return unusable_; }
 
  private:
   struct Robot {
     FollowedBody body;
-    std::vector<Detected> seen;  // in the current frame
+    std::vector<Detected> seen;  // robots in the current frame
   };
 
   void read_geometry(const Geometry& geometry);
@@ -79,13 +79,13 @@ class DetectionMerger {
   std::set<std::uint32_t> in_frame_;  // cameras that contributed to the current frame
   PerSide<std::array<Robot, kMaxRobots>> robots_;
   BallChoice ball_choice_;
-  std::vector<Detected> balls_;                        // in the current frame
-  std::vector<std::optional<double>> ball_heights_m_;  // of each
+  std::vector<Detected> balls_;                        // balls in the current frame
+  std::vector<std::optional<double>> ball_heights_m_;  // of each of these balls
   double last_time_s_ = -1;
   std::int64_t unnumbered_ = 0;
-  double begun_s_ = 0;     // the first packet of the current frame
-  double time_s_ = 0;      // the latest one
-  double interval_s_ = 0;  // of the camera that sent the first
+  double begun_s_ = 0;     // time of the first packet of the current frame
+  double time_s_ = 0;      // time of its latest packet
+  double interval_s_ = 0;  // interval of the camera that sent its first packet
   std::int64_t frames_ = 0;
   std::int64_t late_ = 0;
   std::int64_t unusable_ = 0;

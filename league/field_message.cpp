@@ -16,7 +16,7 @@ namespace autoref::league {
 namespace {
 
 constexpr double kLongest_m = 100;
-constexpr float kFocalLength_px = 1000;  // of a usual camera; nobody takes pictures here
+constexpr float kFocalLength_px = 1000;  // of a typical camera; no pictures are taken here
 
 std::int32_t whole_mm(double metres) {
   return static_cast<std::int32_t>(std::llround(metres * 1000));
@@ -38,7 +38,7 @@ constexpr std::array<std::string_view, 14> kShapes = {"",
                                                       "RightFieldLeftPenaltyStretch",
                                                       "RightFieldRightPenaltyStretch"};
 
-// Sets the type of a line or arc; none if the list lacks it.
+// Sets the type of a line or arc, unless the list lacks it.
 template <typename Shape>
 void set_name(const std::string& name, Shape& shape) {
   shape.set_name(name);
@@ -162,7 +162,7 @@ bool has_box_sizes(const FieldSize& size) {
   return size.has_penalty_area_depth() && size.has_penalty_area_width();
 }
 
-// Reads sizes that older messages give only as the centres of lines.
+// Reads dimensions that older messages only give as lines, by their centres.
 void read_lines(const FieldSize& size, DefenceArea& area) {
   const FieldLine* front = line_called(kFront, size);
   if (front == nullptr) return;

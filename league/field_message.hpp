@@ -1,4 +1,4 @@
-// The field as the league's vision describes it.
+// The field as described by the league's vision.
 #pragma once
 
 #include <span>
@@ -10,16 +10,16 @@
 namespace autoref::league {
 
 // Fills `geometry` with the field and the cameras; a camera's id is its index in `cameras`. Lines
-// are named as in the league's vision.
+// have the names used by the league's vision.
 void fill_geometry(const Field& field, std::span<const CameraPosition> cameras, Geometry& geometry);
 
-// How a ball rolls and bounces, for the receivers of geometry.
+// How a ball rolls and bounces, for receivers of the geometry.
 struct BallModel {
   double slide_mps2 = 0;     // deceleration of a sliding ball
   double roll_mps2 = 0;      // deceleration of a rolling ball
   double switch_ratio = 0;   // speed at which a ball begins to roll, relative to the kick's
-  double first_hop_xy = 0;   // fraction of the horizontal speed kept at a chip's first landing
-  double later_hops_xy = 0;  // the same at later landings
+  double first_hop_xy = 0;   // fraction of the horizontal speed kept at a chip's first bounce
+  double later_hops_xy = 0;  // the same for later bounces
   double hops_z = 0;         // fraction of the vertical speed kept
 };
 
@@ -30,7 +30,7 @@ void fill_ball_models(const BallModel& model, Geometry& geometry);
 // positive (a margin may be 0) or exceeds 100 m.
 Field field_of(const Geometry& geometry);
 
-// Which optional parts a message omits.
+// The optional parts that are missing from a message.
 struct FieldGaps {
   bool penalty_mark = false;
   bool defence_area = false;
@@ -38,8 +38,8 @@ struct FieldGaps {
 
 FieldGaps gaps_in(const Geometry& geometry);
 
-// The position of the camera with that id; above `below_m` if the message does not contain it, or
-// one that is below the carpet or not within 100 m.
+// The position of the camera with that id. If the message does not contain it, or its position is
+// below the carpet or more than 100 m away, the camera is above `below_m`.
 CameraPosition camera_of(const Geometry& geometry, std::uint32_t id, const Vec2& below_m);
 
 }  // namespace autoref::league

@@ -11,7 +11,7 @@ namespace {
 constexpr double kLongestExpectation_s = 0.5;
 constexpr double kRecent_s = 0.25;  // older disagreements are not used
 constexpr double kMostDisagreement_rad = 0.1;
-constexpr double kJump_m = 0.3;  // the body was carried there, or it is another one
+constexpr double kJump_m = 0.3;  // the body was carried there, or it is a different one
 constexpr double kForgets_mps = 0.03;
 constexpr double kForgets_radps = 0.03;
 
@@ -21,15 +21,15 @@ const Detected* view_of(std::uint32_t camera, std::span<const Detected> views) {
   return view == views.end() ? nullptr : &*view;
 }
 
-constexpr double kAnyway_m = 0.3;   // distance that is never too far
-constexpr double kKicked_mps = 12;  // above any kick, with the parallax of a chip
+constexpr double kAnyway_m = 0.3;   // a distance that is never too far
+constexpr double kKicked_mps = 12;  // above any kick, including the parallax of a chip
 constexpr double kCarried_mps = 3;  // by a robot that hides the ball
 constexpr double kOtherNoise_m = 0.05;
 constexpr double kLongestMotion_s = 0.1;
 constexpr double kForgotten_s = 3;
 constexpr double kSuccessor_s = 0.1;  // of a moving ball that appeared after the followed one
 constexpr double kStill_s = 0.5;      // of a ball that lies still
-constexpr double kTogether_s = 3;     // of a ball that was seen beside the followed one
+constexpr double kTogether_s = 3;     // of a ball that was seen together with the followed one
 constexpr double kStill_m = 0.1;
 constexpr double kLiesStill_s = 2;
 constexpr double kMoves_m = 0.5;
@@ -150,7 +150,7 @@ void BallChoice::follow(double time_s, std::span<const Detected> all, const Dete
   rest_s_ = time_s;
 }
 
-// Whether the followed ball, if it is hidden, may appear there.
+// Whether the followed ball, if it is hidden, can reappear there.
 bool BallChoice::may_be_at(const Vec2& position_m, double time_s) const {
   const double hidden_s = time_s - ball_.seen_s();
   const double reach_m =
@@ -177,7 +177,8 @@ const Detected* BallChoice::find_followed(double time_s, std::span<const Detecte
   return nearest;
 }
 
-// Whether this is a known other ball and not nearer to where the followed one is expected.
+// Whether this is a known other ball that is not nearer than it was to where the followed ball is
+// expected.
 bool BallChoice::is_other(double time_s, const Detected& seen) const {
   const double away_m = (seen.position_m - ball_.expected_m(time_s)).norm();
   return std::any_of(others_.begin(), others_.end(), [&](const OtherBall& other) {

@@ -1,5 +1,5 @@
-// One robot or ball through the detections of several cameras, and which of several balls is
-// followed.
+// Follows one robot or ball through the detections of several cameras, and decides which of several
+// balls to follow.
 #pragma once
 
 #include <cstdint>
@@ -19,25 +19,26 @@ struct Detected {
   Vec2 heading{1, 0};
 };
 
-// Cameras disagree by some 20 mm, so that a robot or ball would jump whenever another camera is
-// used. It therefore stays with its camera as long as that camera sees it. Then the other camera's
-// detection is moved and turned by their latest disagreement, which is forgotten slowly.
+// Cameras disagree by some 20 mm, so a robot or ball would jump whenever another camera is used. It
+// therefore stays with one camera as long as that camera sees it. After that, the new camera's
+// detections are moved and turned by the cameras' latest disagreement, which is slowly forgotten.
 class FollowedBody {
  public:
   // Detections of one frame within this distance are the same body seen by several cameras.
   static constexpr double kSameBody_m = 0.06;
 
   bool is_known() const { return last_.has_value(); }
-  double seen_s() const { return seen_s_; }  // the last detection
+  double seen_s() const { return seen_s_; }  // time of the last detection
   const Vec2& position_m() const { return last_->position_m; }
   std::uint32_t camera() const { return last_->camera; }
 
-  // Where the body is if it has kept its velocity for `time_s`, at most 0.5 s. It must be known.
+  // Where the body is if it has kept its velocity until `time_s`, for at most 0.5 s. It must be
+  // known.
   Vec2 expected_m(double time_s) const;
 
-  // Adds the detections of a frame, of which `chosen` is the body; prefers a detection of the same
-  // body by the last camera. Returns the detection used, and corrected, if another camera was used
-  // before.
+  // Adds the detections of a frame; `chosen` is the body among them. A detection of the same body
+  // by the last camera is preferred. Returns the detection used, corrected if another camera was
+  // used before.
   Detected add(double time_s, std::span<const Detected> all, const Detected& chosen);
 
   void forget() { *this = {}; }
@@ -59,21 +60,23 @@ class FollowedBody {
 // The detection nearest to `position_m`; nullptr if there is none.
 const Detected* nearest_to(const Vec2& position_m, std::span<const Detected> all);
 
-// Decides which of the balls that vision reports is the one in play. Follows one ball; at first,
-// the most confident one. While it is hidden, it may appear again where a robot may have carried it
-// or where its velocity brings it; a ball elsewhere, or one that a camera sees beside it in most
-// frames, is another ball and remains one. Another ball takes the followed one's place
-// - if it is the only one in the frame and at most one has been seen beside the followed one in the
-//   last 3 s: at once, since it may just be kicked there, and false detections are rare then;
-// - if the followed ball has disappeared and the other one was not seen beside it: after 0.1 s if
-//   it moves, else after 0.5 s;
-// - if both were seen together: 3 s after the followed one has disappeared, or as long after it as
-//   it was followed, if the other one appeared later or moves;
-// - if the followed ball lies still for 2 s, or since it appeared, while the other moves by 0.5 m.
+// Decides which of the balls reported by vision is the one in play. One ball is followed; at first,
+// it is the one with the highest confidence. While it is hidden, it can reappear where a robot may
+// have carried it or where its velocity takes it. A ball elsewhere, or one that its camera sees
+// together with the followed ball in most frames, is another ball and remains one. Another ball
+// replaces the followed ball
+// - immediately, if it is the only ball in the frame and at most one other was seen together with
+//   the followed ball in the last 3 s: it may just have been kicked there, since false detections
+//   are then rare;
+// - 0.1 s after it appeared if it moves, or 0.5 s after if it does not, once the followed ball has
+//   disappeared, if the two were never seen together;
+// - 3 s after the followed ball disappeared, if the two were seen together; or, if the other ball
+//   appeared later or moves, after the time for which the ball was followed, if that is shorter;
+// - if it moves by 0.5 m while the followed ball has lain still for 2 s, or since it appeared.
 class BallChoice {
  public:
-  // Returns the detection of the ball in play, or nullptr if it is not among `all`, the detections
-  // of one frame. Times must increase.
+  // Returns the detection of the ball in play, or nullptr if it is not in `all`, the detections of
+  // one frame. Times must increase.
   const Detected* choose(double time_s, std::span<const Detected> all);
 
  private:
@@ -83,8 +86,8 @@ class BallChoice {
     double first_s = 0;
     double seen_s = 0;
     std::int64_t first_frame = 0;
-    std::int64_t frames = 0;  // in which it was seen
-    bool was_beside = false;  // together with the followed ball
+    std::int64_t frames = 0;  // number of frames in which it was seen
+    bool was_beside = false;  // whether it was seen together with the followed ball
   };
 
   const Detected* find_followed(double time_s, std::span<const Detected> all) const;
@@ -98,11 +101,11 @@ class BallChoice {
   void follow(double time_s, std::span<const Detected> all, const Detected& chosen);
 
   FollowedBody ball_;
-  double since_s_ = 0;   // followed since then, with short gaps
-  double latest_s_ = 0;  // the latest frame
+  double since_s_ = 0;   // start of following, which includes short gaps
+  double latest_s_ = 0;  // time of the latest frame
   std::int64_t frames_ = 0;
-  Vec2 rest_m_{0, 0};  // the ball has been near this position
-  double rest_s_ = 0;  // since then
+  Vec2 rest_m_{0, 0};  // the ball has stayed near this position
+  double rest_s_ = 0;  // since this time
   std::vector<OtherBall> others_;
   Detected used_;
 };

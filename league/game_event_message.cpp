@@ -30,8 +30,8 @@ std::string mapped(std::string_view text, int (*map)(int)) {
   return result;
 }
 
-// The part of the message that belongs to the type; null if there is none. Parts have the names of
-// types in lower case.
+// The part of the message that belongs to the type; null if there is none. Parts have the types'
+// names in lower case.
 const FieldDescriptor* part_of(GameEventType type) {
   const std::string_view name = name_of(type);
   if (name.empty()) return nullptr;
@@ -87,7 +87,7 @@ class FieldWriter {
     reflection_.SetUInt64(&message_, field, number);
   }
 
-  // The required fields are teams, a truth value and texts.
+  // Required fields are teams, bools and texts.
   void set_nothing(const FieldDescriptor* field) const {
     if (field->cpp_type() == FieldDescriptor::CPPTYPE_INT32)
       reflection_.SetInt32(&message_, field, kUnknownTeam);

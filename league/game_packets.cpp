@@ -45,7 +45,7 @@ void GamePackets::note(GameEvent event) {
   has_new_events_ = true;
 }
 
-// Ignores the clock.
+// Does not consider the clock.
 bool GamePackets::has_changed(const RefereeSignal& signal) const {
   return referee_.command_counter() != signal.command_counter ||
          referee_.stage() != static_cast<int>(signal.stage) ||
@@ -76,7 +76,7 @@ void GamePackets::add_referee(const RefereeSignal& signal, double time_s, Packet
   send_commands_before(signal, time_s, sink);
   const bool is_due = time_s >= referee_due_s_ - kRounding_s;
   if (is_due) {
-    // After a longer silence, the rhythm begins again.
+    // After a longer silence, the rhythm starts again.
     if (time_s - referee_due_s_ > times_.referee_every_s) referee_due_s_ = time_s;
     referee_due_s_ += times_.referee_every_s;
   }

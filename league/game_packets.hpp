@@ -34,27 +34,27 @@ struct PacketTimes {
   double start_s = 0;            // time of the game's first frame in the packets
 };
 
-// Every camera sends one packet per frame, in addition to the geometry; the referee sends regularly
-// and whenever its signal changes. Its packets contain the game events since play was on last, or
-// the newest ones if they would exceed kLongestPacket. The packets show each team at its current
-// end (soccer/referee_signal.hpp).
+// Every camera sends one packet per frame, in addition to the geometry; the referee sends packets
+// regularly and whenever its signal changes. These contain the game events since play was last on,
+// or only the newest ones if they would exceed kLongestPacket. The packets show each team at its
+// current end (soccer/referee_signal.hpp).
 class GamePackets {
  public:
   GamePackets(const Field& field, std::vector<CameraPosition> cameras, PerSide<LoggedTeam> teams,
               const PacketTimes& times);
 
-  // Adds the ball to the geometry.
+  // Adds the ball model to the geometry.
   void describe(const BallModel& ball) { fill_ball_models(ball, *geometry_.mutable_geometry()); }
 
   // The packet with the geometry.
   const VisionPacket& geometry() const { return geometry_; }
 
   // Notes a command of the next frame. This matters only if one frame has several commands, since
-  // the signal contains just the last.
+  // the signal contains only the last one.
   void note(Command command);
 
-  // Adds an event to the referee's packets from the next frame on. An event without an id gets its
-  // number.
+  // Adds an event to the referee's packets from the next frame on. An event without an id is given
+  // its number as one.
   void note(GameEvent event);
 
   // Notes what the cameras report in addition to the next frame.
@@ -81,24 +81,24 @@ class GamePackets {
   std::vector<VisionPacket> packets_;  // one per camera
   RefereePacket referee_;              // the last one sent
   std::vector<Command> sent_;          // during the current frame
-  std::vector<GameEvent> events_;      // since play was on last
+  std::vector<GameEvent> events_;      // since play was last on
   int noted_events_ = 0;
   bool has_new_events_ = false;
-  OtherDetections others_;  // in addition to the current frame
+  OtherDetections others_;  // those of the current frame
   double geometry_due_s_ = 0;
   double referee_due_s_ = 0;
 };
 
 // Writes a game as an SSL log: the packets of its cameras and its referee. Times count from the
-// game's first frame. The log contains the geometry about once a second, and of the referee ten
-// packets per second plus one whenever its signal changes.
+// game's first frame. The log contains the geometry about once a second, and ten referee packets
+// per second plus one whenever the referee's signal changes.
 class GameLog final : PacketSink {
  public:
   // Creates or truncates the file. Throws LogError.
   GameLog(const std::filesystem::path& path, const Field& field,
           std::vector<CameraPosition> cameras, PerSide<LoggedTeam> teams);
 
-  // As those of GamePackets.
+  // As for GamePackets.
   void note(Command command) { packets_.note(command); }
   void note(GameEvent event) { packets_.note(std::move(event)); }
   void note(const OtherDetections& others) { packets_.note(others); }

@@ -14,8 +14,8 @@ namespace {
 constexpr double kOutOfOrder_s = 1;  // maximum step back in time within one log
 constexpr double kLongestPause_s = 1e6;
 
-// The kind of a message whose log does not say it. A message is of a kind if it has all that
-// messages of that kind must have.
+// The kind of a message whose log does not give it. A message is of a kind if it has everything
+// that messages of that kind must have.
 MessageKind guessed_kind(const std::string& bytes) {
   VisionPacket vision;
   if (parse(bytes, vision) && (vision.has_detection() || vision.has_geometry()))
@@ -49,7 +49,7 @@ bool has_detection(const LogRecord& record) {
 
 // Whether the log's first records contain tracker packets, but no vision.
 bool begins_with_tracker_only(const std::filesystem::path& path) {
-  constexpr int kBeginning = 3000;  // records: some seconds of a game with two trackers
+  constexpr int kBeginning = 3000;  // records: a few seconds of a game with two trackers
   LogReader log(path);
   LogRecord record;
   bool has_tracker = false;
@@ -75,7 +75,7 @@ class Walk {
     while (!beyond() && log_.read(record_)) {
       const MessageKind kind = kind_of(record_);
       ++summary_.records[kind];
-      if (kind == MessageKind::kIndex2021) continue;  // it has no time
+      if (kind == MessageKind::kIndex2021) continue;  // an index has no time
       if (records_++ == 0) first_ns_ = record_.time_ns;
       take_time();
       const bool is_first = !has_unreadable_;
@@ -102,7 +102,7 @@ class Walk {
 
  private:
   // If record times jump, as in two concatenated logs, they continue from the last one. Computed in
-  // double: the difference of malicious times may overflow int64.
+  // double, since the difference of malicious times may overflow int64.
   void take_time() {
     const double since_first_s =
         (static_cast<double>(record_.time_ns) - static_cast<double>(first_ns_)) / 1e9;

@@ -17,8 +17,8 @@
 
 namespace autoref::league {
 
-// Where a log's frames come from. Unless one is chosen, they are the tracker's only if the log
-// begins without vision.
+// The source of a log's frames. Unless one is chosen, they come from the log's tracker only if the
+// log begins without vision.
 enum class FrameSource : std::uint8_t { kFirst, kVision, kTracker };
 
 // Receives a log's contents in the order of the file.
@@ -26,39 +26,41 @@ class LogVisitor {
  public:
   virtual ~LogVisitor() = default;
   // A complete frame (detection_merger.hpp). It is reported once the next one begins, that is,
-  // after the referee messages sent in between. Its time counts from the first frame. Frames may
-  // also be those of the log's tracker (FrameSource, tracker_message.hpp).
+  // after the referee messages sent in between. Its time counts from the first frame. Frames can
+  // also come from the log's tracker (FrameSource, tracker_message.hpp).
   virtual void on_frame(const Frame& /*frame*/) {}
-  // What the log's tracker reports, and the part of it that was seen. Both count frames and times
-  // from the tracker's first packet. Called before on_frame if the frames are the tracker's.
+  // The tracks reported by the log's tracker, and a frame of the objects that it saw. Both have
+  // frame numbers and times counted from the tracker's first packet. Called before on_frame if the
+  // frames come from the tracker.
   virtual void on_tracks(const Frame& /*frame*/, const Tracks& /*tracks*/) {}
   // `time_s` is the record's time on the frames' clock.
   virtual void on_referee(double /*time_s*/, const RefereePacket& /*packet*/) {}
-  // A packet of vision that could be used: a camera's detections, geometry, or both. `time_s` is
-  // the record's time on the frames' clock.
+  // A vision packet that could be used: a camera's detections, geometry, or both. `time_s` is the
+  // record's time on the frames' clock.
   virtual void on_vision(double /*time_s*/, const VisionPacket& /*packet*/) {}
 };
 
-// What became of a message.
+// How a message was treated.
 enum class ReadResult : std::uint8_t { kUsed, kUnreadable, kLate, kCopy, kOtherReferee };
 
-// Messages that are not passed on, and what was corrected in the others.
+// Messages that were not passed on, and corrections to the others.
 struct MessageFaults {
   std::int64_t unreadable = 0;  // cannot be parsed or used
-  // Not newer than what has been used of the camera or the referee, or dated by a clock that is not
-  // known yet.
+  // Not newer than messages already used from the camera or the referee, or dated by a clock that
+  // is not known yet.
   std::int64_t late = 0;
-  std::int64_t copies = 0;            // of messages received just before
-  std::int64_t of_other_referee = 0;  // packets of a referee that is not followed
-  // What the referee calls itself that is followed, and the first other one. Any bytes.
+  std::int64_t copies = 0;            // copies of messages received shortly before
+  std::int64_t of_other_referee = 0;  // packets from a referee that is not followed
+  // The names that the followed referee and the first other one use for themselves. They can
+  // contain any bytes.
   std::string referee;
   std::string other_referee;
-  int referee_changes = 0;                         // how often another referee was followed
+  int referee_changes = 0;                         // how often following changed to another referee
   std::map<std::uint32_t, double> clocks_ahead_s;  // CameraClocks::ahead_s()
   int clock_restarts = 0;                          // of the cameras
 };
 
-// Summary of a log, in addition to what visitors receive.
+// Summary of a log, in addition to the visitors' data.
 struct LogSummary {
   // Indexed by MessageKind; unknown numbers count as kUnknown.
   std::map<MessageKind, std::int64_t> records;
@@ -66,18 +68,18 @@ struct LogSummary {
   double length_s = 0;        // from the first record to the last
   std::int64_t frames = 0;
   std::optional<Field> field;                // from the last geometry; nullopt if the log has none
-  FieldGaps field_gaps;                      // what that geometry omits
+  FieldGaps field_gaps;                      // optional parts missing from that geometry
   int field_changes = 0;                     // changes after the first geometry
   int trackers = 0;                          // programs that sent tracker packets, at most 64
-  bool frames_are_tracked = false;           // frames from a tracker
-  FrameSource source = FrameSource::kFirst;  // as asked for
+  bool frames_are_tracked = false;           // whether the frames come from a tracker
+  FrameSource source = FrameSource::kFirst;  // as requested
   std::int64_t unnumbered = 0;               // detections of robots numbered 16 and above
   MessageFaults faults;
-  std::int64_t unreadable_at = 0;   // offset of the first unreadable message
+  std::int64_t unreadable_at = 0;   // offset of the first unreadable message, in bytes
   std::optional<LogDamage> damage;  // set if the log ends prematurely
 };
 
-// Bounds the time and memory spent on a log. The limits allow nine hours of eight cameras at 60
+// Limits the time and memory spent on a log. The limits allow nine hours of eight cameras at 60
 // frames per second, longer than any game.
 struct LogLimits {
   std::int64_t frames = 2'000'000;
@@ -86,7 +88,7 @@ struct LogLimits {
 };
 
 // Reads a log in bounded memory. Throws LogError if the file is not a log. A log that exceeds the
-// limits counts as damaged from there on.
+// limits counts as damaged from that point.
 LogSummary read_log(const std::filesystem::path& path, LogVisitor& visitor,
                     const LogLimits& limits = {}, FrameSource source = FrameSource::kFirst);
 LogSummary read_log(const std::filesystem::path& path, LogVisitor& visitor, FrameSource source);

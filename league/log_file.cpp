@@ -92,7 +92,8 @@ void LogWriter::write(std::int64_t time_ns, MessageKind kind, std::string_view m
   put_number(header.data() + 12, static_cast<std::uint32_t>(message.size()));
   put({header.data(), header.size()});
   put(message);
-  // Unsigned, since arbitrary times may be far apart; a clock that was set back is flushed, too.
+  // Unsigned, since arbitrary times may be far apart. A clock that was set back also causes a
+  // flush.
   const std::uint64_t since_ns =
       static_cast<std::uint64_t>(time_ns) - static_cast<std::uint64_t>(flushed_ns_);
   if (since_ns < kFlushEvery_ns) return;
@@ -141,7 +142,7 @@ bool LogReader::fail(const std::string& what) {
   return false;
 }
 
-// The index of a game's log has several megabytes: 8 bytes per record.
+// The index in a game's log takes several megabytes, with 8 bytes per record.
 void LogReader::skip_index(std::size_t length) {
   std::vector<char> portion(std::min(kPortion, length));
   while (length > 0 && !is_over_) {
@@ -156,7 +157,7 @@ bool LogReader::read(LogRecord& record) {
   offset_ = gztell(zlib_file(file_));
   Header header{};
   std::size_t size = get(header.data(), header.size());
-  // Another log that was appended to this one.
+  // Another log has been appended to this one.
   while (size == header.size() && has_signature(header)) {
     if (version_of(header) != kVersion)
       return fail(fmt::format("a log of version {} follows; only version {} is supported",
@@ -182,7 +183,7 @@ bool LogReader::read(LogRecord& record) {
     return fail(
         fmt::format("a message of {} bytes exceeds the maximum of {}", length, kLongestMessage));
   }
-  // Grows with the data actually read, so a damaged length does not allocate memory in vain.
+  // Grows with the data actually read, so a damaged length does not allocate memory for nothing.
   while (record.message.size() < length) {
     const std::size_t had = record.message.size();
     const std::size_t portion = std::min(kPortion, length - had);

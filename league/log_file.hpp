@@ -3,9 +3,9 @@
 // A file begins with the 12 bytes "SSL_LOG_FILE" and an int32 version, 1. Records follow: int64
 // time in ns, int32 kind, int32 size, and the message; all numbers are big-endian. Files whose
 // names end in .gz are written gzip-compressed; the reader detects compression from the content.
-// Logs appended to each other are read as one, if all are compressed or none is.
+// Logs appended to each other are read as one if either all or none of them are compressed.
 //
-// A log may end with an index, a record of kind 6 and time 0: the offset of each record before it
+// A log can end with an index, a record of kind 6 and time 0: the offset of each record before it
 // (int64), the size of the index record with its header (int64), and the 7 bytes "INDEXED".
 #pragma once
 
@@ -28,7 +28,7 @@ enum class MessageKind : std::int32_t {
   kIndex2021 = 6,
 };
 
-// A log cannot be opened, read or written. what() begins with the file's name.
+// Thrown if a log cannot be opened, read or written. what() begins with the file's name.
 class LogError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -48,7 +48,7 @@ class LogWriter {
   LogWriter(const LogWriter&) = delete;
   LogWriter& operator=(const LogWriter&) = delete;
 
-  // Every second of the messages' time, what was written reaches the file, so that hardly more is
+  // Written records reach the file after every second of the messages' time, so that little more is
   // lost if the program is killed. Throws LogError.
   void write(std::int64_t time_ns, MessageKind kind, std::string_view message);
 
@@ -64,7 +64,7 @@ class LogWriter {
   std::int64_t flushed_ns_ = 0;
 };
 
-// Whether a file that begins so may be a log, compressed or not.
+// Whether a file that begins with `bytes` may be a log, compressed or not.
 bool may_begin_log(std::string_view bytes);
 
 // Where a file becomes unreadable. Everything before it is valid.
@@ -85,8 +85,8 @@ class LogReader {
   LogReader& operator=(const LogReader&) = delete;
 
   // Reads the next record into `record`; returns false at the end, or if the file is damaged. An
-  // index is skipped, whatever its size: its message is empty. A log that ends in the middle of an
-  // index is not damaged, since no message is lost.
+  // index is skipped, whatever its size; its message is empty. A log that ends in the middle of an
+  // index is not considered damaged, since no message is lost.
   bool read(LogRecord& record);
 
   // Offset of the last record read.

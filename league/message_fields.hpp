@@ -1,5 +1,5 @@
-// The league's units (millimetres as float, times as integer micro- or nanoseconds) and its numbers
-// of the teams; parsing of messages that may be malformed.
+// The league's units (millimetres as float, times as integer micro- or nanoseconds) and team
+// numbers, and parsing of messages that may be malformed.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace autoref::league {
 
-// Team in the league's messages; 0 is unknown.
+// Teams in the league's messages; 0 is unknown.
 inline constexpr int kYellowTeam = 1;
 inline constexpr int kBlueTeam = 2;
 

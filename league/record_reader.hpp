@@ -18,28 +18,28 @@
 
 namespace autoref::league {
 
-// A message that is parsed once, however many readers take it.
+// A message that is parsed once, however many readers receive it.
 struct ParsedMessage {
   // Empty if readers ignore messages of this kind.
   std::variant<std::monostate, VisionPacket, TrackerPacket, RefereePacket> packet;
   bool is_readable = true;
-  std::size_t hash = 0;  // of its bytes
+  std::size_t hash = 0;  // hash of its bytes
 };
 
-// Uses the message's memory again if its packet was of the same type. Packets of 2010 become
-// packets of today.
+// Reuses the message's memory if its last packet was of the same type. Packets in the format of
+// 2010 are converted to the current one.
 void parse(MessageKind kind, const std::string& bytes, ParsedMessage& message);
 
 class RecordReader {
  public:
-  // `visitor` must outlive the reader. Its frames are those of vision or, if `frames_are_tracked`,
-  // those of a tracker.
+  // `visitor` must outlive the reader. The reader's frames come from vision or, if
+  // `frames_are_tracked`, from a tracker.
   RecordReader(LogVisitor& visitor, bool frames_are_tracked)
       : visitor_(visitor), frames_are_tracked_(frames_are_tracked) {}
 
-  // Takes the next message, parsed or not; `now_s` is when it arrived, on the frames' clock.
-  // Ignored messages are not passed on, and neither are those of other kinds. `sender`
-  // distinguishes referees without a name.
+  // Takes the next message, parsed or not, which arrived at `now_s` on the frames' clock. Ignored
+  // messages and those of other kinds are not passed on. `sender` distinguishes referees without a
+  // name.
   ReadResult read(const ParsedMessage& message, double now_s, const std::string& sender = {});
   ReadResult read(MessageKind kind, const std::string& bytes, double now_s,
                   const std::string& sender = {});
@@ -68,11 +68,11 @@ class RecordReader {
   TrackFollower follower_;
   FollowedSource referee_source_;
   int referee_changes_ = 0;               // before the last packet
-  std::uint64_t referee_sent_us_ = 0;     // the last packet, on the referee's clock
+  std::uint64_t referee_sent_us_ = 0;     // time of the last packet, on the referee's clock
   std::array<std::size_t, 64> recent_{};  // hashes of the last messages
   std::size_t compared_ = 0;
   MessageFaults faults_;
-  std::map<MessageKind, ParsedMessage> parsed_;  // the last ones, for their memory
+  std::map<MessageKind, ParsedMessage> parsed_;  // the last ones, kept to reuse their memory
   std::int64_t frames_ = 0;
 };
 

@@ -1,5 +1,5 @@
-// Conversion between tracks and the league's tracker packets, and which of several senders is
-// followed.
+// Conversion between tracks and the league's tracker packets, and the choice between several
+// senders.
 #pragma once
 
 #include <cstdint>
@@ -14,17 +14,17 @@
 
 namespace autoref::league {
 
-// Which of several programs that send the same kind of packets is listened to: the first one, until
-// it has been silent for 1 s; then the next that sends.
+// Decides which of several programs that send the same kind of packets is followed: the first one,
+// until it has been silent for 1 s; then the next one that sends.
 class FollowedSource {
  public:
-  // Notes a packet of the program `name`, which arrived at `received_s`, on any clock. Returns
+  // Notes a packet from the program `name`, which arrived at `received_s`, on any clock. Returns
   // whether that program is followed.
   bool follows(std::string_view name, double received_s);
 
-  // The program followed, its name cut off after 64 bytes; empty before the first packet.
+  // The name of the program followed, cut off after 64 bytes; empty before the first packet.
   const std::string& name() const { return name_; }
-  int changes() const { return changes_; }  // how often another program was followed
+  int changes() const { return changes_; }  // how often following changed to another program
   int sources() const { return static_cast<int>(sources_.size()); }  // at most 64 are counted
 
   // The first program that was ignored; empty if there is none.
@@ -39,11 +39,11 @@ class FollowedSource {
   bool has_ignored_ = false;
 };
 
-// The program that sends tracker packets.
+// A program that sends tracker packets.
 struct TrackerSource {
   std::string uuid;  // unique for each run of the program
   std::string name;
-  bool detects_flying_balls = false;  // a ball's height is known
+  bool detects_flying_balls = false;  // whether a ball's height is known
 };
 
 // Fills `packet` with the tracks at `unix_s`, the time of their frame. West is yellow. Objects that
@@ -51,24 +51,24 @@ struct TrackerSource {
 void fill_tracker(const Tracks& tracks, const TrackerSource& source, double unix_s,
                   TrackerPacket& packet);
 
-// Follows one of the trackers that send packets. Of several balls, the most
-// visible is used, and among equals the one nearest to the previous position. Ignores robots with a
-// number outside the league's range or without a team, and objects whose position is not finite or
-// more than 100 m away; such a velocity is 0.
+// Follows one of the trackers that send packets. If there are several balls, the most visible one
+// is used or, among equals, the one nearest to the previous position. Ignores robots with a number
+// outside the league's range or without a team, and objects whose position is not finite or more
+// than 100 m away; a velocity that is not finite or as large becomes 0.
 class TrackFollower {
  public:
   // Takes the next packet; `received_s` is its arrival time on any clock. Returns whether it
   // contains newer tracks, which frame() and tracks() then return. Frames are numbered from 0.
   // Their times are in seconds since the first frame and increase: packets older than the last
-  // frame are ignored. If the tracker's clock leaps or another tracker is followed, times continue
+  // frame are ignored. If the tracker's clock jumps or another tracker is followed, times continue
   // with the time of arrival.
   bool add(const TrackerPacket& packet, double received_s);
 
-  // Robots and ball that the tracker saw, as if vision had reported them.
+  // The robots and the ball that the tracker saw, as if vision had reported them.
   const Frame& frame() const { return frame_; }
   const Tracks& tracks() const { return tracks_; }
 
-  const FollowedSource& source() const { return source_; }  // named by their uuid
+  const FollowedSource& source() const { return source_; }  // named by uuid
   std::int64_t unusable() const { return unusable_; }       // packets without a valid time
 
  private:
@@ -79,7 +79,7 @@ class TrackFollower {
   FollowedSource source_;
   int changes_ = 0;        // of the source, before the last frame
   double offset_s_ = 0;    // from the tracker's clock to the frames'
-  double received_s_ = 0;  // the last frame
+  double received_s_ = 0;  // time of the last frame
   std::int64_t frames_ = 0;
   std::int64_t unusable_ = 0;
   Frame frame_;

@@ -83,7 +83,7 @@ std::int32_t sum_of(std::int32_t a, std::int32_t b) {
       std::clamp<std::int64_t>(sum, 0, std::numeric_limits<std::int32_t>::max()));
 }
 
-// One quarter circle and the straight line stand for both defence areas; coordinates refer to the
+// One quarter circle and the straight line represent both defence areas; coordinates refer to the
 // centres of the lines.
 void add_defence_area(const FieldSize2010& old, FieldSize& size) {
   const auto line_mm = static_cast<float>(old.line_width());

@@ -9,19 +9,19 @@
 
 namespace autoref::league {
 
-// The league's number for a sender of vision that is not in its list.
+// The league's number for vision senders that are not in its list.
 inline constexpr int kOtherSource = 1;
 
 // Fills `packets` with the part of the frame that each of `cameras` sees: a robot or ball belongs
 // to the nearest camera, a ball of unknown height to the camera that saw it. West is yellow. The
-// detections of `others` follow those of the frame, with a lower confidence. Writes one packet per
+// detections in `others` follow those of the frame, with a lower confidence. Writes one packet per
 // camera. Allocates nothing once the packets are large enough.
 void fill_detections(const Frame& frame, std::span<const CameraPosition> cameras,
                      std::span<VisionPacket> packets, const OtherDetections& others = {});
 
-// Moves the contents of `old`, of the format that logs contain until 2014, into a packet of today.
-// The field's sizes, its defence areas of quarter circles and its margin (boundary and referee's
-// runway) are preserved.
+// Moves the contents of `old`, which has the format of logs until 2014, into a packet of the
+// current format. The field's dimensions, its quarter-circle defence areas and its margin (boundary
+// and referee's runway) are preserved.
 void convert(VisionPacket2010& old, VisionPacket& packet);
 
 }  // namespace autoref::league

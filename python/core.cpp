@@ -1,4 +1,4 @@
-// The compiled half of the Python package: games in the process of the caller (autoref/game.py).
+// The compiled half of the Python package: games in the caller's process (autoref/game.py).
 #include <fmt/format.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -33,15 +33,15 @@ using game::GameRecord;
 using game::GameSettings;
 using strategies::Strategy;
 
-constexpr double kFastestBall_mps = 20;     // no kick is nearly as fast
-constexpr std::size_t kRobotNumbers = 8;    // of a row of View.own: number, x, y, heading, ...
+constexpr double kFastestBall_mps = 20;     // no kick comes near this speed
+constexpr std::size_t kRobotNumbers = 8;    // in a row of View.own: number, x, y, heading, ...
 constexpr std::size_t kBallNumbers = 5;     // x, y, vx, vy, height
 constexpr std::size_t kCommandNumbers = 6;  // vx, vy, angular velocity, kick, chip, dribble
 
 using RobotRows = std::array<std::array<double, kRobotNumbers>, kMaxRobots>;
 using Commands = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-// What a team sees, as numbers; the arrays of Python are views of them.
+// A team's view, as numbers. The arrays in Python refer to these numbers.
 struct View {
   TeamView seen;
   RobotRows own{};
@@ -72,7 +72,7 @@ void fill(const TeamView& seen, View& view) {
                ball.velocity_mps.y(), ball.height_m};
 }
 
-// A team for which the caller decides.
+// A team whose decisions the caller makes.
 struct External {
   View view;
   TeamCommands commands{};
@@ -161,7 +161,7 @@ class PythonGame {
     return is_played_;
   }
 
-  // Plays on with the commands given last. Returns the frames played.
+  // Continues the game with the last commands given. Returns the number of frames played.
   std::int64_t run(std::int64_t most_frames) {
     const std::int64_t before = playing().record().frames;
     for (std::int64_t i = 0; i < most_frames && is_played_; ++i) {
@@ -246,7 +246,7 @@ class PythonGame {
 
   static std::size_t index_of(char team) { return team == 'a' ? 0 : 1; }
 
-  // On the carpet: between the walls.
+  // On the carpet means between the walls.
   void check(const Vec2& position_m, const char* what) {
     const Field& field = playing().configuration().field;
     if (is_finite(position_m) && std::abs(position_m.x()) <= field.wall_x_m() &&

@@ -1,4 +1,4 @@
-// What the referee decided, and why: one row of a game's event log.
+// A decision of the referee and its reasons: one row of a game's event log.
 #pragma once
 
 #include <cstdint>
@@ -19,10 +19,10 @@ struct LastTouch {
   std::optional<RobotId> robot;  // nullopt if unknown or ambiguous within the side
   double time_s = 0;             // time of the touch
   double gap_m = 0;              // gap between the ball's surface and the robot's hull at that time
-  double speed_change_mps = 0;   // velocity change of the ball that friction does not explain
+  double speed_change_mps = 0;   // change in the ball's velocity that friction does not explain
   std::optional<RobotId> runner_up;  // the next best candidate
-  // Probability, from 0.5 to 1, that a gap in vision since then, or during which this touch was,
-  // hides no later touch of the other side (touch/kept_touch.hpp); 1 without a gap.
+  // Probability, from 0.5 to 1, that the other side did not touch the ball later, unseen, in a gap
+  // in vision since this touch or around it (touch/kept_touch.hpp); 1 without a gap.
   double kept = 1;
 };
 
@@ -60,7 +60,7 @@ struct Decision {
 
   // The restart after a call that stopped play, or that changed the restart during a stop.
   std::optional<Command> restart() const {
-    // If nobody commands the game, play stays on.
+    // If nobody commands the game, play continues.
     const bool stops =
         from != to || (from == State::kRun && entry_of(finding.event).effect == Effect::kStopsPlay);
     const bool decides = stops || finding.event == Event::kAttackerStaysNearArea ||

@@ -32,11 +32,11 @@ constexpr auto names_of(Card /*any*/) {
 
 using autoref::name_of;
 
-// What a call does while the ball is in play.
+// The effect of a call while the ball is in play.
 enum class Effect : std::uint8_t {
   kNone,         // not a call
   kStopsPlay,    // a restart follows
-  kStopsByBook,  // stops play if the rule book says that fouls do; otherwise it is only counted
+  kStopsByBook,  // stops play if fouls do under the rule book; otherwise it is only counted
   kCounts,       // play continues
 };
 
@@ -50,8 +50,8 @@ struct EventEntry {
   std::string_view about{};         // what happened, as a sentence
   std::string_view league_event{};  // the league's GameEvent.Type; empty if it has none
   Effect effect = Effect::kNone;
-  When when = When::kInPlay;     // for calls only
-  bool is_foul = false;          // counted among a team's fouls in the game's row
+  When when = When::kInPlay;     // only for calls
+  bool is_foul = false;          // counted among the team's fouls in the game's row
   bool counts_to_card = false;   // 2026: every third such foul brings a yellow card
   bool is_non_stopping = false;  // 2026: the team's goals in the next 2 s do not count
   bool is_exit = false;          // the ball left the field; the last touch decides the restart

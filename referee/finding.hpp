@@ -1,4 +1,5 @@
-// What a rule found: the event, the restart it leads to, and the evidence; and how rules create it.
+// A rule's finding: the event, the restart it leads to, and the evidence. Also the functions that
+// create findings.
 #pragma once
 
 #include <array>
@@ -17,28 +18,29 @@
 
 namespace autoref::referee {
 
-// What a finding's league event needs beyond the finding itself. Only what is known is set.
-// Positions are in the referee's coordinates.
+// Details that a finding's league event needs in addition to the finding. Unknown values are not
+// set.
 struct EventDetails {
   std::optional<RobotId> robot;  // the robot at fault, if it is not the finding's first one
   std::optional<Vec2> robot_m;   // its position
   std::optional<Vec2> ball_m;
-  std::optional<Vec2> kick_m;               // of a goal: where the ball was kicked
+  std::optional<Vec2> kick_m;               // for a goal: where the ball was kicked
   std::optional<Vec2> dribble_from_m;       // where the ball was when the robot gained it
   std::optional<double> ball_top_m;         // greatest height of its top since the scorers' touch
   std::optional<double> scorers_touched_s;  // time of that touch
-  std::optional<bool> is_chipped;           // of a kick
-  std::optional<int> robots;                // of the side concerned, on the field
+  std::optional<bool> is_chipped;           // for a kick
+  std::optional<int> robots;                // of this side, on the field
   std::optional<int> robots_allowed;        // of the same side
   std::optional<double> speed_difference_mps;  // of colliding robots
   std::optional<double> crash_angle_rad;       // between their velocities, at most pi
   std::optional<double> waited_s;              // without progress
   std::optional<double> to_target_m;           // from the ball to its designated position
   std::optional<double> from_target_m;         // the same when the placement began
-  std::optional<double> own_robot_to_ball_m;   // of the placing team's nearest robot, between hulls
+  std::optional<double> own_robot_to_ball_m;   // from the placing team's nearest robot, hull to
+                                               // hull
 };
 
-// What the confidence in a call depends on (machine/confidence.hpp).
+// The features on which the confidence in a call depends (machine/confidence.hpp).
 inline constexpr std::size_t kConfidenceFeatures = 5;
 using ConfidenceFeatures = std::array<double, kConfidenceFeatures>;
 
@@ -48,13 +50,13 @@ using ConcernedRobots = boost::container::static_vector<RobotId, 4>;
 struct Finding {
   Event event = Event::kBegin;
   std::string_view rule;  // the rule's source, such as "paper 4.2"
-  double value = 0;       // measured, in the threshold's unit
+  double value = 0;       // measured value, in the threshold's unit
   double threshold = 0;
   std::string_view unit;  // unit of value and threshold; empty if nothing was measured
   ConcernedRobots robots;
   std::optional<Side> offender;  // the side at fault; nullopt if neither or both are
   bool is_foul = false;          // a foul of the offender, or of both sides if there is no offender
-  // The card shown at once to the offender, or to both sides if there is no offender.
+  // The card shown immediately to the offender, or to both sides if there is no offender.
   Card card = Card::kNone;
   std::optional<Vec2> position_m;  // where it happened
   Command restart;                 // how play resumes; only for calls that stop play
@@ -64,7 +66,7 @@ struct Finding {
   // The probability, from 0 to 1, that the call is right (machine/confidence.hpp). 1 for findings
   // that are not calls.
   double confidence = 1;
-  ConfidenceFeatures confidence_features{};  // what it was computed from
+  ConfidenceFeatures confidence_features{};  // what `confidence` was computed from
 };
 
 // A finding with the event's fixed card and restart (event.hpp) and the rule's section, threshold
@@ -76,7 +78,7 @@ Finding finding_of(Event event, RuleId rule, const RuleBook& rules);
 Finding offence_of(Event event, RuleId rule, const Configuration& configuration, RobotId robot,
                    const Vec2& where_m);
 
-// The same for an unknown robot of the side `offender`.
+// The same for an unknown robot of `offender`'s side.
 Finding offence_of(Event event, RuleId rule, const Configuration& configuration, Side offender,
                    const Vec2& where_m);
 

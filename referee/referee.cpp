@@ -20,7 +20,7 @@ constexpr Range kFieldLengths = positive(1000);
 
 void validate(const Configuration& configuration) {
   check_ranges<Match>(configuration);
-  // A real field may be of any size, and end close to its lines.
+  // A real field can have any size and end close to its lines.
   const Field& field = configuration.field;
   check_number("field.length_m", field.length_m, kFieldLengths);
   check_number("field.width_m", field.width_m, kFieldLengths);
@@ -91,7 +91,7 @@ class Referee::Impl {
 
   // Follows the ball and its touches while play is on.
   void follow_ball() {
-    // Somebody has put a ball that was called out back on the field.
+    // Somebody has put a ball back on the field after it was called out.
     if (official_->is_exit_called() && sight_.ball() && !is_ball_out(input())) {
       official_->note_return();
       sight_.rejoin_play();
@@ -103,8 +103,8 @@ class Referee::Impl {
       return;
     }
     sight_.follow_ball();
-    // The order of touches is the one that the online detector reports; the retrospective detector
-    // does not change it.
+    // The order of touches is as reported by the online detector; the retrospective detector does
+    // not change it.
     watch_play(play, input());
   }
 
@@ -170,7 +170,7 @@ class Referee::Impl {
     const bool is_joining =
         state().machine_state == State::kInit && (!state().midway_start || after.play.in_play);
     official_->enter(input, finding, *std::move(taken));
-    // A play that is joined in the middle did not begin with the ball at rest.
+    // A play that is joined midway did not begin with the ball at rest.
     if (play_starts)
       sight_.begin_play(input.frame, is_joining ? std::nullopt : state().play.ball_from_m);
   }

@@ -3,8 +3,8 @@
 // It owns the state of the game: score, stage, clock, next restart and last touch. It sees only
 // vision frames, the tracks made from them, and the teams' requests ("operates based solely on
 // vision information", paper, section 4.1), takes the time from the frames, and draws no random
-// numbers. The tracker belongs to whoever runs the game, because teams and network use its tracks,
-// too. In each frame, call:
+// numbers. The tracker belongs to whoever runs the game, because the teams and the network also use
+// its tracks. In each frame, call:
 //
 //   const Referee::View view = referee.see(frame);
 //   if (view.tracks_begin_afresh) tracker.begin_afresh();
@@ -39,16 +39,16 @@ class Referee {
   Referee(Referee&&) noexcept;
   Referee& operator=(Referee&&) noexcept;
 
-  // Lets the game begin in the middle of the first half instead of with the first kick-off. Call it
-  // before the first frame; only for Control::kAutoref (asserted).
+  // Starts the game in the middle of the first half instead of with the first kick-off. Call it
+  // before the first frame, and only for Control::kAutoref (asserted).
   void begin(const MidwayStart& midway_start);
 
-  // A frame as the referee sees it. Make the tracks from it.
+  // A frame as the referee sees it. The tracks must be made from it.
   struct View {
     const Frame& frame;  // valid until judge(), which completes it
-    // After a gap of more than a second, tracks and touches begin afresh; the last touch stays
-    // known, with less confidence, if the ball's path shows that it is the same, or by the robot
-    // that had the ball (touch/kept_touch.hpp).
+    // After a gap of more than a second, tracks and touches begin afresh. The last touch stays
+    // known, with less confidence, if the ball's path shows that nobody has touched it since or
+    // that the robot that had the ball still had it (touch/kept_touch.hpp).
     bool tracks_begin_afresh = false;
   };
 
@@ -58,12 +58,12 @@ class Referee {
   View see(const Frame& frame);
 
   // Judges that frame, and returns the signal now in force. Call it once after each see(), with
-  // tracks made from the frame of its view. A robot that is missing from the frame is judged at its
-  // track's position.
+  // tracks made from the frame in its view. A robot that is missing from the frame is judged at its
+  // tracked position.
   const RefereeSignal& judge(const Tracks& tracks, const PerSide<TeamRequests>& requests);
 
-  // Takes note of the signal of the person who commands the game (Control::kHuman; otherwise only
-  // of the teams' ends). Call it after the last frame that was captured before the signal; repeated
+  // Notes a signal from the person who commands the game (Control::kHuman; otherwise only which end
+  // each team defends). Call it after the last frame that was captured before the signal; repeated
   // signals are harmless. A new command adds a decision to those of that frame. Its
   // `command_time_s` is on the frames' clock and matters only if the command is older than the
   // first frame. Signals before the first frame take effect after it.
@@ -91,7 +91,7 @@ class Referee {
 // A referee with a tracker of its own.
 class AutoRef final : public Referee {
  public:
-  // As Referee.
+  // As for Referee.
   explicit AutoRef(const Configuration& configuration)
       : Referee(configuration), tracker_(configuration.noise) {}
 
@@ -102,7 +102,7 @@ class AutoRef final : public Referee {
     return judge(tracker_.update(view.frame), requests);
   }
 
-  // The tracked robots and ball as of the last update. The league's referees also publish the
+  // The tracked robots and ball as of the last update. Referees in the league also publish the
   // objects they track.
   const Tracks& tracks() const { return tracker_.tracks(); }
 

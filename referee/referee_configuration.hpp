@@ -1,4 +1,4 @@
-// The referee's configuration: the rules of one match, as its file gives them, which settings, game
+// The referee's configuration: the rules of one match as given in its file, which settings, game
 // and referee share, and the thresholds of touch detection.
 #pragma once
 
@@ -23,8 +23,8 @@ constexpr auto names_of(AfterGame /*any*/) {
       {{AfterGame::kHalt, "halt"}, {AfterGame::kNewGame, "new_game"}});
 }
 
-// What becomes of a game in which a team fails (strategies::StrategyFault and the like): it has no
-// result, or the other team wins it.
+// How a game ends if a team fails (strategies::StrategyFault and the like): it has no result, or
+// the other team wins it.
 enum class OnTeamFault : std::uint8_t { kVoid, kForfeit };
 
 constexpr auto names_of(OnTeamFault /*any*/) {
@@ -32,10 +32,10 @@ constexpr auto names_of(OnTeamFault /*any*/) {
       {{OnTeamFault::kVoid, "void"}, {OnTeamFault::kForfeit, "forfeit"}});
 }
 
-// Who commands the game. Beside a person, AutoRef follows the person's commands; on its own call it
-// sends STOP, and the person decides how play resumes (paper, sections 4.1 and 5). If nobody
-// commands, play is on throughout, and calls are only reported. The league's game controller may
-// command simulated games; AutoRef follows it like a person.
+// Who commands the game. Alongside a person, AutoRef follows the person's commands; when it makes a
+// call itself, it sends STOP, and the person decides how play resumes (paper, sections 4.1 and 5).
+// If nobody commands the game, play is always on, and calls are only reported. The league's game
+// controller may command simulated games; AutoRef follows it like a person.
 enum class Control : std::uint8_t { kAutoref, kHuman, kNone, kGameController };
 
 constexpr auto names_of(Control /*any*/) {
@@ -45,7 +45,7 @@ constexpr auto names_of(Control /*any*/) {
                                         {Control::kGameController, "game-controller"}});
 }
 
-// Who brings the ball to the position of the next free kick or force start: the simulator, or the
+// Who moves the ball to the position of the next free kick or force start: the simulator, or the
 // teams' robots (2026, Ball Placement). For kick-offs and penalty kicks it is always the simulator.
 enum class PlacedBy : std::uint8_t { kSimulator, kTeams };
 
@@ -67,7 +67,7 @@ struct Match {
   Control control = Control::kAutoref;
   double least_confidence = 0;  // machine/confidence.hpp
   PlacedBy placement = PlacedBy::kSimulator;
-  Side a_plays = Side::kWest;  // the referee itself knows sides only
+  Side a_plays = Side::kWest;  // the referee itself only knows sides
   Side first_kickoff = Side::kWest;
 
   template <typename Self, typename Visitor>
@@ -102,20 +102,20 @@ struct TouchParameters {
   // Largest deceleration that the carpet causes. Sliding balls lose 3.0 to 3.9 m/s2 on the league's
   // carpets; smaller values mistake friction for touches, larger values miss soft touches.
   double carpet_mps2 = 5.0;
-  // Velocity changes between frames up to this limit, beyond those that the carpet causes, are
+  // Changes of velocity between frames up to this limit, beyond those caused by the carpet, are
   // ignored: camera rounding causes 0.001 m/s at 60 Hz.
   double jump_mps = 0.02;
   // Standard deviation of the camera's ball positions. The detector sets it to the configured noise
   // and widens the distances below by three standard deviations.
   double position_noise_m = 0.0;
-  // Between two free paths the ball may be this far per frame from their intersection, because of
-  // carpet friction and the physics' sub-steps.
+  // The ball may be this far per frame from the intersection of two free paths, because of carpet
+  // friction and the physics' sub-steps.
   double intersection_tolerance_m = 3_mm;
   // A robot farther from the ball's path than this did not touch it. Kickers reach 15 mm beyond the
   // plate.
   double reach_m = 20_mm;
-  // Largest measured gap at a bounce. The true gap is zero, but time and position of the bounce are
-  // only known with this accuracy.
+  // Largest measured gap at a bounce. The true gap is zero, but the time and position of the bounce
+  // are only known with this accuracy.
   double contact_m = 5_mm;
   // If a robot is nearer to the ball than any robot of the other side by more than this, it touched
   // the ball; otherwise the toucher is unknown.
@@ -123,30 +123,30 @@ struct TouchParameters {
   // A push moves the ball along the hull's normal, within 45 degrees: friction deflects it by 13
   // degrees.
   double bounce_cos = 0.7;
-  // A kick moves the ball along the robot's front, within 25 degrees.
+  // A kick moves the ball in the direction of the robot's front, within 25 degrees.
   double kick_cos = 0.9;
   // Largest gap between bodies in contact. The physics engine leaves gaps of half a millimetre.
   double touching_m = 1_mm;
-  // Two hulls this close to the ball pin it between them: if one moves it, so may the other.
+  // Two hulls this close to the ball pin it between them: if one can move it, so can the other.
   double pinned_m = 2_mm;
   // If a hull is within touching_m of a ball that is faster than this, it pushes or carries the
   // ball.
   double carried_mps = 0.03_mps;
-  // If the ball's velocity along the direction of the push increases by at least this much more
-  // than its previous change explains, a hull within touching_m has pushed the ball. Soft touches
-  // change it less than the carpet does.
+  // A hull within touching_m has pushed the ball if the ball's velocity along the direction of the
+  // push increases by at least this much more than its previous change explains. Soft touches
+  // change the velocity less than the carpet does.
   double soft_push_mps = 0.02_mps;
-  // If the ball is unseen for longer, it may have been touched meanwhile.
+  // A ball that is unseen for longer may have been touched in the meantime.
   double longest_gap_s = 100_ms;
 };
 
-// The match, and where and by whom it is played. `on_team_fault` and `a_plays` are not the
-// referee's.
+// The match, and the field, robots and vision it is played with. The referee itself does not use
+// `on_team_fault` and `a_plays`.
 struct Configuration : Match {
   Field field;
   PerSide<int> robots{{kMaxRobots, kMaxRobots}};  // per team, at the start
   tracking::VisionNoise noise;                    // noise in the vision frames
-  double camera_error_m = 0;  // lasting error of a camera's positions, root mean square
+  double camera_error_m = 0;  // systematic error of a camera's positions, root mean square
   TouchParameters touch;      // thresholds of the touch detector
 };
 

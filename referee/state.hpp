@@ -1,4 +1,4 @@
-// The states of the referee's machine, and how a game begins in the middle of a half.
+// The states of the referee's machine, and the start of a game in the middle of a half.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@
 
 namespace autoref::referee {
 
-// The states of the paper's machine (section 4.3, figure 3), the end of the game, a team's timeout,
-// the wait for a person's answer to a call, and ball placement by the teams. Never change a number:
-// state hashes contain them.
+// The states of the paper's machine (section 4.3, figure 3), and those for the end of the game, a
+// team's timeout, waiting for a person's answer to a call, and ball placement by the teams. Never
+// change a number: state hashes contain them.
 enum class State : std::uint8_t {
   kInit = 0,
   kWaitStart = 1,
@@ -54,19 +54,20 @@ class States {
   unsigned bits_ = 0;
 };
 
-// Whether the ball may be played, though AutoRef may have called something.
+// Whether the ball can be played, even if AutoRef has made a call.
 constexpr bool is_play(State state) { return state == State::kRun || state == State::kCalled; }
 
-// How a game begins, if not with the first kick-off: in the middle of the first half. The half
-// begins with the first frame, at 0:0. Who touched the ball before is unknown.
+// How a game begins if not with the first kick-off: in the middle of the first half. The half
+// begins with the first frame, at 0:0. Earlier touches of the ball are unknown.
 struct MidwayStart {
   // The pending restart: PREPARE_KICKOFF, PREPARE_PENALTY, DIRECT_FREE or INDIRECT_FREE of a side,
   // or FORCE_START. nullopt: play is on.
   std::optional<Command> restart = {};
   // Where the ball is placed for the restart; unused if play is on.
   Vec2 ball_m{0, 0};
-  // STOP comes first, and the restart follows as usual. Otherwise it is signalled at once; a
-  // kick-off and a penalty kick then still need the robots to be ready.
+  // If true, STOP comes first, and the restart follows as usual. Otherwise, the restart is
+  // signalled immediately; a kick-off or a penalty kick then still waits until the robots are
+  // ready.
   bool is_stopped = false;
 };
 

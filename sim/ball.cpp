@@ -9,7 +9,7 @@
 namespace autoref::sim {
 namespace {
 
-// Whether the point is over a goal's side wall where it goes on to the field's wall.
+// Whether the point is over a goal's side wall where that wall continues to the field's wall.
 bool is_over_goal_side(const Field& field, const Vec2& point_m) {
   const double beside_m = std::abs(point_m.y()) - field.half_goal_m();
   return field.goal_sides_reach_wall && std::abs(point_m.x()) > field.half_length_m() &&
@@ -29,7 +29,7 @@ Vec2 leaving(const Vec2& velocity_mps, const Vec2& top_mps, const Vec2& outwards
 }
 
 // Segment-circle intersection: the first fraction of the segment from `from_m` to `to_m` at which
-// the distance to the origin is `near_m`.
+// the distance from the origin is `near_m`.
 std::optional<double> collision(const Vec2& from_m, const Vec2& to_m, double near_m) {
   const Vec2 path_m = to_m - from_m;
   const double towards = -from_m.dot(path_m);
@@ -72,7 +72,7 @@ void Ball::hold(double duration_s) {
   is_rolling_ = true;
   has_landed_ = false;
   if (!is_in_air()) return;
-  // Semi-implicit Euler; a rising ball starts to fall at once.
+  // Semi-implicit Euler; a rising ball starts to fall immediately.
   vertical_mps_ = std::min(vertical_mps_, 0.0) - kGravity_mps2 * duration_s;
   height_m_ = std::max(0.0, height_m_ + vertical_mps_ * duration_s);
   if (height_m_ == 0.0) vertical_mps_ = 0.0;
@@ -128,8 +128,8 @@ Vec2 Ball::land(const Vec2& velocity_mps) {
   const double kept = has_landed_ ? parameters_.hop_later_xy : parameters_.hop_first_xy;
   const double kept_upwards = has_landed_ ? parameters_.hop_later_z : parameters_.hop_first_z;
   has_landed_ = true;
-  // Restitution upwards, a fixed loss along the carpet; afterwards the ball spins as fast as it
-  // moves.
+  // Restitution applies to the upward motion, and a fixed loss to the motion along the carpet;
+  // afterwards the ball spins as fast as it moves.
   vertical_mps_ *= -kept_upwards;
   const double hop_m = vertical_mps_ * vertical_mps_ / (2.0 * kGravity_mps2);
   spin_mps_ = kept * velocity_mps;
@@ -167,7 +167,7 @@ bool is_in_goal(const Field& field, const Vec2& point_m) {
 std::optional<Vec2> bounced_off_top(const Field& field, const ContactParameters& contacts,
                                     const Box2dBridge& bodies, int robots, double former_height_m,
                                     Ball& ball) {
-  // The ball hits a top if its height crosses the top's within the step. A step is short, so its
+  // The ball hits a top if its height crosses the top's within the step. Since a step is short, its
   // end approximates the position of the crossing.
   const double height_m = ball.height_m();
   const BodyState& body = bodies.ball();

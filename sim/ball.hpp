@@ -3,8 +3,8 @@
 // On the carpet the ball slides after a kick and rolls later. Its spin is stored as the surface
 // speed. While that differs from the ball's velocity, friction slows the ball and spins it up; once
 // they are equal, it rolls. A ball kicked without spin at v therefore starts to roll at
-// switch_ratio * v, as in the closed forms of the league's two-phase model, and the same law covers
-// a ball that rebounds or is pushed.
+// switch_ratio * v, as in the closed forms of the league's two-phase model, and the same law
+// applies to a ball that rebounds or is pushed.
 #pragma once
 
 #include <optional>
@@ -27,9 +27,9 @@ class Ball {
   bool is_rolling() const { return is_rolling_; }
   bool is_in_air() const { return height_m_ > 0.0 || vertical_mps_ != 0.0; }
 
-  // Sets the state. A rolling ball spins as fast as it moves, any other ball does not spin.
+  // Sets the state. A rolling ball spins as fast as it moves; any other ball does not spin.
   void set(const BallState& state);
-  // Starts a kick, without spin; `vertical_mps` is positive for a chip.
+  // Starts a kick without spin; `vertical_mps` is positive for a chip.
   void kick(double vertical_mps);
   // Lets a ball held by ball placement fall to the carpet, without spin or bounces.
   void hold(double duration_s);
@@ -62,17 +62,17 @@ bool is_over_goal(const Field& field, const Vec2& point_m);
 bool is_in_goal(const Field& field, const Vec2& point_m);
 
 // Keeps a ball that has just flown from `former_height_m` from passing through a top. A ball that
-// lands on one bounces outwards, so that none stays up there; a ball rising inside a goal is
-// stopped by the net. Returns the ball's new velocity if it hit a top. `robots` is the bridge's
-// number of robots.
+// lands on a top bounces outwards, so that it does not stay there; the net stops a ball rising
+// inside a goal. Returns the ball's new velocity if it hit a top. `robots` is the bridge's number
+// of robots.
 std::optional<Vec2> bounced_off_top(const Field& field, const ContactParameters& contacts,
                                     const Box2dBridge& bodies, int robots, double former_height_m,
                                     Ball& ball);
 
 // Collides a flying ball with the bar, which is round and runs from post to post above the goal's
 // opening (Laws 2014, law 1). The two given states are less than a frame apart. Returns the ball's
-// state at the point of contact, reflected along the line between the centres; nullopt if it misses
-// the bar. `restitution`: ratio of separation to closing speed.
+// state at the point of contact, reflected along the line between the centres, or nullopt if it
+// misses the bar. `restitution` is the ratio of separation to closing speed.
 std::optional<BallState> bounced_off_bar(const Field& field, double restitution,
                                          const BallState& former, const BallState& now);
 

@@ -10,7 +10,7 @@
 #include "soccer/trigonometry.hpp"
 
 // Box2D reads the clock many times per step to profile itself, which takes about 40 % of the step
-// (measured). These definitions of a stopped clock override the shared library's.
+// (measured). These definitions, of a stopped clock, override those of the shared library.
 b2Timer::b2Timer() { Reset(); }
 void b2Timer::Reset() {
   m_start_sec = 0;
@@ -29,10 +29,11 @@ static_assert(b2_maxTranslation == to_units(kLongestStep_m));
 constexpr int kVelocityIterations = 8;
 constexpr int kPositionIterations = 3;
 
-// How often a body is gathered although nothing is near, before Box2D loses it.
+// How many more times a body is gathered, although nothing is near it, before it is withdrawn from
+// Box2D.
 constexpr int kLingers = 12;
 
-// heading_of for the turn of a step: within 1e-14 for up to 0.1 rad.
+// heading_of for the turn in one step: accurate to 1e-14 for up to 0.1 rad.
 Vec2 small_turn(double angle_rad) {
   if (std::abs(angle_rad) > 0.1) return heading_of(angle_rad);
   const double s = angle_rad * angle_rad;
@@ -40,7 +41,7 @@ Vec2 small_turn(double angle_rad) {
           angle_rad * (1.0 - s * (1.0 / 6.0 - s * (1.0 / 120.0 - s * (1.0 / 5040.0))))};
 }
 
-// Decides and records what a contact between ball and robot does.
+// Decides and records the effect of contacts between ball and robots.
 class BallContacts final : public b2ContactListener {
  public:
   explicit BallContacts(const ContactParameters& parameters)
@@ -87,8 +88,8 @@ class BallContacts final : public b2ContactListener {
             {from_units(one.GetPosition()), from_units(other.GetPosition())}};
   }
 
-  // In front of the plate the round hull is cut off, so only the plate collides there, in the
-  // wedge from the centre through the plate's two corners.
+  // In front of the plate, the round hull is cut off. There, in the wedge from the centre through
+  // the plate's two corners, only the plate collides.
   static bool is_before_plate(const b2Body& robot, const b2Body& ball) {
     const b2Vec2 p = robot.GetLocalPoint(ball.GetPosition());
     return p.x > 0.0F && std::abs(p.y) * to_units(kFrontDistance_m) < p.x * to_units(kHalfPlate_m);
@@ -217,7 +218,8 @@ void Box2dBridge::let_ball_meet(bool robots, bool goals) {
   b2Fixture* ball = bodies_->ball->GetFixtureList();
   b2Filter filter = ball->GetFilterData();
   const int mask = kWalls | (robots ? kRobots | kPlates : 0) | (goals ? kGoals : 0);
-  // Skipped if nothing changes: a new filter makes Box2D check all of the ball's contacts again.
+  // Skipped if nothing changes, because a new filter makes Box2D check all of the ball's contacts
+  // again.
   if (filter.maskBits == mask) return;
   filter.maskBits = static_cast<std::uint16_t>(mask);
   ball->SetFilterData(filter);
@@ -235,7 +237,7 @@ void Box2dBridge::move_free_robots(double duration_s) {
   }
 }
 
-// As Box2D moves a body that meets nothing: at its speed after the forces.
+// Box2D moves a body that meets nothing in the same way: at its speed after the forces.
 void Box2dBridge::move_freely(int index, double duration_s) {
   BodyState& state = robots_[static_cast<std::size_t>(index)];
   const Push& push = pushes_[static_cast<std::size_t>(index)];
@@ -249,8 +251,8 @@ void Box2dBridge::move_freely(int index, double duration_s) {
   moved_.add_robot(index);
 }
 
-// Applies the second half of a push after the motion: the mean of the speeds before and after it
-// has moved the robot.
+// Applies the second half of a push after the motion, so the robot has moved at the mean of the
+// speeds before and after the push.
 void Box2dBridge::finish_push(int index, double duration_s) {
   BodyState& state = robots_[static_cast<std::size_t>(index)];
   Push& push = pushes_[static_cast<std::size_t>(index)];

@@ -1,12 +1,12 @@
-// The world's bodies, and Box2D for those that can meet. Only this file and box2d_shapes.hpp depend
-// on Box2D.
+// The world's bodies, and Box2D for those that can collide. Only this file and box2d_shapes.hpp
+// depend on Box2D.
 //
-// Between contacts a body needs no physics engine: its motion has a closed form. So its caller says
-// which bodies can meet something (`gather`); only those are bodies in Box2D's eyes, and all others
-// move freely.
+// Between contacts, a body needs no physics engine: its motion has a closed form. So the caller
+// says which bodies can collide with something (`gather`). Box2D knows only those; all others move
+// freely.
 //
 // Box2D's tolerances fit objects of 0.1 to 10 units, so one unit is 0.1 m. Its numbers are floats;
-// the conversion from and to this project's doubles happens only in box2d_bridge.cpp. The bridge
+// they are converted from and to this project's doubles only in box2d_bridge.cpp. The bridge
 // handles shapes, masses and contacts; forces and decisions come from its caller.
 #pragma once
 
@@ -23,7 +23,7 @@
 
 namespace autoref::sim {
 
-// Pose and motion of a body. The ball's heading and angular velocity are unused.
+// Pose and motion of a body. Heading and angular velocity are unused for the ball.
 struct BodyState {
   Vec2 position_m{0, 0};
   Vec2 heading{1, 0};
@@ -48,7 +48,7 @@ struct BodySet {
   void add_robot(int index) { robots |= 1U << index; }
 };
 
-// The longest distance a body can move in one step: Box2D slows down faster bodies.
+// The longest distance that a body can move in one step: Box2D slows down faster bodies.
 inline constexpr double kLongestStep_m = 0.2;
 
 // Rotational inertia of a homogeneous disc with a robot's mass and radius.
@@ -56,8 +56,9 @@ double robot_inertia_kgm2(double mass_kg);
 
 class Box2dBridge {
  public:
-  // Creates a robot for each entry of `masses_kg`, which lists both sides; robots are identified by
-  // their index there. All bodies are at the origin until they are placed, and all are gathered.
+  // Creates a robot for each entry of `masses_kg`, which lists both sides' robots; a robot is
+  // identified by its index there. All bodies are at the origin until they are placed, and all are
+  // gathered.
   Box2dBridge(const Field& field, const ContactParameters& contacts, double ball_mass_kg,
               std::span<const double> masses_kg);
   ~Box2dBridge();
@@ -69,12 +70,13 @@ class Box2dBridge {
   void place_robot(int index, const BodyState& state);
   void place_ball(const Vec2& position_m, const Vec2& velocity_mps);
 
-  // A disabled robot collides with nothing and rests where it was. All are enabled initially.
+  // A disabled robot collides with nothing and stays at rest where it was. All are enabled
+  // initially.
   void set_on(int index, bool is_on);
   bool is_on(int index) const { return ((off_ >> index) & 1U) == 0; }
 
-  // Hands these bodies to Box2D for the next steps, and with them those that were handed over
-  // recently, since a change costs as much as several steps. Returns them all.
+  // Hands these bodies to Box2D for the next steps, together with those that were handed over
+  // recently, since a change costs as much as several steps. Returns all of them.
   const BodySet& gather(const BodySet& bodies);
   const BodySet& gathered() const { return gathered_; }
 
@@ -95,10 +97,10 @@ class Box2dBridge {
 
   // Moves the robots that are not gathered.
   void move_free_robots(double duration_s);
-  // Moves the gathered bodies, and the ball.
+  // Moves the gathered bodies and the ball.
   void step(double duration_s);
 
-  // The robots whose hull touched the ball during the last step, each once, in order of contact.
+  // The robots whose hulls touched the ball during the last step, each once, in order of contact.
   std::span<const int> touching() const;
 
   // The robots that collided during the last step, at most 64 pairs, in order of contact.
@@ -106,7 +108,7 @@ class Box2dBridge {
 
  private:
   struct Bodies;
-  // Sum of the forces on a robot during its next step.
+  // The sum of the forces on a robot during its next step.
   struct Push {
     Vec2 half_force_n{0, 0};  // of push_robot; the second half is applied after the motion
     double half_torque_nm = 0;
@@ -133,7 +135,8 @@ class Box2dBridge {
   BodySet enabled_;                         // known to Box2D
   BodySet gathered_;                        // moved by Box2D
   BodySet moved_;                           // moved without Box2D since its last step
-  std::array<int, 2 * kMaxRobots> idle_{};  // calls of gather since the robot was asked for
+  std::array<int, 2 * kMaxRobots> idle_{};  // number of calls of gather() since the robot was last
+                                            // requested
   int ball_idle_ = 0;
   std::array<BodyState, 2 * kMaxRobots> robots_;
   std::array<Push, 2 * kMaxRobots> pushes_;

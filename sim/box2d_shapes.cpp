@@ -63,8 +63,8 @@ void add_end(b2Body& ground, const Surfaces& surfaces, const Field& field, doubl
   // The other end is this one rotated by 180 degrees, so each end also adds one of the two long
   // walls.
   const auto at = [sign](double x, double y) { return Vec2(sign * x, sign * y); };
-  // The walls overlap at the corners, and none ends flush with another's face: a ball rolling along
-  // a wall would catch in the groove between two rounded edges.
+  // The walls overlap at the corners, and no wall ends flush with another wall's face: a ball
+  // rolling along a wall would catch in the groove between two rounded edges.
   const double end =
       field.goal_sides_reach_wall ? field.wall_x_m() + kWallThickness_m / 2 : outside - kSkin_m;
   const double back_half = outer - kSkin_m;
@@ -99,7 +99,7 @@ b2Body* add_robot(b2World& world, const Surfaces& surfaces, double mass_kg, int 
 b2Body* add_ball(b2World& world, const Surfaces& surfaces, double mass_kg) {
   b2BodyDef definition;
   definition.type = b2_dynamicBody;
-  // Continuous collision detection, against moving robots too. Box2D does not turn the ball:
+  // Continuous collision detection, also against moving robots. Box2D does not turn the ball, since
   // ball.hpp models its spin.
   definition.bullet = true;
   definition.fixedRotation = true;

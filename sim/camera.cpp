@@ -65,8 +65,8 @@ CameraErrors::CameraErrors(const VisionParameters& parameters, const Field& fiel
   heading_phase_rad_ = drawn_angle(chance);
 }
 
-// The mean of sin^2 over a period is 1/2, so the two coordinates of the warp have the mean square
-// error_m^2 / 2 together.
+// The mean of sin^2 over a period is 1/2, so together the two coordinates of the warp have the mean
+// square error_m^2 / 2.
 Vec2 CameraErrors::position_m(int camera, const Vec2& at_m) const {
   const Vec2 angles_rad = at_m.cwiseProduct(waves_per_m_) + phases_rad_;
   const Vec2 warp_m =
@@ -137,7 +137,7 @@ void Camera::look_at_robots(const WorldState& world, Frame& frame) {
   }
 }
 
-// The number of another robot of the team; `number` if there is none.
+// The number of another robot in the team; `number` if there is none.
 int Camera::misread_number(int number, std::span<const RobotState> team) {
   const auto others = static_cast<double>(team.size() - 1);
   if (others == 0.0) return number;
@@ -157,7 +157,7 @@ RobotObservation Camera::observed(const RobotState& robot) {
   return {robot.number, rounded(position_m), rounded_heading(robot.heading, noise_rad)};
 }
 
-// If the robot whose number it is was seen, too, that robot is in the frame.
+// If the robot with the misread number was also seen, that robot is in the frame.
 void Camera::add_misread(Side side, const RobotObservation& robot, Frame& frame) {
   SeenRobots& robots = frame.robots[side];
   const auto at = std::lower_bound(robots.begin(), robots.end(), robot,
@@ -209,7 +209,8 @@ void Camera::look_for_false_balls(const WorldState& world, Frame& frame) {
   if (frame.ball) last_ball_m_ = frame.ball->position_m;
 }
 
-// Before the first ball, the ball that is already in the frame stays there.
+// If there is no ball in an earlier frame to compare with, the ball that is already in this frame
+// stays there.
 void Camera::add_ball(BallObservation ball, Frame& frame) {
   if (!frame.ball) {
     frame.ball = ball;
@@ -249,8 +250,8 @@ const CameraPosition* Camera::find_view(const WorldState& world) const {
 }
 
 bool Camera::covers(const CameraPosition& camera, const BallState& ball) const {
-  // The ball's distances from the camera towards the field's two axes. A camera's view is limited
-  // only in these directions, not outwards.
+  // The ball's distances from the camera in the directions of the field's two axes. A camera's view
+  // is limited only in these directions, not outwards.
   const Vec2 inwards_m =
       ball.position_m.cwiseProduct(-camera.position_m.cwiseSign()) + camera.position_m.cwiseAbs();
   if (inwards_m.x() > sees_beside_m_.x() || inwards_m.y() > sees_beside_m_.y()) return false;

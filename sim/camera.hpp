@@ -1,4 +1,4 @@
-// Converts ground truth to what vision reports, with errors of calibration.
+// Converts ground truth to what vision reports, including calibration errors.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -16,12 +16,11 @@
 namespace autoref::sim {
 
 // Systematic errors of the cameras' calibration: a constant offset plus a warp of one period over
-// the field's length and width, each with half of the mean square. Drawn once, so that no place on
-// the field is favoured over many games.
-// Neighbouring cameras have opposite errors.
+// the field's length and width. Each contributes half of the mean square. They are drawn once, so
+// that over many games no part of the field is favoured. Neighbouring cameras have opposite errors.
 class CameraErrors {
  public:
-  // Draws no number if the parameters are 0.
+  // Draws no random number if the parameters are 0.
   CameraErrors(const VisionParameters& parameters, const Field& field, RandomStream& chance);
 
   bool are_zero() const { return error_m_ == 0.0 && error_rad_ == 0.0; }
@@ -46,16 +45,16 @@ using CameraPositions = boost::container::static_vector<CameraPosition, 4>;
 // of its halves (2) or of the field (1).
 CameraPositions camera_positions(const Field& field, int cameras, double height_m);
 
-// Whether the robot hides the centre of a ball, with its lowest point at `height_m`, from the
+// Whether the robot hides the centre of a ball, whose lowest point is at `height_m`, from the
 // camera. A robot has its full height everywhere within its outline.
 bool hides_ball(const RobotState& robot, const Vec2& ball_m, double height_m,
                 const CameraPosition& camera);
 
-// Takes one merged frame of all cameras per step; each camera covers its part of the field and
-// camera_overlap_m beyond. Robots and the ball are seen by the nearest camera. Values are rounded
-// to the precision of a league vision packet (float millimetres and radians), so that replaying a
-// recorded game gives the same result as the live one. Of several balls, the one nearest to the
-// previous frame's is chosen; a reader of logs is more careful (league/followed_body.hpp).
+// Takes one merged frame of all cameras per step. Each camera covers its part of the field plus
+// camera_overlap_m, and each robot or ball is seen by the nearest camera. Values are rounded to the
+// precision of a league vision packet (float millimetres and radians), so that replaying a recorded
+// game gives the same result as the live one. If there are several balls, the one nearest to the
+// previous frame's is chosen; log readers are more careful (league/followed_body.hpp).
 class Camera {
  public:
   // `seed` selects the random stream for noise and missed detections.
@@ -65,7 +64,8 @@ class Camera {
   // Fills `frame` in place; allocates nothing.
   void look(const WorldState& world, Frame& frame);
 
-  // What the cameras reported besides the last frame: false balls and robots with misread numbers.
+  // Detections that the cameras reported in addition to the last frame: false balls and robots with
+  // misread numbers.
   const OtherDetections& others() const { return others_; }
 
  private:

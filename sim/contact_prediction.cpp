@@ -11,7 +11,7 @@ namespace {
 constexpr double kSpare_m = 1_mm;    // twice Box2D's slop
 constexpr double kGentle_mps = 0.5;  // slower robot collisions may happen in longer steps
 
-// Closing speed times distance is compared, which needs no division.
+// Compares closing speed times distance, which avoids a division.
 bool is_hard(const BodyState& a, const BodyState& b) {
   const Vec2 apart_m = b.position_m - a.position_m;
   const double closing = (a.velocity_mps - b.velocity_mps).dot(apart_m);
@@ -27,7 +27,8 @@ ContactPrediction::ContactPrediction(const Field& field, const PerSide<TeamSpec>
     for (const RobotSpec& robot : spec.robots) {
       const double most_mps2 = robot.acceleration_factor *
                                std::max(robot.body.acceleration_mps2, robot.body.braking_mps2);
-      // Acceleration can move a body a t^2 / 2 off its predicted path; this allows twice as much.
+      // Acceleration can move a body a t^2 / 2 away from its predicted path; the margin allows for
+      // twice as much.
       margin_m_ = std::max(margin_m_, kSpare_m + most_mps2 * duration_s * duration_s);
       dribbler_zone_m_ = std::max({dribbler_zone_m_, robot.kicker.reach_m, robot.dribbler.reach_m});
     }

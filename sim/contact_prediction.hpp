@@ -11,8 +11,9 @@
 namespace autoref::sim {
 
 struct Encounters {
-  BodySet bodies;  // that can meet another body; all others move freely
-  // Whether shorter steps are needed: the ball or a wall can be met, or robots can collide hard.
+  BodySet bodies;  // those that can meet another body; all others move freely
+  // Whether shorter steps are needed: something can meet the ball or a wall, or robots can collide
+  // hard.
   bool need_short_steps = false;
 };
 
@@ -24,12 +25,12 @@ class ContactPrediction {
 
   // The ball can meet a robot if it comes near its hull or its dribbler zone, at any height. Robots
   // that touch or collide gently need no shorter steps: longer ones give the same result
-  // (tests/sim/contact_prediction_test.cpp). A ball in ball placement meets no robot, and a
-  // disabled robot nothing. `robots` is the bridge's number of robots.
+  // (tests/sim/contact_prediction_test.cpp). A ball held by ball placement meets no robot, and a
+  // disabled robot meets nothing. `robots` is the bridge's number of robots.
   Encounters encounters(const Box2dBridge& bodies, int robots, bool is_ball_held) const;
 
  private:
-  // Contains a robot until the end of the time.
+  // Contains a robot until the end of the time span.
   struct Disc {
     Vec2 centre_m;
     double radius_m;

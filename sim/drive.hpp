@@ -23,13 +23,13 @@ class Drive {
  public:
   explicit Drive(const RobotSpec& spec);
 
-  // The target velocity for `command`: limited, and with the motors' noise.
+  // The target velocity for `command`, limited and with the motors' noise.
   RobotCommand accept(const RobotCommand& command, RandomStream& noise) const;
 
-  // The force that brings the robot to `aim` (in its own frame) within `duration_s`, or as close as
-  // the limits allow: overall acceleration or braking, angular acceleration, and each wheel's
-  // tangential acceleration. If a wheel reaches its limit, the whole acceleration is scaled down,
-  // which preserves its direction.
+  // The force that brings the robot to the velocity `aim` (in its own frame) within `duration_s`,
+  // or as close as the limits allow: overall acceleration or braking, angular acceleration, and
+  // each wheel's tangential acceleration. If a wheel reaches its limit, the whole acceleration is
+  // scaled down, which preserves its direction.
   DriveForce force(const RobotCommand& aim, const BodyState& robot, double duration_s) const;
 
  private:

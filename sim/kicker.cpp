@@ -28,7 +28,7 @@ Vec2 pull_n(const DribblerParameters& parameters, const BodyState& robot, const 
 }
 
 // The force that gives the ball the plate's velocity within this sub-step (deadbeat control), plus
-// a slow drift to the centre. The plate moves along an arc; the ball follows its chord.
+// a slow drift towards the centre. The plate moves along an arc; the ball follows its chord.
 Vec2 hold_n(const DribblerParameters& parameters, const BodyState& robot, const BodyState& ball,
             double ball_mass_kg, double duration_s) {
   const Vec2 arm_m = ball.position_m - robot.position_m;
@@ -83,7 +83,7 @@ Kick Kicker::make(const RobotCommand& command, const Vec2& heading, RandomStream
   return {direction * (speed_mps * angle.cos), speed_mps * angle.sin};
 }
 
-// Draws a number only if there is noise.
+// Draws a random number only if there is noise.
 SinCos Kicker::chip_angle(RandomStream& noise) const {
   if (parameters_.chip_angle_noise_deg <= 0.0) return chip_angle_;
   const double angle_deg =

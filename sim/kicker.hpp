@@ -15,9 +15,9 @@
 
 namespace autoref::sim {
 
-// Whether a ball at `ball_m`, with its lowest point at `height_m`, is in the robot's dribbler zone:
-// its surface within `reach_m` of the plate, its centre within the zone's width, and low enough for
-// a roller at the height of the centre of a ball on the carpet.
+// Whether a ball at `ball_m`, whose lowest point is at `height_m`, is in the robot's dribbler zone:
+// its surface is within `reach_m` of the plate, its centre is within the zone's width, and it is
+// low enough for a roller at the height of the centre of a ball on the carpet.
 template <typename Robot>  // BodyState or RobotState
 bool is_in_dribbler_zone(const Robot& robot, const Vec2& ball_m, double height_m, double reach_m) {
   if (height_m > kBallRadius_m) return false;
@@ -31,15 +31,15 @@ bool is_in_dribbler_zone(const Robot& robot, const Vec2& ball_m, double height_m
 // during the next `duration_s`; zero if the ball is out of reach. Its magnitude is at most force_n.
 //
 // An ordinary dribbler pulls the ball towards the plate's centre and damps its motion relative to
-// the plate, so hard turns and sideways jerks lose it. A holding one cancels all relative motion at
-// once and centres the ball at centring_mps at most, so the ball never gets faster than the plate
-// by more than that.
+// the plate, so hard turns and sideways jerks lose it. A holding dribbler immediately cancels all
+// relative motion and centres the ball at up to centring_mps, so the ball is never faster than the
+// plate by more than that.
 Vec2 dribbler_force_n(const DribblerParameters& parameters, const BodyState& robot,
                       const BodyState& ball, double ball_mass_kg, double ball_height_m,
                       double duration_s);
 
-// The ball's velocity over ground after a kick: along the heading, that of the kick; across it, the
-// ball's own, since the plate pushes it only forwards.
+// The ball's velocity over ground after a kick. Along the heading it is that of the kick; across
+// it, the ball keeps its own, since the plate only pushes it forwards.
 struct Kick {
   Vec2 velocity_mps{0, 0};
   double vertical_mps = 0;
@@ -47,10 +47,10 @@ struct Kick {
 
 class Kicker {
  public:
-  // `substeps_per_s` is the call rate of fire().
+  // `substeps_per_s` is the rate at which fire() is called.
   Kicker(const KickerParameters& parameters, double substeps_per_s);
 
-  // Fires if commanded, with the ball in the dribbler zone and the kicker charged. A chip's
+  // Fires if commanded, the ball is in the dribbler zone and the kicker is charged. A chip's
   // commanded speed is its total speed, at the chip angle.
   std::optional<Kick> fire(const RobotCommand& command, const BodyState& robot,
                            const BodyState& ball, double ball_height_m, std::int64_t substep,

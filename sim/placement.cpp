@@ -25,9 +25,9 @@ Route route_to_field(const Field& field, const Vec2& position_m, double clearanc
   }
   const double beside_m = field.half_goal_m() + field.goal_wall_thickness_m + clearance_m;
   const double behind_m = field.half_length_m();
-  // Side walls that reach the field's wall are crossed: a hand lifts the ball over them.
-  // A ball exactly behind the goal's centre goes to the left as seen from the field, facing the
-  // goal.
+  // If side walls reach the field's wall, the route crosses them, since a hand lifts the ball over
+  // them. A ball exactly behind the goal's centre goes to the left, as seen from the field when
+  // facing the goal.
   const double flank = position_m.y() == 0.0 ? end : std::copysign(1.0, position_m.y());
   const double y = flank * std::max(beside_m, std::abs(position_m.y()));
   if (y != position_m.y() && std::abs(position_m.x()) > behind_m)
@@ -68,7 +68,7 @@ Vec2 Carrier::carry(double duration_s) {
 
 double Carrier::leg_length_m() const { return (route_[next_] - from_m_).norm(); }
 
-// Trapezoidal velocity profile with equal ramps; triangular if the leg is too short to reach the
+// A trapezoidal velocity profile with equal ramps; triangular if the leg is too short to reach the
 // top speed.
 double Carrier::leg_duration_s() const {
   const double ramp_s = parameters_.speed_mps / parameters_.acceleration_mps2;

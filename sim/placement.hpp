@@ -10,12 +10,12 @@
 
 namespace autoref::sim {
 
-// The path of a carried ball: its corners in order, the target last.
+// The path of a carried ball: its corners in order, ending with the target.
 using Route = boost::container::static_vector<Vec2, 5>;
 
-// A path from `start_m` to `target_m` that never crosses a goal's walls or net: into and out of a
-// goal it passes through the opening, to and from a position behind a goal around its side, at a
-// distance of `clearance_m`.
+// A path from `start_m` to `target_m` that never crosses a goal's walls or net. It enters and
+// leaves a goal through the opening, and gets to and from a position behind a goal around the
+// goal's side, at a distance of `clearance_m`.
 Route route_between(const Field& field, const Vec2& start_m, const Vec2& target_m,
                     double clearance_m);
 

@@ -29,7 +29,7 @@ constexpr Numbers numbers_of(const BallParameters& ball) {
 }
 
 // The values of `erforce` and `grsim` were measured in those simulators; those of `tigers` come
-// from Sumatra (TIGERs Mannheim), which fitted them to balls on RoboCup fields; those of `rc2026`
+// from Sumatra by TIGERs Mannheim, who fitted them to balls on RoboCup fields; those of `rc2026`
 // were fitted by the team Immortals to ten recorded games of 2026.
 constexpr std::array kBallPresets = {
     BallPreset{"default", numbers_of({})},
@@ -49,7 +49,7 @@ struct CameraPreset {
 
 // Ten games of both divisions at RoboCup 2026, 3.2 million frames, measured by the team Immortals.
 // There were 0.0015 to 0.06 false balls per robot and second, depending on the game. Interruptions
-// of several minutes are not simulated. The radio's losses were not measured.
+// of several minutes are not simulated. Radio losses were not measured.
 constexpr VisionParameters vision_of_division_b() {
   VisionParameters vision{0.0007, 0.0005, 0.005, 0.007, 0.002, false, true};
   vision.cameras = 1;
@@ -59,8 +59,8 @@ constexpr VisionParameters vision_of_division_b() {
   return vision;
 }
 
-// Two cameras disagreed by 20 mm and 29 mrad, so each has half of that. A single camera defines
-// where the lines are and has nothing to disagree with.
+// Two cameras disagreed by 20 mm and 29 mrad, so each gets half of that. A single camera defines
+// where the lines are, so there is nothing for it to disagree with.
 constexpr VisionParameters vision_of_division_a() {
   VisionParameters vision = vision_of_division_b();
   vision.cameras = 2;
@@ -69,16 +69,16 @@ constexpr VisionParameters vision_of_division_a() {
   return vision;
 }
 
-// Vision took 22 ms plus 7.3 ms; the team and its radio are those of `realistic`.
+// Vision took 22 ms plus 7.3 ms; the latencies of the team and its radio are those of `realistic`.
 constexpr double kLatency2026_s = 22_ms + 0.0073 + 3_ms;
 constexpr double kFrameRate2026_hz = 73.2;
 
 // The paper's simulator reported ground truth, with a delay "approximately matching that
-// encountered when using real robots" (section 3), without a number. Five frames are what a later
-// simulator of one of the authors holds commands back (MinuteBots 2018: 5 commands at 60 Hz);
-// CMDragons' own of 2002 had 100 ms, and that author's real robots 140 to 152 ms. The others match
-// the realism levels of ER-Force's simulator, where robots occlude the ball at every level except
-// the ideal one. Latencies include camera, vision, the team's decision and radio.
+// encountered when using real robots" (section 3), without a number. A later simulator by one of
+// the authors holds commands back for five frames (MinuteBots 2018: 5 commands at 60 Hz);
+// CMDragons' own simulator of 2002 had 100 ms, and that author's real robots had 140 to 152 ms. The
+// others match the realism levels of ER-Force's simulator, where robots occlude the ball at every
+// level except the ideal one. Latencies include camera, vision, the team's decision and radio.
 constexpr std::array kCameraPresets = {
     CameraPreset{"paper", {0, 0, 0, 0, 0, true, false}, 0, Configuration{}.latency_s},
     CameraPreset{"none", {0, 0, 0, 0, 0, false, false}, 0, Configuration{}.latency_s},
@@ -95,9 +95,9 @@ struct DribblerPreset {
   DribblerParameters numbers;
 };
 
-// 100 N stop a ball of 46 g at 8 m/s, the maximum, within a sub-step of 1/240 s. The robots of 2026
-// lose the ball when they brake at 3 m/s^2: on the carpet, the ball `rc2026` then needs a pull of
-// (3 + 0.22) m/s^2 * 46 g / 0.66.
+// A force of 100 N stops a ball of 46 g at 8 m/s, the maximum, within a sub-step of 1/240 s. The
+// robots of 2026 lose the ball when they brake at 3 m/s^2: on the carpet, the ball `rc2026` then
+// needs a pull of (3 + 0.22) m/s^2 * 46 g / 0.66.
 constexpr std::array kDribblerPresets = {DribblerPreset{"default", {}},
                                          DribblerPreset{"perfect", {100.0, 10_mm, true}},
                                          DribblerPreset{"rc2026", {0.225}}};
@@ -107,10 +107,10 @@ struct KickerPreset {
   KickerParameters numbers;
 };
 
-// Ten games of 2026, measured by the team Immortals: of 231 kicks at a ball at rest, the core
-// scattered by 2.9 degrees, and the elevation of 273 chips by 6.4 degrees. The speed's scatter
-// cannot be measured from logs; 10 % is that of their simulator, below the 14 % that the logs
-// allow.
+// Ten games of 2026, measured by the team Immortals. In 231 kicks of a ball at rest, the direction
+// of the core scattered by 2.9 degrees; in 273 chips, the elevation scattered by 6.4 degrees. The
+// scatter of the speed cannot be measured from logs; 10 % is the value of their simulator, below
+// the 14 % that is consistent with the logs.
 constexpr KickerParameters kicker_of_2026() {
   KickerParameters kicker;
   kicker.speed_noise = 0.10;

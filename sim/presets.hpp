@@ -1,5 +1,5 @@
-// Presets of ball, vision, radio, dribblers and kickers, and lookup in tables of presets: any range
-// of structs with a `name`.
+// Presets for ball, vision, radio, dribblers and kickers, and lookup in preset tables: any range of
+// structs with a `name`.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ std::vector<std::string> names_of(const Presets& presets) {
   return names;
 }
 
-// Finds a preset by name. Throws std::invalid_argument that lists the known presets; `kind` names
+// Finds a preset by name. Throws a std::invalid_argument that lists the known presets; `kind` names
 // what they apply to.
 template <typename Presets>
 const auto& preset_called(std::string_view name, const Presets& presets, const std::string& kind) {
@@ -45,8 +45,8 @@ std::optional<std::string> name_of_preset(const Presets& presets, Is is_it) {
 // The ball models of the league's simulators, for comparing results with theirs.
 
 // Sets the parameters of the two-phase model and of the bounces to the preset's; leaves the others
-// (rest_mps, rolls_below_hop_m, net_mps2) unchanged. Throws std::invalid_argument, listing the
-// known presets, if the name is unknown.
+// (rest_mps, rolls_below_hop_m, net_mps2) unchanged. Throws a std::invalid_argument that lists the
+// known presets if the name is unknown.
 void apply_ball_preset(std::string_view name, BallParameters& ball);
 
 // The preset with exactly these parameters; nullopt if there is none.
@@ -57,7 +57,7 @@ std::vector<std::string> ball_preset_names();
 // Vision and radio presets, for comparing results with other simulators.
 
 // Sets vision, frame rate, radio losses and latency to the preset's; leaves the rest unchanged.
-// Throws std::invalid_argument, listing the known presets, if the name is unknown.
+// Throws a std::invalid_argument that lists the known presets if the name is unknown.
 void apply_camera_preset(std::string_view name, Configuration& configuration);
 
 // The preset with exactly these parameters; nullopt if there is none.
@@ -67,9 +67,10 @@ std::vector<std::string> camera_preset_names();
 
 // Presets of dribblers and kickers.
 
-// Each sets all parameters to the preset's, and throws std::invalid_argument, listing the known
-// presets, if the name is unknown. Dribblers: `default` loses the ball in hard motion, `perfect`
-// keeps it in any motion of its robot. Both: `rc2026` is as measured in games of 2026.
+// Each sets all parameters to the preset's and throws a std::invalid_argument that lists the known
+// presets if the name is unknown. For dribblers, `default` loses the ball in hard motion, and
+// `perfect` keeps it in any motion of its robot. For both, `rc2026` is as measured in games of
+// 2026.
 void apply_dribbler_preset(std::string_view name, DribblerParameters& dribbler);
 void apply_kicker_preset(std::string_view name, KickerParameters& kicker);
 

@@ -67,11 +67,11 @@ struct ContactParameters {
   double net_restitution = 0.1;
   double bar_restitution = 0.3;  // as for the goal's sides
   double top_restitution = 0.5;  // as on the carpet
-  // Minimum speed, upwards and outwards, at which a ball leaves a robot or a net that it landed on,
-  // so that no ball stays up there.
+  // Minimum speed, upwards and outwards, at which a ball leaves a robot or a net that it has landed
+  // on, so that it does not stay there.
   double top_leaving_mps = 0.5;
   double friction = 0.22;  // grSim
-  // So that a ball can come to rest against a plate.
+  // Lets a ball come to rest against a plate.
   double least_bounce_mps = 0.03;
 
   template <typename Self, typename Visitor>
@@ -108,11 +108,11 @@ struct RobotParameters {
   double front_wheels_deg = 35.0;  // wheels at plus and minus this angle
   double back_wheels_deg = 135.0;
   double wheel_distance_m = 80_mm;  // inside the 90 mm hull
-  double speed_noise = 0.01;        // of each commanded speed
+  double speed_noise = 0.01;        // fraction of each commanded speed
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, const Visitor& visitor) {
-    // Box2D replaces a mass of 0 by 1 kg.
+    // Box2D would replace a mass of 0 by 1 kg.
     visitor(self.mass_kg, {"mass_kg", {0.001, 100}, "mass of a robot"});
     visitor(self.speed_mps, {"speed_mps", {0.01, 20}, "top speed"});
     visitor(self.acceleration_mps2, {"acceleration_mps2", positive(100), "maximum acceleration"});
@@ -159,9 +159,9 @@ struct KickerParameters {
   bool operator==(const KickerParameters&) const = default;
 };
 
-// A dribbler that does not hold pulls the ball towards the plate's centre like a spring, saturating
-// at about 5 mm. The damping is near critical for a rolling ball, whose effective mass is one and a
-// half times its own.
+// A dribbler that does not hold the ball pulls it towards the plate's centre like a spring,
+// saturating at about 5 mm. The damping is near critical for a rolling ball, whose effective mass
+// is one and a half times its own.
 struct DribblerParameters {
   double force_n = 0.45;
   double reach_m = 10_mm;
@@ -190,7 +190,7 @@ struct PlacementParameters {
   double speed_mps = 3.0;
   double acceleration_mps2 = 4.0;
   double catch_mps2 = 20.0;
-  double clearance_m = 50_mm;  // the ball's radius and a margin
+  double clearance_m = 50_mm;  // the ball's radius plus a margin
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, const Visitor& visitor) {
@@ -204,8 +204,8 @@ struct PlacementParameters {
   }
 };
 
-// Vision quality. Defaults are the preset `paper`: true positions and the ball's height, as the
-// paper's simulator reported them (section 3, "Simulator"). presets.hpp has others.
+// Vision quality. The defaults are the preset `paper`: true positions and the ball's height, as
+// reported by the paper's simulator (section 3, "Simulator"). presets.hpp has others.
 struct VisionParameters {
   double ball_noise_m = 0.0;
   double robot_noise_m = 0.0;
@@ -219,8 +219,7 @@ struct VisionParameters {
   double camera_height_m = 4.0;
   double camera_overlap_m = 0.5;
   // Systematic error of each camera, root mean square over the field: a constant offset and a
-  // smooth warp. Neighbouring cameras have opposite errors, so that they disagree by twice this
-  // value.
+  // smooth warp. Neighbouring cameras have opposite errors, so they disagree by twice this value.
   double camera_error_m = 0.0;
   double camera_error_rad = 0.0;
   double false_balls_per_s = 0.0;  // each in a single frame
@@ -261,7 +260,7 @@ struct VisionParameters {
 };
 
 struct RadioParameters {
-  double command_loss = 0.0;  // per robot and frame
+  double command_loss = 0.0;  // probability per robot and frame
   double hold_s = 100_ms;
 
   template <typename Self, typename Visitor>
@@ -272,7 +271,7 @@ struct RadioParameters {
 };
 
 // Where the robots stand before a game: in rows along the touch line, in their own half. Distances
-// are between robots' centres. Eight robots fit in a row on the smallest field, too.
+// are between robots' centres. Even on the smallest field, eight robots fit in a row.
 struct LineUpParameters {
   double gap_m = 300_mm;  // less on short fields
   double from_halfway_line_m = 300_mm;
@@ -328,7 +327,7 @@ struct Configuration {
   }
 };
 
-// What a handicap may scale a robot's top speed or acceleration by.
+// The range of the factors by which a handicap can scale a robot's top speed or acceleration.
 inline constexpr Range kFactorRange = positive(2);
 
 // One robot and its handicap.
@@ -339,7 +338,7 @@ struct RobotSpec {
   double speed_factor = 1.0;         // scales the top speed
   double acceleration_factor = 1.0;  // scales acceleration and braking, including the wheels' limit
 
-  // Without the factors, which belong to the robot's team.
+  // Excludes the factors, which belong to the robot's team.
   template <typename Self, typename Visitor>
   static void visit(Self& self, const Visitor& visitor) {
     visitor(self.body, {"robot", "the robots' bodies and drives"});
@@ -354,7 +353,7 @@ struct TeamSpec {
   Robots robots;
 };
 
-// Throw OutOfRange for the first invalid number. If both sides' robots are checked,
+// Throw OutOfRange for the first invalid number. If both sides' robots are checked, the
 // std::invalid_argument also names side and number, for example "east robot 3: robot.mass_kg is 0;
 // ...".
 void validate(const Configuration& configuration);
@@ -362,10 +361,10 @@ void validate(const RobotSpec& robot);
 void validate(const PerSide<TeamSpec>& specs);
 void validate(const Field& field);
 
-// The maximum speed of a body with this number of sub-steps: Box2D slows down faster bodies.
+// The maximum speed of a body with this number of sub-steps; Box2D slows down faster bodies.
 double fastest_mps(const Configuration& configuration);
 
-// The maximum speed at which a robot may drive or kick.
+// The maximum speed at which a robot can drive or kick.
 double fastest_mps(const RobotSpec& robot);
 
 }  // namespace autoref::sim

@@ -1,8 +1,8 @@
 // The simulated world: robots, ball, goals and walls as rigid bodies in the plane.
 //
 // It owns the ground truth: exact positions, speeds and contacts. It has no rules and makes no
-// decisions; the game loop passes it commands and a placement once per camera frame. Everything is
-// in SI units and field coordinates (soccer/field.hpp).
+// decisions; the game loop passes it commands and any placement once per camera frame. Everything
+// is in SI units and field coordinates (soccer/field.hpp).
 #pragma once
 
 #include <array>
@@ -51,11 +51,11 @@ struct Touch {
   Vec2 ball_m{0, 0};
   bool is_kick = false;
   Vec2 ball_mps{0, 0};      // the ball's velocity right after the touch, in the plane
-  double vertical_mps = 0;  // and its upward component
+  double vertical_mps = 0;  // its upward component
 };
 
-// The hulls of two separate robots collided. In these collisions robots are round discs; their flat
-// fronts are ignored.
+// A collision of two robots' hulls that were apart before. In these collisions, robots are round
+// discs; their flat fronts are ignored.
 struct RobotCollision {
   std::int64_t frame = 0;  // as in Touch
   int substep = 0;
@@ -66,21 +66,21 @@ struct RobotCollision {
 
 class World {
  public:
-  // Robots start lined up in their own halves, the ball at the centre. `seed` selects the random
-  // streams of motors and kickers. Throws std::invalid_argument if the configuration is out of
-  // range.
+  // Robots start lined up in their own halves, with the ball at the centre. `seed` selects the
+  // random streams of motors and kickers. Throws std::invalid_argument if the configuration is out
+  // of range.
   World(const Field& field, const Configuration& configuration, const PerSide<TeamSpec>& specs,
         std::uint64_t seed);
   ~World();
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
 
-  // Simulates one camera frame. The new commands take effect after `command_delay_substeps`, the
-  // previous commands apply until then. Commands for robots that do not exist or are off the field
-  // are ignored. Commands must be finite (asserted); they are limited to what the robots can do.
-  // With `placement` the ball is held by ball placement, which brings it to the target and keeps it
-  // there; robots, kickers and dribblers do not affect it. Without it, the ball is free, and a
-  // robot that overlaps it pushes it out.
+  // Simulates one camera frame. The new commands take effect after `command_delay_substeps`; until
+  // then, the previous ones apply. Commands for robots that do not exist or are off the field are
+  // ignored. Commands must be finite (asserted); they are limited to what the robots can do. With
+  // `placement`, the ball is held by ball placement, which brings it to the target and keeps it
+  // there; robots, kickers and dribblers do not affect it. Without `placement`, the ball is free,
+  // and a robot that overlaps it pushes it out.
   void step(const PerSide<TeamCommands>& commands, const std::optional<Placement>& placement);
 
   // The state after the last step.
@@ -95,16 +95,17 @@ class World {
   // Whether every position and speed is finite.
   bool is_finite() const;
 
-  // Takes a robot off the field: states and frames omit it, nothing collides with it, and its
-  // commands are ignored. No effect if it is off already.
+  // Takes a robot off the field: it is missing from states and frames, nothing collides with it,
+  // and its commands are ignored. No effect if it is already off.
   void take_off(RobotId id);
-  // Puts a robot that is off (asserted) back, at rest. The position must be free (asserted).
+  // Puts a robot that is off the field (asserted) back, at rest. The position must be free
+  // (asserted).
   void put_on(RobotId id, const Vec2& position_m, const Vec2& heading);
   bool is_on(RobotId id) const;
-  // Whether a robot may be put there: no robot and no ball is in the way.
+  // Whether a robot can be put there: no robot and no ball is in the way.
   bool is_free(const Vec2& position_m) const;
 
-  // Sets up a situation for tests and scenes. Robots must be on the field.
+  // Sets up situations for tests and scenes. Robots must be on the field.
   void put_ball(const BallState& ball);
   void put_robot(RobotId id, const RobotState& state);
 
@@ -113,8 +114,8 @@ class World {
   std::unique_ptr<Impl> impl_;
 };
 
-// Splits the delay from frame to motion into the whole frames by which a team's view is delayed,
-// and the sub-steps after which the resulting commands take effect.
+// Splits the delay from frame to motion into the number of whole frames by which a team's view is
+// delayed, and the number of sub-steps after which the resulting commands take effect.
 struct LatencySplit {
   int frames = 0;
   int substeps = 0;

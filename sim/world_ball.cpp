@@ -42,8 +42,7 @@ void World::Impl::move_ball(int substep) {
   bodies_.set_ball_velocity(held_by_net(ball_.slowed(ball_mps, step_s_)));
 }
 
-// The ball's velocity after a kick, if there was one. Simultaneous kicks add up, whatever their
-// order.
+// The ball's velocity after a kick, if there was one. Simultaneous kicks add up in any order.
 std::optional<Vec2> World::Impl::kicked(int substep) {
   const BodyState ball = bodies_.ball();
   Vec2 sum_mps{0.0, 0.0};
@@ -74,7 +73,8 @@ std::optional<Vec2> World::Impl::kicked(int substep) {
   return ball_mps;
 }
 
-// The forces of all dribblers on the ball. A robot that has just kicked releases a ball it held.
+// The forces of all dribblers on the ball. A robot that has just kicked releases the ball that it
+// held.
 World::Impl::Pulls World::Impl::pulls() {
   Pulls pulls;
   const BodyState& ball = bodies_.ball();

@@ -14,7 +14,7 @@
 namespace autoref::sim {
 namespace {
 
-constexpr int kRow = 8;  // robots per row; a full team makes two
+constexpr int kRow = 8;  // robots per row; a full team fills two
 
 // The pose of a robot: in a row in its own half, along the touch line to the right of its keeper,
 // facing the opponents' goal. This is not a formation, so teams have to move. The two sides'
@@ -117,7 +117,7 @@ void World::Impl::accept(const PerSide<TeamCommands>& commands) {
   });
 }
 
-// A robot keeps its last command until it has received none for a while.
+// A robot keeps its last command until it has received no command for a while.
 bool World::Impl::hears(Robot& robot, RandomStream& radio) const {
   const double loss = configuration_.radio.command_loss;
   const bool is_lost = loss > 0.0 && radio.uniform() < loss;
@@ -142,7 +142,7 @@ void World::Impl::obey(const std::optional<Placement>& placement) {
   ball_.set({});
 }
 
-// A block ends with the frame, and does not skip the sub-step in which commands take effect.
+// A block does not extend beyond the frame, or beyond the sub-step in which commands take effect.
 int World::Impl::block_from(int substep) const {
   const int end = substep < command_delay_substeps_
                       ? std::min(command_delay_substeps_, configuration_.substeps)
@@ -150,8 +150,8 @@ int World::Impl::block_from(int substep) const {
   return std::min(block_, end - substep);
 }
 
-// Bodies that cannot meet anything until the end of the block take one step, the others as many as
-// their encounters need.
+// Bodies that cannot meet anything until the end of the block take one step; the others take as
+// many as their encounters require.
 void World::Impl::advance(int substep, int substeps) {
   Encounters found = contact_prediction_.encounters(bodies_, robots_, hold_ != Hold::kFree);
   if (!configuration_.free_motion) found.bodies = everything();
@@ -197,7 +197,7 @@ void World::Impl::drive(bool gathered, double duration_s) {
   });
 }
 
-// A new contact is noted when it begins, a continuing one once per frame.
+// A new contact is recorded when it begins, a continuing one once per frame.
 void World::Impl::note_contacts(int substep) {
   std::uint32_t now = 0;
   for (const int index : bodies_.touching()) {
@@ -281,7 +281,7 @@ void World::Impl::publish() {
   for (const Side side : kSides) state_.robots[side].clear();
   for_each_on_field([this](RobotId id, Robot&, int index) {
     const BodyState& body = bodies_.robot(index);
-    // Box2D's float sine and cosine are not exactly a unit vector.
+    // Box2D's float sine and cosine do not form an exact unit vector.
     state_.robots[id.side].push_back({id.number, body.position_m, body.heading.normalized(),
                                       body.velocity_mps, body.angular_velocity_radps});
   });

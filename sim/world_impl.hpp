@@ -1,4 +1,4 @@
-// World's implementation: what happens in a frame, in order. Only for the world's sources.
+// World's implementation: the sequence of events in a frame. Only for the world's sources.
 #pragma once
 
 #include <array>
@@ -56,7 +56,8 @@ class World::Impl {
     Vec2 force_n;
   };
   using Pulls = boost::container::static_vector<Pull, 2 * kMaxRobots>;
-  // Free, or held by ball placement: being stopped, then on its way or at the target.
+  // The ball is free, or held by ball placement, which first stops it and then carries it to the
+  // target and keeps it there.
   enum class Hold { kFree, kCatching, kCarrying };
 
   Team make_team(Side side, const TeamSpec& spec, std::uint64_t seed) const;
@@ -119,7 +120,7 @@ class World::Impl {
   Field field_;
   Configuration configuration_;
   double substep_s_;
-  int block_;          // sub-steps per block, in which free bodies take a single step
+  int block_;          // sub-steps per block, which a free body covers in a single step
   double step_s_ = 0;  // duration of the current physics step
   int command_delay_substeps_;
   int hold_frames_;  // frames without a command after which a robot stops
@@ -133,7 +134,7 @@ class World::Impl {
   Placement placement_;                 // the current placement
   std::int64_t substeps_ = 0;           // since the start
   std::uint32_t touching_ = 0;          // one bit per robot: touched the ball in the last sub-step
-  std::uint32_t touched_in_frame_ = 0;  // likewise, in this frame
+  std::uint32_t touched_in_frame_ = 0;  // the same for this frame so far
   boost::container::static_vector<Touch, 256> touches_;
   boost::container::static_vector<RobotCollision, 64> collisions_;
   WorldState state_;

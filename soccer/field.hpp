@@ -10,8 +10,8 @@
 
 namespace autoref {
 
-// Shape of the area in front of a goal: until 2017 two quarter circles joined by a straight line,
-// since then a box.
+// Shape of the area in front of a goal: two quarter circles joined by a straight line until 2017, a
+// box since then.
 struct DefenceArea {
   enum class Shape { kQuarterCircles, kBox };
   Shape shape = Shape::kQuarterCircles;
@@ -35,7 +35,7 @@ constexpr auto names_of(DefenceArea::Shape /*any*/) {
       {{Shape::kQuarterCircles, "quarter_circles"}, {Shape::kBox, "box"}});
 }
 
-// A robot that takes a free kick from a line, or comes back after a card, stands beyond it.
+// A robot that takes a free kick from a line, or comes back after a card, stands beyond the line.
 inline constexpr Range kRunOffRange = {2 * kRobotRadius_m, 5};
 
 // All lengths are measured to the outer edges of the lines. Defaults: the paper's field, section 3,
@@ -59,7 +59,7 @@ struct Field {
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, const Visitor& visitor) {
-    // Smaller fields have no room for 16 robots per side, larger ones exceed Box2D's range of
+    // Smaller fields have no room for 16 robots per side; larger ones exceed Box2D's range of
     // sizes.
     visitor(self.length_m,
             {"length_m", {4, 30}, "distance between the outer edges of the goal lines"});

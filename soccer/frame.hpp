@@ -1,4 +1,4 @@
-// What vision reports once per camera frame: the only input of the referee and the teams.
+// The report of vision for one camera frame: the only input of the referee and the teams.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -23,7 +23,7 @@ struct CameraPosition {
 };
 
 // Without a height, `position_m` is the point on the carpet where the camera sees the ball: a
-// flying ball appears farther from the camera than it is.
+// flying ball appears to be farther from the camera than it is.
 struct BallObservation {
   Vec2 position_m{0, 0};
   std::optional<double> height_m;  // of the ball's lowest point; nullopt if not reported
@@ -41,8 +41,8 @@ struct Frame {
   std::optional<BallObservation> ball;  // nullopt if no camera sees it
 };
 
-// What vision reports in addition to a frame: balls and robots that a reader of its packets would
-// discard (league/detection_merger.hpp).
+// Detections that vision reports in addition to a frame: balls and robots that a reader of its
+// packets would discard (league/detection_merger.hpp).
 struct OtherDetections {
   boost::container::static_vector<BallObservation, 8> balls;
   PerSide<SeenRobots> robots;
@@ -55,8 +55,8 @@ struct OtherDetections {
 // Whether every number in the frame is finite.
 bool is_finite(const Frame& frame);
 
-// The frame without its non-finite values: such a robot or ball counts as not seen, such a height
-// as unknown, and such a camera as directly above the ball.
+// The frame without its non-finite values: such a robot or ball counts as unseen, such a height as
+// unknown, and such a camera as directly above the ball.
 Frame finite_part(const Frame& frame);
 
 // The frame rotated by 180 degrees about the field's centre.

@@ -1,5 +1,4 @@
-// Enumerations that are written and read by name. Beside such an enumeration stands the list of its
-// names:
+// Enumerations that are written and read by name. Each comes with a list of its names:
 //
 //   constexpr auto names_of(AfterGame /*any*/) {
 //     return std::to_array<Named<AfterGame>>(
@@ -26,7 +25,7 @@ concept HasNames = requires(Enumeration value) {
   names_of(value)[0].name;
 };
 
-// The enumerator's name; empty if the list lacks it.
+// The enumerator's name; empty if it is not in the list.
 template <HasNames Enumeration>
 constexpr std::string_view name_of(Enumeration value) {
   for (const Named<Enumeration>& one : names_of(value))

@@ -1,6 +1,6 @@
-// Parameters: members of plain structs that a user can set. A struct lists them once, in visit():
-// each by name, with its range and what it does. Whatever reads, checks, writes or describes
-// parameters goes through that list.
+// Parameters: members of plain structs that a user can set. A struct lists them once, in visit(),
+// each with its name, range and description. All code that reads, checks, writes or describes
+// parameters uses that list.
 //
 //   struct KickerParameters {
 //     double speed_limit_mps = 8.0;
@@ -24,7 +24,7 @@
 
 namespace autoref {
 
-// The values that a number may have.
+// The values that a number can have.
 struct Range {
   double low = 0;
   double high = 0;
@@ -48,25 +48,25 @@ inline constexpr Range kYesOrNo = {0, 1};
 // "from 0 to 1 m", "above 0 and at most 2".
 std::string text_of(const Range& range, std::string_view unit = "");
 
-// What is known of a parameter, apart from its value.
+// The description of a parameter, without its value.
 struct Parameter {
   constexpr Parameter(std::string_view its_name, const Range& its_range, std::string_view meaning,
                       std::string_view its_source = "")
       : name(its_name), range(its_range), about(meaning), source(its_source) {}
-  // Yes or no, an enumeration, or a member with parameters of its own.
+  // For a bool, an enumeration, or a member with parameters of its own.
   constexpr Parameter(std::string_view its_name, std::string_view meaning)
       : name(its_name), about(meaning) {}
 
   std::string_view name;    // in snake_case, ending in the unit
-  Range range;              // of a number
+  Range range;              // for numbers
   std::string_view about;   // what it does or is
-  std::string_view source;  // where its default was published; empty if a comment says so
+  std::string_view source;  // where its default was published; empty if given in a comment
 };
 
-// The unit in which a name ends: "m/s" for "shot_mps"; empty if it has none.
+// The unit at the end of a name: "m/s" for "shot_mps"; empty if it has none.
 std::string_view unit_of(std::string_view name);
 
-// Accepts every parameter, and does nothing.
+// Accepts every parameter and does nothing.
 struct AnyParameter {
   template <typename Value>
   void operator()(Value& /*value*/, const Parameter& /*about*/) const {}
@@ -78,8 +78,8 @@ concept HasParameters = requires(Of& of) {
   std::remove_const_t<Of>::visit(of, AnyParameter{});
 };
 
-// Visits the parameters of `of` and, in their place, those of its members. The visitor's third
-// argument is the path: `prefix` and names, such as "ball.roll_mps2".
+// Visits the parameters of `of`; a member with its own parameters is replaced by these. The
+// visitor's third argument is the path: `prefix` followed by names, such as "ball.roll_mps2".
 template <HasParameters Of, typename Visitor>
 void visit_all(Of& of, const std::string& prefix, const Visitor& visitor) {
   std::remove_const_t<Of>::visit(of, [&](auto& value, const Parameter& about) {
@@ -92,7 +92,7 @@ void visit_all(Of& of, const std::string& prefix, const Visitor& visitor) {
   });
 }
 
-// The names of the parameters, in their order.
+// The names of the parameters, in order.
 template <HasParameters Of>
 std::vector<std::string> parameter_names() {
   std::vector<std::string> names;
@@ -106,8 +106,8 @@ std::vector<std::string> parameter_names() {
 // A number outside its allowed range.
 class OutOfRange : public std::invalid_argument {
  public:
-  // what() is the path followed by `text`, such as "ball.hop_later_z" and " is 2; it must be from 0
-  // to 0.95".
+  // what() is `path` followed by `text`, for example "ball.hop_later_z" and " is 2; it must be from
+  // 0 to 0.95".
   OutOfRange(const std::string& path, const std::string& text)
       : std::invalid_argument(path + text), path_(path), text_(text) {}
 
@@ -119,13 +119,14 @@ class OutOfRange : public std::invalid_argument {
   std::string text_;
 };
 
-// Throws OutOfRange: the value of the parameter at `path` is not `allowed`, such as "from 0 to 1".
+// Throws OutOfRange: the value of the parameter at `path` is not `allowed`, for example "from 0 to
+// 1".
 [[noreturn]] void refuse_value(const std::string& path, double value, const std::string& allowed);
 
 // Throws OutOfRange for a value outside the range.
 void check_number(const std::string& path, double value, const Range& range);
 
-// check_number() for all numbers of `of`.
+// Calls check_number() for all numbers of `of`.
 template <HasParameters Of>
 void check_ranges(const Of& of, const std::string& prefix = "") {
   visit_all(of, prefix, [](const auto& value, const Parameter& about, const std::string& path) {

@@ -1,9 +1,8 @@
 // Independent random streams, one for each source of randomness.
 //
 // Every source of randomness in a game (camera, the motors of a side, ...) has its own stream,
-// identified by the game's seed, a purpose and a side, so that drawing more numbers from one does
-// not shift another. A stream is counter-based: its n-th number is a hash of the stream's key and
-// n.
+// identified by the game's seed, a purpose and a side, so drawing more numbers from one does not
+// shift another. A stream is counter-based: its n-th number is a hash of the stream's key and n.
 #pragma once
 
 #include <boost/random/normal_distribution.hpp>
@@ -36,10 +35,10 @@ class RandomStream {
  public:
   using result_type = std::uint64_t;
 
-  // Streams with the same seed have the same numbers.
+  // Streams with the same seed yield the same numbers.
   explicit RandomStream(std::uint64_t seed = 0) : key_(mix_bits(seed + kStep)) {}
 
-  // The stream of a purpose, either shared by both sides or of `side`.
+  // The stream of a purpose, either shared by both sides or for `side`.
   static RandomStream of(std::uint64_t seed, RandomPurpose purpose) {
     return RandomStream(mix_bits(seed) + static_cast<std::uint64_t>(purpose) * 4);
   }

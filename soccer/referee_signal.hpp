@@ -1,5 +1,5 @@
-// What the referee broadcasts: the league's referee commands and stages, in the program's
-// coordinates and as published.
+// The referee's broadcasts: the league's referee commands and stages, in the program's coordinates
+// and as published.
 //
 // Numbers are those of the league's SSL_Referee message (2013), so logs need no translation table.
 #pragma once
@@ -103,7 +103,7 @@ constexpr auto names_of(Stage /*any*/) {
 
 // Where the ball is to be placed while play is stopped. `at_once` means that there is no time to
 // bring it there smoothly. Unless `by_hand`, the ball is left to the teams: their robots place it,
-// or it lies there already.
+// or it is already there.
 struct Placement {
   Vec2 target_m{0, 0};
   bool at_once = false;
@@ -118,23 +118,24 @@ struct RefereeSignal {
   double stage_time_left_s = 0;  // in a running half; 0 in other stages
   PerSide<int> goals;
   PerSide<int> shootout_goals;  // after extra time; not included in `goals`
-  PerSide<int> robots_allowed{{kMaxRobots, kMaxRobots}};  // on the field; cards reduce it
+  PerSide<int> robots_allowed{{kMaxRobots, kMaxRobots}};  // on the field; reduced by cards
   PerSide<int> yellow_cards;                              // shown so far
   PerSide<int> red_cards;
-  PerSide<std::optional<int>> keepers;         // numbers of their robots; nullopt if not named
-  PerSide<bool> can_place_ball{{true, true}};  // false once a team may not place the ball itself
+  PerSide<std::optional<int>> keepers;         // the keepers' robot numbers; nullopt if not named
+  PerSide<bool> can_place_ball{{true, true}};  // false if the team is no longer allowed to place
+                                               // the ball itself
   std::optional<Placement> placement;          // nullopt unless play is stopped
   std::optional<Command> next_command;         // the command that will resume play
   // Blue's end on the field. Sides and positions here do not depend on it.
   bool blue_on_positive_half = true;
 };
 
-// From the program's coordinates to those of the field.
+// Converts the program's coordinates to those of the field.
 //
-// When teams change ends, nothing moves in the program: for the world, the referee and the teams,
+// In the program, nothing moves when teams change ends: for the world, the referee and the teams,
 // west wears yellow and defends the goal at -x in every half, which the field's symmetry permits.
-// What is published (logs, event logs, pages) has the field's coordinates, with each team at its
-// current end: the same, or rotated by 180 degrees.
+// Everything that is published (logs, event logs, pages) uses the field's coordinates, with each
+// team at its current end: either the same coordinates, or rotated by 180 degrees.
 
 inline Vec2 published(const Vec2& position_m, bool blue_on_positive_half) {
   return blue_on_positive_half ? position_m : Vec2(Vec2(0, 0) - position_m);  // never -0
@@ -148,7 +149,7 @@ inline OtherDetections published(const OtherDetections& others, bool blue_on_pos
   return blue_on_positive_half ? others : rotated(others);
 }
 
-// Sides are colours here and stay.
+// Here, sides stand for colours and stay the same.
 inline RefereeSignal published(RefereeSignal signal) {
   if (signal.placement)
     signal.placement->target_m =
@@ -156,7 +157,7 @@ inline RefereeSignal published(RefereeSignal signal) {
   return signal;
 }
 
-// The side whose colour has its goal at this end of the field: west is -x, east is +x.
+// The side whose goal is at this end of the field: west is -x, east is +x.
 constexpr Side side_at(Side end, bool blue_on_positive_half) {
   return blue_on_positive_half ? end : opponent_of(end);
 }

@@ -1,4 +1,5 @@
-// What a robot can do, and what a team sends to its robots and asks of the referee in each frame.
+// A robot's abilities, and what a team sends to its robots and requests of the referee in each
+// frame.
 #pragma once
 
 #include <array>
@@ -10,7 +11,8 @@
 
 namespace autoref {
 
-// What one of a team's robots can do, including its handicap. The defaults are the paper's robots.
+// The abilities of one of a team's robots, including its handicap. The defaults are the paper's
+// robots.
 struct Abilities {
   double speed_mps = 3.0;  // paper, section 3: up to 3 m/s
   double acceleration_mps2 = 3.0;
@@ -19,10 +21,10 @@ struct Abilities {
   double chip_mps = 5.5;
 };
 
-// The same for robots in general: what teams assume of them, and the simulator's defaults.
+// The abilities of robots in general: what teams assume of them, and the simulator's defaults.
 inline constexpr Abilities kUsualAbilities;
 inline constexpr double kUsualTurning_radps2 = 40;  // angular acceleration
-// Standard deviations of a kick: of its direction, and of its speed as a fraction.
+// Standard deviations of a kick's direction, and of its speed as a fraction.
 inline constexpr double kUsualKickError_deg = 1.5;
 inline constexpr double kUsualKickSpeedError = 0.025;
 
@@ -42,7 +44,8 @@ inline bool is_finite(const RobotCommand& c) {
 
 // The command as it travels to a robot: in floats, without negative zeros.
 inline RobotCommand transmitted(const RobotCommand& c) {
-  // Volatile: when GCC 12 makes vectors of two such conversions, it takes them for the identity.
+  // Volatile, because GCC 12 mistakes two such conversions for the identity when it vectorises
+  // them.
   const auto as_float = [](double value) {
     const volatile auto rounded = static_cast<float>(value);
     return static_cast<double>(rounded) + 0.0;
@@ -54,11 +57,12 @@ inline RobotCommand transmitted(const RobotCommand& c) {
 // Commands of a side, by robot number. A robot without a new command stands still.
 using TeamCommands = std::array<RobotCommand, kMaxRobots>;
 
-// What a team may request from the referee.
+// The requests that a team can make to the referee.
 struct TeamRequests {
   int keeper = 0;             // number of the robot that acts as keeper; -1: unknown
   std::optional<int> leaves;  // the robot to remove first after a card
-  bool timeout = false;       // requested as soon as play is stopped, for as long as it is set
+  bool timeout = false;       // requested for as long as it is set; takes effect once play is
+                              // stopped
 };
 
 }  // namespace autoref

@@ -1,4 +1,4 @@
-// Dimensions of ball and robot, as the rules give them.
+// Dimensions of ball and robot according to the rules.
 #pragma once
 
 #include "soccer/geometry.hpp"
@@ -11,10 +11,11 @@ inline constexpr double kRobotRadius_m = 90_mm;    // cylinder of 180 mm diamete
 inline constexpr double kRobotHeight_m = 147_mm;   // below the 150 mm of the paper, section 3
 inline constexpr double kFrontDistance_m = 75_mm;  // from the centre to the flat kicker plate
 inline constexpr double kHalfPlate_m = 0.049749371855331;  // sqrt(90^2 - 75^2) mm
-inline constexpr double kDribblerZoneWidth_m = 80_mm;      // the plate kicks and dribbles here
+inline constexpr double kDribblerZoneWidth_m = 80_mm;      // the part of the plate that kicks and
+                                                           // dribbles
 
 // Distance in metres from `point_m` to the outline of a robot at `centre_m` facing the unit vector
-// `heading`: a disc of 90 mm cut off flat 75 mm in front of its centre. Negative inside.
+// `heading`: a disc of 90 mm radius, cut off flat 75 mm in front of its centre. Negative inside.
 double distance_to_hull(const Vec2& point_m, const Vec2& centre_m, const Vec2& heading);
 
 // Whether the straight path from `a_m` to `b_m` intersects the hull of that robot.

@@ -1,7 +1,7 @@
 // The two sides of a game, their colours, and robot identifiers.
 //
-// A side has the goal at its end of the field, a colour, robots and random streams. Which team
-// plays on which side is decided elsewhere (`match.a_plays`).
+// Each side has the goal at its end of the field, a colour, robots and random streams. Which team
+// plays on which side is set elsewhere (`match.a_plays`).
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 namespace autoref {
 
 // West defends the goal at -x and wears yellow; east defends the goal at +x and wears blue. This
-// holds in every half, whatever the teams' ends on the field (referee_signal.hpp).
+// holds in every half, regardless of the teams' ends on the field (referee_signal.hpp).
 enum class Side : std::uint8_t { kWest, kEast };
 
 inline constexpr std::array<Side, 2> kSides = {Side::kWest, Side::kEast};

@@ -3,7 +3,7 @@
 namespace autoref {
 namespace {
 
-// West sees the field as it is, east rotated by 180 degrees.
+// West sees the field as it is; east sees it rotated by 180 degrees.
 void fill_robots(const TrackedRobots& robots, Side viewer, TrackedRobots& seen) {
   seen.clear();
   for (const TrackedRobot& robot : robots) {

@@ -17,9 +17,9 @@
 
 namespace autoref {
 
-// What the referee's commands mean for play: who may do what at the moment.
-// No play during halt and stop. A prepared restart waits for the start command; a restart lasts
-// until the ball is in play.
+// What the referee's commands mean for play: who may do what at the moment. There is no play during
+// halt and stop. A prepared restart waits for the start command; a restart lasts until the ball is
+// in play.
 enum class Play : std::uint8_t {
   kHalt,
   kStop,
@@ -32,7 +32,7 @@ enum class Play : std::uint8_t {
   kRunning,
 };
 
-// In the manner of the league's commands.
+// Named in the style of the league's commands.
 constexpr auto names_of(Play /*any*/) {
   return std::to_array<Named<Play>>({{Play::kHalt, "HALT"},
                                      {Play::kStop, "STOP"},
@@ -55,8 +55,8 @@ struct Situation {
 
 constexpr bool is_restart(Play play) { return play >= Play::kKickoff && play < Play::kRunning; }
 
-// Derives the situation from commands and ball. Call it once per frame with the signal and the ball
-// (nullopt until it has been seen).
+// Derives the situation from the commands and the ball. Call it once per frame with the signal and
+// the ball (nullopt until it has been seen).
 class SituationTracker {
  public:
   explicit SituationTracker(const RuleBook& rules) : in_play_m_(rules.in_play_m) {}
@@ -75,7 +75,8 @@ class SituationTracker {
 struct TeamView {
   std::int64_t frame = 0;  // number of the camera frame behind this view
   double time_s = 0;       // capture time of that frame
-  double latency_s = 0;    // from the frame until a command moves a robot, as the team believes
+  double latency_s = 0;    // the team's estimate of the time from a frame until its command moves a
+                           // robot
   TrackedRobots own;
   TrackedRobots opponents;
   TrackedBall ball;
@@ -83,8 +84,8 @@ struct TeamView {
   bool ours = false;  // whether the current restart is this team's
   // Where the referee places the ball for the next restart; set while play is stopped.
   std::optional<Vec2> placement_m;
-  // Whether the robots of a team place the ball there now; then whether they are this team's. The
-  // placing team brings the ball there, and the other keeps clear of its path.
+  // Set while a team's robots place the ball there: whether they are this team's. The placing team
+  // brings the ball there, and the other keeps clear of its path.
   std::optional<bool> placing_is_ours;
   // The restart after this stop, if known, and whether it is this team's.
   std::optional<CommandKind> next;
@@ -94,8 +95,8 @@ struct TeamView {
   double stage_time_left_s = 0;
 };
 
-// Fills `view` with `tracks` and `signal`, which are in field coordinates, as the team on `side`
-// sees them. Allocates nothing.
+// Fills `view` with `tracks` and `signal`, which are in field coordinates, as seen by the team on
+// `side`. Allocates nothing.
 void fill_view(const Tracks& tracks, const RefereeSignal& signal, const Situation& situation,
                Side side, TeamView& view);
 

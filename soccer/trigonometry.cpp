@@ -24,13 +24,14 @@ double atan_series(double x) {
 
 constexpr double kLargest = 700;
 constexpr double kLn2 = 0.693147180559945309;
-constexpr int kTerms = 14;  // of the series; the next is below 1e-18
+constexpr int kTerms = 14;  // number of terms of the series; the next one is below 1e-18
 
 }  // namespace
 
-// Within the first octant, the angle is that of x and y, or what it has more than pi/8 of it.
+// Reduced to the first octant, `part` is the angle itself or, if that exceeds pi/8, the angle minus
+// pi/4.
 double atan2_exact(double y, double x) {
-  constexpr double kTanOfHalf = 0.41421356237309503;  // of pi/4
+  constexpr double kTanOfHalf = 0.41421356237309503;  // of half of pi/4
   const double across = std::abs(y);
   const double along = std::abs(x);
   const double low = std::min(across, along);

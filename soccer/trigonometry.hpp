@@ -1,7 +1,7 @@
 // Trigonometry and the exponential function with bit-identical results on every x86-64 machine.
 //
 // The C library uses different code for sin, cos and atan2 on machines with fused multiply-add, and
-// the last bit of the result then differs; a game with the same seed would end differently on
+// the last bit of the result then differs, so a game with the same seed would end differently on
 // another host. These functions use only additions, multiplications and divisions, which IEEE 754
 // defines exactly. All angles are in radians.
 #pragma once
@@ -53,15 +53,15 @@ inline double cos_series(double x) {
 
 }  // namespace trigonometry
 
-// Sine and cosine of `angle_rad`, within 4e-16 of the exact value for |angle_rad| <= 1e5.
-// Inline, since games call it most of all. It reduces the angle to the nearest multiple of pi/2;
-// that multiple modulo 4 is the quadrant.
+// Sine and cosine of `angle_rad`, within 4e-16 of the exact value for |angle_rad| <= 1e5. Inline,
+// since games call it more than any other function. It reduces the angle to the nearest multiple of
+// pi/2; that multiple modulo 4 is the quadrant.
 inline SinCos sin_cos(double angle_rad) {
   const double quarters = trigonometry::to_integer(angle_rad * (2.0 / kPi));
   const double rest =
       (angle_rad - quarters * trigonometry::kHalfPiHigh) - quarters * trigonometry::kHalfPiLow;
   const double series[] = {trigonometry::sin_series(rest), trigonometry::cos_series(rest)};
-  // Without branches, which a processor could not predict.
+  // Avoids branches, which a processor could not predict.
   constexpr double kSigns[] = {1.0, -1.0};
   const auto quadrant = static_cast<std::uint64_t>(static_cast<std::int64_t>(quarters));
   const std::uint64_t swaps = quadrant & 1;
@@ -75,7 +75,8 @@ double atan2_exact(double y, double x);
 // `angle_rad` shifted by a multiple of 2 pi into [-pi, pi].
 double wrap_angle(double angle_rad);
 
-// e^x, within 1e-12 of it relatively for |x| <= 700; beyond, that of the nearest such x.
+// e^x, with a relative error below 1e-12 for |x| <= 700; beyond that, the value at the nearest such
+// x.
 double exponential(double x);
 
 }  // namespace autoref

@@ -1,4 +1,4 @@
-// The interface of a team: from its view of the game to its robots' commands, once per frame; and
+// The interface of a team, from its view of the game to its robots' commands, once per frame; and
 // its parameters.
 #pragma once
 
@@ -23,16 +23,17 @@
 
 namespace autoref::strategies {
 
-// Standard deviations of a kick: of its direction, and of its speed as a fraction.
+// Standard deviations of a kick's direction, and of its speed as a fraction.
 struct KickScatter {
   double direction_rad = to_radians(kUsualKickError_deg);
   double speed = kUsualKickSpeedError;
 };
 
-// What a team knows before the game.
+// The information that a team gets before the game.
 struct TeamContext {
   Field field;
-  RuleBook rules;  // those that the team keeps to: the match's, and its laws' (obeyed_rules())
+  RuleBook rules;  // the rules that the team obeys: the match's, and those of its own laws
+                   // (obeyed_rules())
   double frame_rate_hz = 60;
   RandomStream random{0};                    // this team's stream; the only randomness allowed
   std::map<std::string, double> params;      // the team's parameters by name
@@ -42,10 +43,10 @@ struct TeamContext {
   double latency_s = 0;           // from a frame until a command based on it moves a robot
   std::uint64_t random_seed = 0;  // RandomStream(random_seed) is `random`
   RuleSet enforced = {};          // the rules in force in the match
-  KickScatter kicks = {};         // of the least exact of its robots
+  KickScatter kicks = {};         // the scatter of its least accurate robot
 };
 
-// What cameras and robots report about the moment of a view.
+// Readings of cameras and robots at the time of a view.
 struct SensorReadings {
   Frame detections;  // as the team sees them; its own robots are west's
   std::bitset<kMaxRobots> ball_in_dribbler_zone;  // of the team's own robots, by number
@@ -58,7 +59,7 @@ struct GameEnd {
   int goals_opponent = 0;
 };
 
-// A strategy that cannot go on. what() completes the sentence "team a ...".
+// A strategy that cannot continue. what() completes the sentence "team a ...".
 class StrategyFault : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -71,11 +72,11 @@ class Strategy {
   // Whether sense() is called.
   virtual bool has_sensors() const { return false; }
 
-  // Called before prepare() with the sensors' readings for the same view.
+  // Called before prepare(), with the sensor readings for the same view.
   virtual void sense(const SensorReadings& /*readings*/) {}
 
-  // Called for both teams before either decides, with the view to decide on: a team that thinks in
-  // another process begins here.
+  // Called for both teams before either of them decides, with the view to decide on. A team that
+  // runs in another process starts thinking here.
   virtual void prepare(const TeamView& /*view*/) {}
 
   // Decides on one view. `commands` is all zero on entry, so a robot without a command stands
@@ -103,7 +104,7 @@ inline double value_of(const Tunable& tunable, const std::map<std::string, doubl
   return given == params.end() ? tunable.standard : given->second;
 }
 
-// The numbers of `style`, with its values as defaults.
+// The numbers of `style`, with its values as their defaults.
 template <HasParameters Style>
 std::vector<Tunable> tunables_of(const Style& style) {
   std::vector<Tunable> all;
@@ -114,7 +115,7 @@ std::vector<Tunable> tunables_of(const Style& style) {
   return all;
 }
 
-// `style` with the numbers set by `params`; a flag is set by anything but 0.
+// `style` with the numbers set in `params`; any value except 0 sets a flag.
 template <HasParameters Style>
 Style tuned(const Style& style, const std::map<std::string, double>& params) {
   Style result = style;

@@ -2,11 +2,12 @@
 //
 //     column_effects RESULTS.CSV FACTOR SUM ...
 //
-// A SUM is a column, or several joined by +, or a prefix followed by *, such as calls_*. Prints a
-// row of Markdown for each combination of the other factors and each sum: its mean per game with
-// each value of the factor, the change from the first value with its 95 % interval, and the p value
-// of the paired t test, with Holm's correction over the table. Pairs with the same number have the
-// same seeds, so they are compared pair by pair. Exit code 2 if the file or an argument is wrong.
+// A SUM is a column, several columns joined by +, or a prefix followed by *, such as calls_*.
+// Prints a row of Markdown for each combination of the other factors and each sum: its mean per
+// game with each value of the factor, the change from the first value with its 95 % interval, and
+// the p value of the paired t test, with Holm's correction over the table. Pairs with the same
+// number have the same seeds, so they are compared pair by pair. The exit code is 2 if the file or
+// an argument is wrong.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -79,7 +80,7 @@ double sum_in(const io::Cells& row, const std::vector<std::size_t>& columns) {
   return sum;
 }
 
-// The values of one sum for one value of the factor: the mean of the games of each pair.
+// The values of one sum for one value of the factor: for each pair, the mean of its games.
 struct Sums {
   std::map<int, std::vector<double>> by_pair;
 
@@ -98,7 +99,7 @@ struct Sums {
 struct Line {
   std::string combination;  // of the other factors
   std::string sum;
-  std::string first;  // value of the factor, with which the other is compared
+  std::string first;  // value of the factor with which the other is compared
   std::string value;
   double before = 0;
   double after = 0;
@@ -109,7 +110,7 @@ class Comparison {
  public:
   Comparison(const Table& table, const std::string& factor)
       : table_(table), factor_(table.column(factor)) {
-    // The factors stand between the columns leg and team_a.
+    // The factors are between the columns leg and team_a.
     for (std::size_t i = table.column("leg") + 1; i < table.column("team_a"); ++i)
       if (i != factor_) others_.push_back(i);
   }

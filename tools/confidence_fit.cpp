@@ -1,11 +1,12 @@
-// Fits the referee's confidence in its calls to calls of simulated games that ground truth judges.
+// Fits the referee's confidence in its calls to calls in simulated games, each judged by ground
+// truth.
 //
 //   confidence_fit SCENARIO [GAMES]     GAMES per rule book and camera (default: the scenario's)
 //
-// Plays the tuning seed's games of a judge's scenario (never those of the test seed) and prints
-// referee/machine/confidence.def. Each event's coefficients are those of a logistic regression on
-// the features of confidence.hpp, drawn towards those of all calls together, so that events that
-// are called rarely get no extreme ones.
+// Plays the games of a `kind: judge` scenario with its tuning seed (never those with its test seed)
+// and prints referee/machine/confidence.def. Each event's coefficients are those of a logistic
+// regression on the features of confidence.hpp, drawn towards those of all calls together, so that
+// rarely called events do not get extreme ones.
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
@@ -37,12 +38,12 @@ struct JudgedCall {
 };
 using JudgedCalls = std::vector<JudgedCall>;
 
-// Weight of the coefficients that all calls together have: as much as a few calls tell.
+// Weight of the coefficients of all calls together: as much as a few calls carry.
 constexpr double kPooledWeight = 2;
 constexpr int kRounds = 50;
 
-// Newton's method for the most probable coefficients, if those before the data are normally
-// distributed around `prior` with variance 1 / `weight`.
+// Newton's method for the most probable coefficients, given a prior that is normally distributed
+// around `prior` with variance 1 / `weight`.
 Coefficients fitted(const JudgedCalls& calls, const Coefficients& prior, double weight) {
   Coefficients coefficients = prior;
   for (int round = 0; round < kRounds; ++round) {
@@ -59,7 +60,7 @@ Coefficients fitted(const JudgedCalls& calls, const Coefficients& prior, double 
   return coefficients;
 }
 
-// The features of a game's calls, by the event's name and the time in units of 0.1 ms.
+// The features of a game's calls, by event name and time in units of 0.1 ms.
 class CallFeatures final : public game::Observer {
  public:
   void on_decision(const referee::Decision& decision) override {

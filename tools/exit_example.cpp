@@ -20,7 +20,7 @@ struct BallPath {
   Vec2 ball_m;
 };
 
-// Near the corner; about as far as a ball of 8 m/s moves in a frame.
+// Near the corner; about as far as a ball at 8 m/s moves in a frame.
 const std::array<BallPath, 2> kPaths = {{{{2.965, 2.000}, {3.070, 2.080}},    // (a)
                                          {{2.995, 1.965}, {3.085, 2.062}}}};  // (b)
 

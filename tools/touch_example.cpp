@@ -2,8 +2,8 @@
 //
 //     touch_example FOLDER       called by scripts/draw-touch-example
 //
-// The touch is the last one before the first exit of the ball at which the online detector is wrong
-// and the retrospective one is right.
+// It is the last touch before the ball's first exit at which the online detector is wrong and the
+// retrospective detector is right.
 #include <fmt/os.h>
 
 #include <algorithm>
@@ -79,8 +79,8 @@ class TouchExample final : public game::Observer {
   }
 
   // For each detection: time and position; the prediction, the radius of its gate and the
-  // normalised innovation squared; the least deviance by the detections until then if nobody, a
-  // west robot or an east robot made the last touch.
+  // normalised innovation squared; and the minimum deviance, from the detections until then, if no
+  // robot, a west robot or an east robot made the last touch.
   void write_ball() {
     auto out = fmt::output_file(folder_ + "/ball.dat");
     FrameHistory history;

@@ -1,5 +1,5 @@
-// Measures how many games the optimisers need on functions with a known optimum and noise like that
-// of games, and how often the test of the result errs. docs/tuning.md has its output.
+// Measures how many games the optimisers need on functions with a known optimum and noise similar
+// to that of games, and how often the test of the result errs. docs/tuning.md shows its output.
 //
 //     tuning_trials [SEEDS]      default: 200
 #include <fmt/format.h>

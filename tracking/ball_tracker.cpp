@@ -23,15 +23,15 @@ constexpr double kAtFront_m = 15_mm;             // maximum gap between ball and
 
 constexpr double kSlowestChip_mps = 1.0;
 constexpr double kNewKick_mps = 1.0;  // minimum velocity change of a new kick
-// Standard deviation in frames; a kick late in a frame appears one frame later.
+// Standard deviation in frames. A kick late in a frame does not appear until one frame later.
 constexpr double kKickTime = 0.6;
 constexpr double kKickPosition_m = 5_mm;  // standard deviation of a kick's position
 constexpr double kLeastFlight_m = 1e-3;   // minimum estimated height of a flying ball
-// A chipped ball is 0.1 m from its kicker after this time, also as the camera sees it.
+// After this time, a chipped ball is 0.1 m from its kicker, even as the camera sees it.
 constexpr double kLeavesRobot_s = 50_ms;
 constexpr double kAtHull_m = 5_mm;        // maximum gap between ball and hull, plus the noise
-constexpr double kKickerNear_m = 100_mm;  // from its hull, in the frame after the kick
-constexpr double kLongestKick_s = 4.0;    // a chip at 5.5 m/s has stopped bouncing long before
+constexpr double kKickerNear_m = 100_mm;  // from the robot's hull, in the frame after the kick
+constexpr double kLongestKick_s = 4.0;    // a chip at 5.5 m/s has stopped bouncing long before this
 
 // The robot nearest to the ball, if it may have kicked it.
 std::optional<RobotId> nearest_robot(const Vec2& ball_m, const PerSide<TrackedRobots>& robots) {
@@ -111,7 +111,7 @@ void BallTracker::predict(double duration_s) {
   motion_.predict(duration_s, velocity_mps * (-lost_mps / (speed_mps * duration_s)));
 }
 
-// Extrapolates an unseen flight ballistically.
+// Extrapolates the flight of an unseen ball ballistically.
 void BallTracker::fly_on(double duration_s) {
   ball_->height_m += duration_s * (rise_mps_ - kGravity_mps2 * duration_s / 2);
   rise_mps_ -= kGravity_mps2 * duration_s;
@@ -142,12 +142,12 @@ void BallTracker::correct(const BallObservation& seen, double gap_s) {
   if (!exceeds_gate) return;
   kicked_mps_ = motion_.velocity().norm();
   if (seen.height_m || kicked_mps_ < kSlowestChip_mps) return;
-  // A flying ball's apparent path curves slightly. A new kick changes the velocity more than that,
-  // and its effect persists in the next frame.
+  // A flying ball's apparent path curves slightly. A new kick changes the velocity by more than
+  // that, and its effect is still there in the next frame.
   const bool is_known =
       innovation_m.norm() < kNewKick_mps * gap_s || updated_s_ - kick_s_ < 2 * gap_s;
   if (follows_kick_ && is_known) return;
-  // The best estimate of the time of a kick between two detections is halfway.
+  // For a kick between two detections, halfway is the best estimate of its time.
   kick_s_ = updated_s_ - gap_s / 2;
   chip_.begin(
       {kick_s_, kKickTime * gap_s, from_m, std::max(noise_m_, kKickPosition_m), before_mps});
@@ -160,7 +160,8 @@ void BallTracker::follow_kick(const BallObservation& seen, double time_s,
   if (!follows_kick_) return;
   if (!kicker_) kicker_ = nearest_robot(seen.position_m, robots);
   if (kicker_ && time_s - kick_s_ > kLeavesRobot_s && is_at_kicker(seen.position_m, robots)) {
-    // A chipped ball would have left its kicker, which dribbles or pushes the ball instead.
+    // A chipped ball would have left its kicker, so the robot is dribbling or pushing the ball
+    // instead.
     if (ball_->height_m > 0) start(seen);
     ball_->height_m = ball_->height_deviation_m = 0;
     follows_kick_ = false;
@@ -177,7 +178,7 @@ void BallTracker::follow_kick(const BallObservation& seen, double time_s,
   if (flight.flight == BallFlight::kFlying) {
     take_over(flight);
   } else if (was_flying) {
-    start(seen);  // it has landed or hit something
+    start(seen);  // the ball has landed or hit something
   }
   if (flight.flight == BallFlight::kOnGround || time_s - kick_s_ > kLongestKick_s) {
     follows_kick_ = false;

@@ -1,16 +1,16 @@
 // Estimates the ball's motion from a sequence of detections with gaps.
 //
-// A Kalman filter that models deceleration by the carpet, sliding after a kick and rolling later
-// (the league's two-phase model, medium carpet). A detection outside the innovation gate means a
-// kick or a bounce: the velocity covariance is inflated, and the filter adopts the new velocity
-// within two frames.
+// This is a Kalman filter that models deceleration by the carpet: the ball slides after a kick and
+// rolls later (the league's two-phase model, medium carpet). A detection outside the innovation
+// gate is taken for a kick or a bounce: the velocity covariance is inflated, and the filter adopts
+// the new velocity within two frames.
 //
 // If vision reports no height, each kick is followed by a ChipFlight (chip_flight.hpp). Once it
 // detects a flight, it supplies position, velocity and height; until it decides, the height is
 // unknown and the position is as reported by vision.
 //
-// An unseen ball keeps moving for half a second, then counts as stopped. A ball last seen at a
-// robot's front, where the robot may occlude it, moves with the robot until it is seen again.
+// An unseen ball is assumed to keep moving for half a second and to stop then. A ball last seen at
+// a robot's front, where the robot may occlude it, moves with the robot until it is seen again.
 #pragma once
 
 #include <optional>
@@ -30,7 +30,7 @@ class BallTracker {
   // `noise_m`: standard deviation of a detection's coordinates.
   explicit BallTracker(double noise_m);
 
-  // `robots` are the tracks at the same time. Returns nullopt until the ball has been seen.
+  // `robots` are the tracks of the same time. Returns nullopt until the ball has been seen.
   const std::optional<TrackedBall>& update(double time_s,
                                            const std::optional<BallObservation>& seen,
                                            const PerSide<TrackedRobots>& robots);
@@ -57,12 +57,13 @@ class BallTracker {
   MotionFilter<2> motion_;
   ChipFlight chip_;
   double kick_s_ = 0;              // when chip_ was started
-  bool follows_kick_ = false;      // chip_ is in use
-  std::optional<RobotId> kicker_;  // nearest to the ball in the first frame after the kick
+  bool follows_kick_ = false;      // whether chip_ is in use
+  std::optional<RobotId> kicker_;  // the robot nearest to the ball in the first frame after the
+                                   // kick
   double rise_mps_ = 0;            // vertical speed of the flight that chip_ detected
   std::optional<TrackedBall> ball_;
   std::optional<Holder> holder_;
-  double kicked_mps_ = 0;  // speed after the last change not caused by the carpet; 0: rolling
+  double kicked_mps_ = 0;  // speed after the last change not caused by the carpet; 0 if rolling
   double updated_s_ = 0;
   double seen_s_ = 0;
   Vec2 camera_m_{0, 0};  // position of the camera of the last detection

@@ -30,8 +30,8 @@ double braking_misfit(const Eigen::Matrix3d& rows, const Eigen::Vector3d& values
   return squares - fit.dot(values) + certainty * square(fit[2] - allowed);
 }
 
-// Misfit of a path that is straight across `along`, and a parabola with bounded deceleration along
-// it. Across, the kick's position counts with `position_weight`.
+// Misfit of a path that is straight across `along` and a parabola with bounded deceleration along
+// it. In the direction across, the kick's position has the weight `position_weight`.
 double path_misfit(const CarpetSums& sums, const Vec2& along, double position_weight) {
   const Vec2 across = left_of(along);
   return line_misfit(sums.rows(0, 0) + position_weight, sums.rows(0, 1), sums.rows(1, 1),
@@ -44,7 +44,7 @@ constexpr double kUsualSpeed_mps = 4_mps;
 constexpr double kUsualRise_mps = 2.5_mps;
 constexpr double kUsualRiseDeviation_mps = 1.25_mps;
 constexpr double kFastestRise_mps = 3.9_mps;
-constexpr double kRiseError_mps = 1.6_mps;  // of an early estimate
+constexpr double kRiseError_mps = 1.6_mps;  // for an early estimate
 
 // Duration of all bounces relative to the first flight's: a geometric series with the largest
 // restitution of the league's models, 0.57.
@@ -68,7 +68,7 @@ bool is_usual(double chi_square, int freedom) {
   return chi_square < freedom * root * root * root;
 }
 
-// No chip kicker of the league lifts the ball faster than kFastestRise_mps; a ball that seems to
+// No chip kicker in the league lifts the ball faster than kFastestRise_mps; a ball that seems to
 // rise faster was deflected on the carpet.
 bool is_up_at(double t_s, const FlightFit& fit) {
   return fit.rise_mps() > 0 && fit.rise_mps() < kFastestRise_mps + kRiseError_mps &&
@@ -180,7 +180,7 @@ void ChipFlight::begin(const KickGuess& kick) {
   believe(5, kUsualRise_mps, kUsualRiseDeviation_mps);
 }
 
-// Weight of an equation with this deviation, relative to 1 for a detection.
+// The weight of an equation with this deviation; that of a detection is 1.
 double ChipFlight::weight_of(double deviation) const {
   return square(noise_m_ / std::max(deviation, kChipLeastNoise_m));
 }
@@ -203,8 +203,9 @@ const ChipEstimate& ChipFlight::add(const BallDetection& detection) {
 }
 
 // Constrains the flight to begin at the kick's position. The constraint across the apparent
-// direction does not depend on the kick's time. Along it, a ball that has not yet reached the
-// position is extrapolated below the carpet. Both are linearised at the last fit (Gauss-Newton).
+// direction does not depend on the kick's time. For the one along that direction, a ball that has
+// not yet reached the position is extrapolated below the carpet. Both constraints are linearised at
+// the last fit (Gauss-Newton).
 FlightSums ChipFlight::from_position() const {
   const Vec2 velocity = fitted_.segment<2>(2);
   const double rise = fitted_[5];
@@ -254,7 +255,7 @@ void ChipFlight::follow(const BallDetection& detection) {
   const double t_s = detection.time_s - kick_.time_s;
   const FlightFit fit(from_position());
   fitted_ = fit.unknowns;
-  // The increase of the fit's chi-square by the newest detection.
+  // The increase in the fit's chi-square due to the newest detection.
   const double normalised_innovation_squared = fit.misfit / square(noise_m_) - misfit_;
   misfit_ += normalised_innovation_squared;
   const bool lost = normalised_innovation_squared > kChipInnovationGate ||
@@ -262,7 +263,7 @@ void ChipFlight::follow(const BallDetection& detection) {
   const double deviation_s = estimate_.landing_deviation_s;
   if (!lost) {
     estimate_ = estimate_from(fit, noise_m_, kick_, t_s);
-  } else if (detection.time_s < estimate_.landing_s - 3 * deviation_s) {  // it hit something
+  } else if (detection.time_s < estimate_.landing_s - 3 * deviation_s) {  // the ball hit something
     settle(detection.time_s + kLongestChip_s);
   } else {
     const double flight_s = estimate_.landing_s + 2 * deviation_s - kick_.time_s;
@@ -270,7 +271,8 @@ void ChipFlight::follow(const BallDetection& detection) {
   }
 }
 
-// Stops estimating; the height is unknown until `settled_s`, then the ball counts as on the ground.
+// Stops estimating. The height is unknown until `settled_s`; after that, the ball counts as being
+// on the ground.
 void ChipFlight::settle(double settled_s) {
   stage_ = Stage::kSettling;
   settled_s_ = settled_s;

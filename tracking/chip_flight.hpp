@@ -1,5 +1,5 @@
-// Detects whether a kicked ball flies, and how high, from vision without heights: vision reports
-// where the ray from the camera meets the carpet, so a ball in the air seems to curve and
+// Detects whether a kicked ball flies, and how high, when vision reports no heights. Vision then
+// reports where the ray from the camera meets the carpet, so a ball in the air seems to curve and
 // accelerate.
 #pragma once
 
@@ -69,11 +69,11 @@ struct CarpetSums {
 
   void add_detection(double t_s, const Vec2& reported_m);
 
-  // Misfit of the best path on the carpet with a constant acceleration of at most 11 m/s2: a
-  // straight one with a deceleration, through the kick's position, which counts with
-  // `position_weight`; or a curved one. A ball slides until its spin matches its velocity. If it
-  // rolled at `before_mps`, it keeps that spin at first, so the carpet accelerates it against the
-  // change of its velocity, which need not be along its path. Needs at least three detections.
+  // Misfit of the best path on the carpet with a constant acceleration of at most 11 m/s2. The path
+  // is either straight, decelerated and through the kick's position, which has the weight
+  // `position_weight`; or it is curved. A ball slides until its spin matches its velocity. If it
+  // rolled at `before_mps`, it keeps that spin at first, so the carpet's force opposes the change
+  // of its velocity, which need not be along its path. Needs at least three detections.
   double misfit(double position_weight, const Vec2& before_mps) const;
 };
 
@@ -88,8 +88,8 @@ struct KickGuess {
 
 enum class BallFlight { kUnknown, kFlying, kOnGround };
 
-// State at the last detection. All fields except `flight` apply to a flying ball only. Deviations
-// are standard deviations, for positions in the worst direction.
+// State at the last detection. All fields except `flight` apply only to a flying ball. Deviations
+// are standard deviations; for positions, in the worst direction.
 struct ChipEstimate {
   BallFlight flight = BallFlight::kUnknown;
   Vec2 position_m{0, 0};
@@ -106,19 +106,20 @@ struct ChipEstimate {
 
 // Follows the first flight of one kick: compares how well a ballistic flight and a path on the
 // carpet fit the detections (a likelihood-ratio test). `kUnknown` until one is e^5.5 times as
-// likely, while the ball may bounce after landing, and for 1.9 s if neither fits; the caller then
-// restarts it if there was a new kick. Measured on chips of 2 to 5.5 m/s below cameras 4 m above
-// the quarters of a 9 x 6 m field: percentage detected within 50, 100, 150, 200, 300 ms, then
-// errors until landing (RMS, median):
+// likely as the other, while the ball may bounce after landing, and for 1.9 s if neither fits; the
+// caller then restarts it if there was a new kick. Results for chips of 2 to 5.5 m/s, with cameras
+// 4 m above the quarters of a 9 x 6 m field: percentage detected within 50, 100, 150, 200 and 300
+// ms, then errors until landing (RMS, median):
 //   noise 0        39  96  99 100 100 %   height   4, 0.3 mm   landing  47, 0.3 mm
 //   noise 0.4 mm    8  90  97  99 100 %           16, 3                110, 5
 //   noise 1.0 mm    2  64  92  97 100 %           26, 7                130, 11
 //   noise 1.4 mm    1  44  88  95 100 %           32, 9                137, 14
 // 97 % of the errors are within two deviations. At most 1 chip in 1000 is classified as on the
-// ground, and 1 straight kick in 1000 as flying; more if a robot deflects it by a few degrees.
+// ground, and 1 straight kick in 1000 as flying (more if a robot deflects it by a few degrees).
 class ChipFlight {
  public:
-  // `noise_m`: standard deviation of a reported coordinate; too small a value causes wrong results.
+  // `noise_m`: standard deviation of a reported coordinate; a value that is too small causes wrong
+  // results.
   explicit ChipFlight(double noise_m);
 
   void begin(const KickGuess& kick);

@@ -20,7 +20,7 @@ class MotionFilter {
 
   explicit MotionFilter(const MotionNoise& noise) : noise_(noise) {}
 
-  // Starts at a detection, at rest, with unknown velocity.
+  // Starts at a detection, with a velocity of 0 and its prior variance.
   void start(const Axis& seen) {
     motion_.row(0) = seen;
     motion_.row(1).setZero();
@@ -41,7 +41,7 @@ class MotionFilter {
     speed_variance_ += noise_.process_noise_density * t;
   }
 
-  // Accounts for an arbitrary change of velocity `duration_s` ago.
+  // Accounts for an arbitrary change of velocity that happened `duration_s` ago.
   void inflate_velocity_covariance(double duration_s) {
     const double variance = noise_.any_change * noise_.any_change;
     position_variance_ += variance * duration_s * duration_s;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kRobotLeastNoise_m = 0.05e-3;
 constexpr double kLeastNoise_rad = 0.5e-3;
-// Robots accelerate at 3 m/s2 or 40 rad/s2 for some tenths of a second.
+// Robots accelerate at 3 m/s2 or 40 rad/s2 for a few tenths of a second.
 constexpr double kRobotProcessNoise_m2ps3 = 0.2;
 constexpr double kProcessNoise_rad2ps3 = 6.0;
 constexpr double kRobotAnySpeed_mps = 3.0;
@@ -28,8 +28,8 @@ double turned_angle(const Vec2& from, const Vec2& to) {
   return sine * (1.0 + sine * sine / 6.0);
 }
 
-// `heading` rotated by the half-angle tangent formulas, with an error below 1e-5 rad; preserves its
-// length.
+// `heading` rotated using the half-angle tangent formulas, with an error below 1e-5 rad; preserves
+// its length.
 Vec2 turned_by(const Vec2& heading, double angle_rad) {
   if (std::abs(angle_rad) > 0.25) return to_world(heading_of(angle_rad), heading);
   const double tangent = angle_rad / 2 + angle_rad * angle_rad * angle_rad / 24;

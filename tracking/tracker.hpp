@@ -1,4 +1,4 @@
-// Estimates positions and velocities from single frames and extrapolates through short gaps.
+// Estimates positions and velocities from individual frames and extrapolates through short gaps.
 #pragma once
 
 #include <array>
@@ -41,7 +41,7 @@ class RobotTracker {
 
 // Turns a sequence of frames into tracks. Feed it frames in order; repeating a frame has no effect.
 // Velocities come from a Kalman filter. An unseen robot keeps its velocity for 0.5 s and is then
-// dropped; for the ball see ball_tracker.hpp.
+// dropped; for the ball, see ball_tracker.hpp.
 class Tracker {
  public:
   static constexpr double kForgetRobotAfter_s = 500_ms;
@@ -51,13 +51,13 @@ class Tracker {
   const Tracks& update(const Frame& frame);
   const Tracks& tracks() const { return tracks_; }
 
-  // Forgets all that it has seen.
+  // Forgets all detections.
   void begin_afresh() { *this = Tracker(noise_); }
 
  private:
   struct Known {
     RobotTracker robot;
-    double seen_s = -1;  // time of the last detection; negative: never
+    double seen_s = -1;  // time of the last detection; negative if there was none
   };
 
   bool is_known(const Known& known) const;

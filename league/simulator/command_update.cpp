@@ -20,8 +20,8 @@ struct ToLocal {
   LocalVelocity operator()(const WheelSpeeds& speeds) const { return velocity_of(speeds, wheels); }
 };
 
-// The length of a hop is proportional to the product of the speeds over ground and upward; at 45
-// degrees they are equal.
+// The length of a hop is proportional to the product of the speeds over ground and upwards; at 45
+// degrees, these are equal.
 double ground_speed_mps(double speed_mps, double angle_rad) {
   const SinCos angle = sin_cos(angle_rad);
   return speed_mps * std::sqrt(std::max(0.0, angle.sin * angle.cos));

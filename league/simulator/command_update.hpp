@@ -1,5 +1,5 @@
-// What a packet for a simulator asks for: changes of robots' commands, and teleports; and what is
-// wrong with it.
+// The requests in a packet for a simulator, namely changes of robot commands and teleports, and the
+// errors in it.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace autoref::league {
 
-// In the robot's own frame: x forward, y to its left.
+// In the robot's own frame: x forward, y to the left.
 struct LocalVelocity {
   Vec2 velocity_mps{0, 0};
   double angular_radps = 0;
@@ -29,42 +29,42 @@ struct GlobalVelocity {
   double angular_radps = 0;
 };
 
-// Where a robot's wheels are: angles from its front, counterclockwise, and the distance from its
-// centre. The order is that of the simulation protocol: front right, back right, back left, front
-// left.
+// The positions of a robot's wheels: angles from its front, counterclockwise, and the distance from
+// its centre. The order is that of the simulation protocol: front right, back right, back left,
+// front left.
 struct WheelPositions {
   std::array<double, 4> angles_rad{};
   double distance_m = 0;
 };
 
-// Rim speeds of the wheels in that order; positive speeds of all wheels turn the robot
+// Rim speeds of the wheels in the same order; positive speeds of all wheels turn the robot
 // counterclockwise.
 struct WheelSpeeds {
   std::array<double, 4> speeds_mps{};
 };
 
-// The velocity that fits the speeds of the wheels best, by least squares.
+// The velocity that best fits the wheel speeds, by least squares.
 LocalVelocity velocity_of(const WheelSpeeds& wheels, const WheelPositions& positions);
 
-// What is not set stays as it is.
+// Members that are not set leave the value unchanged.
 struct CommandUpdate {
   int robot = 0;
   std::optional<std::variant<LocalVelocity, GlobalVelocity, WheelSpeeds>> motion;
-  std::optional<double> kick_speed_mps;  // of the ball in space; 0: no kick
+  std::optional<double> kick_speed_mps;  // of the ball in space; 0 for no kick
   std::optional<double> kick_angle_rad;  // above the carpet
   std::optional<bool> dribble;
 };
 
-// Lets `held` take over what is set in `update`.
+// Copies the members that are set in `update` to `held`.
 void merge(const CommandUpdate& update, CommandUpdate& held);
 
-// The robot's command. `heading` is the robot's in the frame of vision. What was never set is zero.
-// A chip kick at another angle than 45 degrees becomes one at 45 degrees whose first hop is as
-// long.
+// The robot's command. `heading` is the robot's heading in the frame of vision. Members that were
+// never set are zero. A chip kick at an angle other than 45 degrees becomes one at 45 degrees with
+// a first hop of the same length.
 RobotCommand command_of(const CommandUpdate& held, const Vec2& heading,
                         const WheelPositions& wheels);
 
-// Something in a packet that cannot be done. Codes are stable; messages are for people.
+// A part of a packet that cannot be carried out. Codes are stable; messages are for people.
 struct PacketError {
   std::string code;
   std::string message;
@@ -76,7 +76,7 @@ struct CommandPacket {
   std::vector<PacketError> errors;
 };
 
-// In the frame of vision. What is not set stays as it is.
+// In the frame of vision. Members that are not set leave the value unchanged.
 struct BallTeleport {
   std::optional<double> x_m;
   std::optional<double> y_m;
@@ -84,7 +84,7 @@ struct BallTeleport {
   std::optional<double> vx_mps;
   std::optional<double> vy_mps;
   std::optional<double> vertical_mps;
-  bool rolls = false;  // the ball rolls at once, without sliding first
+  bool rolls = false;  // the ball rolls immediately instead of sliding first
 };
 
 struct RobotTeleport {
@@ -101,19 +101,19 @@ struct RobotTeleport {
 using Teleport = std::variant<BallTeleport, RobotTeleport>;
 
 inline constexpr std::size_t kMostErrors = 16;
-inline constexpr std::size_t kMostUpdates = 64;  // of a packet
+inline constexpr std::size_t kMostUpdates = 64;  // in one packet
 
-// The code for a packet that is not a message of its port.
+// The code for a packet that is not a message its port expects.
 inline constexpr const char* kNotAMessage = "PACKET";
 
-// Whether it was one.
+// Whether the packet was such a message.
 inline bool is_readable(const CommandPacket& packet) {
   for (const PacketError& error : packet.errors)
     if (error.code == kNotAMessage) return false;
   return true;
 }
 
-// Further errors than the first kMostErrors are dropped.
+// Errors beyond the first kMostErrors are dropped.
 inline void add_error(std::vector<PacketError>& errors, std::string code, std::string message) {
   if (errors.size() < kMostErrors) errors.push_back({std::move(code), std::move(message)});
 }

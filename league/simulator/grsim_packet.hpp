@@ -1,4 +1,4 @@
-// grSim's packets: commands, replacements and the robots' status.
+// grSim's packets: commands, replacements and the status of robots.
 #pragma once
 
 #include <bitset>
@@ -18,11 +18,11 @@ struct GrsimPacket {
   std::vector<Teleport> teleports;
 };
 
-// Reads a packet for teams of `robots` robots. Wheel speeds become velocities as of grSim's own
-// robot. Kicks with an upward speed of at most 0.1 mm/s are flat.
+// Reads a packet for teams of `robots` robots. Wheel speeds are converted to velocities as for
+// grSim's own robot. Kicks with an upward speed of at most 0.1 mm/s are flat.
 GrsimPacket read_grsim_packet(std::string_view bytes, const PerSide<int>& robots);
 
-// What a robot reports: the ball in its dribbler zone, and its last kick.
+// A robot's report: whether the ball is in its dribbler zone, and its last kick.
 struct GrsimStatus {
   bool infrared = false;
   bool flat_kick = false;

@@ -24,7 +24,7 @@ std::optional<RobotId> id_of(const simulation::SimulatedRobotId& id, const PerSi
   return RobotId{side, static_cast<int>(id.id())};
 }
 
-// Takes over a number that is set. Returns false if it is impossible.
+// Copies a number that is set. Returns false if it is impossible.
 bool read_number(bool is_set, float value, double limit, std::optional<double>& number) {
   if (!is_set) return true;
   number = static_cast<double>(value);
@@ -102,7 +102,7 @@ class RequestReader {
     for (const simulation::TeleportRobot& message : control.teleport_robot()) read(message);
     if (!control.has_simulation_speed()) return;
     const double speed = static_cast<double>(control.simulation_speed());
-    // A float may be a little less than its decimal number.
+    // As a float, a number may be slightly less than its decimal value.
     const bool is_slow = speed < static_cast<double>(static_cast<float>(kSlowestSimulation));
     if (speed == 0 || (!is_slow && speed <= kFastestSimulation)) {
       request_.speed = speed;

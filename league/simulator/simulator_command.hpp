@@ -1,4 +1,4 @@
-// What a program asks of the simulator at its control port.
+// Requests of a program to the simulator at its control port.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace autoref::league {
 
-// Changes of a robot's specification; what is not set stays as it is.
+// Changes to a robot's specification. Members that are not set leave the value unchanged.
 struct SpecUpdate {
   RobotId robot;  // west is yellow
   std::optional<double> mass_kg;
@@ -25,23 +25,23 @@ struct SpecUpdate {
   std::optional<double> angular_speed_radps;
 };
 
-// How fast a simulation may run, relative to real time; 0 is a pause.
+// Limits of a simulation's speed relative to real time; 0 pauses it.
 inline constexpr double kSlowestSimulation = 0.01;
 inline constexpr double kFastestSimulation = 1000;
 
 struct SimulatorRequest {
   std::vector<Teleport> teleports;
-  std::optional<double> speed;  // of the simulation, relative to real time; 0: paused
+  std::optional<double> speed;  // of the simulation, relative to real time; 0 pauses it
   std::optional<int> vision_port;
   std::optional<Field> field;
   std::vector<SpecUpdate> specs;
   std::vector<PacketError> errors;
 };
 
-// The request of a SimulatorCommand for teams of `robots` robots. What is wrong is left out. Codes:
-// PACKET, ROBOT_ID, TELEPORT, SPEED, VISION_PORT, GEOMETRY, ROBOT_SPECS (a number is impossible),
-// UNSUPPORTED_SPECS (radius, height, dribbler distance, wheel angles and custom specs are fixed),
-// UNSUPPORTED_REALISM (choose the realism in the scenario).
+// The request in a SimulatorCommand for teams of `robots` robots. Invalid parts are left out.
+// Codes: PACKET, ROBOT_ID, TELEPORT, SPEED, VISION_PORT, GEOMETRY, ROBOT_SPECS (a number is
+// impossible), UNSUPPORTED_SPECS (radius, height, dribbler distance, wheel angles and custom specs
+// are fixed), UNSUPPORTED_REALISM (choose the realism in the scenario).
 SimulatorRequest read_simulator_command(std::string_view bytes, const PerSide<int>& robots);
 SimulatorRequest request_of(const simulation::SimulatorCommand& command,
                             const PerSide<int>& robots);

@@ -16,7 +16,7 @@ namespace {
 using google::protobuf::internal::WireFormatLite;
 
 constexpr double kLongestStep_s = 10;
-constexpr int kMostFields = 64;  // that are looked at
+constexpr int kMostFields = 64;  // number of fields examined
 
 }  // namespace
 

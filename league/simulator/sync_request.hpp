@@ -1,4 +1,5 @@
-// Lock-step: a program asks the simulator to go on by some time, and gets what the cameras saw.
+// Lock-step: a program asks the simulator to advance by some time, and receives what the cameras
+// saw.
 #pragma once
 
 #include <bitset>
@@ -12,20 +13,20 @@
 
 namespace autoref::league {
 
-// Whether a packet is a SimulationSyncRequest with a step or with commands of robots, rather than a
-// RobotControl or a SimulatorCommand: their fields' numbers and types differ.
+// Whether a packet is a SimulationSyncRequest with a step or with robot commands, rather than a
+// RobotControl or a SimulatorCommand, whose fields have other numbers and types.
 bool is_sync_request(std::string_view bytes);
 
 struct SyncRequest {
-  bool is_readable = false;  // false: the packet is something else
-  double step_s = 0;         // 0: only takes note of the commands
+  bool is_readable = false;  // false if the packet is something else
+  double step_s = 0;         // 0 only notes the commands
   CommandPacket commands;    // with the errors of the whole request
   SimulatorRequest control;
 };
 
-// Reads a request of `side`'s team; at the control port, commands of robots are an error. Codes are
-// those of read_robot_control() and read_simulator_command(), and STEP for a step that is not from
-// 0 to 10 s.
+// Reads a request from `side`'s team, or, without a side, one at the control port, where robot
+// commands are an error. The codes are those of read_robot_control() and read_simulator_command(),
+// plus STEP for a step that is not from 0 to 10 s.
 SyncRequest read_sync_request(std::string_view bytes, std::optional<Side> side,
                               const PerSide<int>& robots);
 

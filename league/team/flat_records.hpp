@@ -56,7 +56,7 @@ struct FlatNumber {
   double value;
 };
 
-// Followed by `own_robots` and then `opponent_robots` FlatRobot. What does not apply is 0.
+// Followed by `own_robots` and then `opponent_robots` FlatRobot. Members that do not apply are 0.
 struct FlatFrame {
   std::uint32_t length;
   FlatKind kind;

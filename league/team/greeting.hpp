@@ -12,11 +12,11 @@ namespace autoref::league {
 
 enum class TeamEncoding : std::uint8_t { kJson, kFlat, kLeague };
 
-// What the program is given of robots and ball: motion as the simulator's tracker estimates it, or
-// the detections of the latest camera frame.
+// How robots and ball are given to the program: as motion estimated by the simulator's tracker, or
+// as detections from the latest camera frame.
 enum class TeamMotion : std::uint8_t { kTracked, kDetections };
 
-// As in a greeting.
+// The names used in a greeting.
 constexpr auto names_of(TeamEncoding /*any*/) {
   return std::to_array<Named<TeamEncoding>>({{TeamEncoding::kJson, "json"},
                                              {TeamEncoding::kFlat, "flat"},
@@ -36,13 +36,13 @@ struct Greeting {
   bool operator==(const Greeting&) const = default;
 };
 
-// Reads "autoref-team 1 ENCODING [MOTION]", with the names above. MOTION defaults to tracked, in
-// the encoding league to detections. Throws TeamFault if the line is anything else.
+// Reads "autoref-team 1 ENCODING [MOTION]", with the names above. MOTION defaults to tracked, or,
+// if the encoding is league, to detections. Throws TeamFault if the line is anything else.
 Greeting greeting_of(std::string_view line);
 
 struct GreetingAndSize {
   Greeting greeting;
-  std::size_t size = 0;  // bytes of the line, including its end
+  std::size_t size = 0;  // length of the line in bytes, including its end
 };
 
 // The greeting at the beginning of a program's output; nullopt if its line is not complete. Throws

@@ -38,7 +38,7 @@ OrderedJson json_of(const Abilities& robot) {
           {"chip_mps", robot.chip_mps}};
 }
 
-// The random seed is a text: JavaScript's numbers have 53 bits.
+// The random seed is a text, since JavaScript's numbers have 53 bits.
 OrderedJson json_of(const TeamStart& start) {
   OrderedJson members = {{"side", name_of(start.side)},
                          {"random_seed", fmt::format("{}", start.random_seed)},

@@ -60,8 +60,8 @@ constexpr std::array<JsonMember, 13> kMembers = {
      {"chip", JsonLevel::kCommand, JsonType::kYesOrNo},
      {"dribble", JsonLevel::kCommand, JsonType::kYesOrNo}}};
 
-// Fills an output with the values that the library's parser finds, in its order. The public
-// functions are those that the parser calls; they throw TeamFault.
+// Fills an output with the values found by the library's parser, in order. The parser calls the
+// public functions; they throw TeamFault.
 class OutputHandler {
  public:
   explicit OutputHandler(TeamOutput& output) : builder_(output) {}
@@ -96,7 +96,7 @@ class OutputHandler {
     builder_.set_text(value);
     return true;
   }
-  static bool binary(const json::binary_t& /*value*/) { return false; }  // not in JSON
+  static bool binary(const json::binary_t& /*value*/) { return false; }  // does not occur in JSON
 
   bool start_object(std::size_t /*size*/) {
     if (level_ != JsonLevel::kOutside && level_ != JsonLevel::kCommands) refuse_value();
@@ -144,11 +144,11 @@ class OutputHandler {
     return false;
   }
 
-  // What is wrong if the parser has failed.
+  // The error if the parser has failed.
   const std::string& syntax_error() const { return syntax_error_; }
 
  private:
-  // What the library says, without its number and without the text that it read.
+  // The library's explanation, without its number and without the text that it read.
   static std::string_view explanation_of(const json::exception& error) {
     constexpr std::size_t kLongest = 120;
     std::string_view what = error.what();

@@ -1,4 +1,4 @@
-// Reading of outputs in JSON, and fast writing of flat JSON.
+// Reading outputs in JSON, and writing flat JSON fast.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 namespace autoref::league {
 
 // Appends flat JSON to a text, fast enough for messages that are sent once per frame. Members of an
-// object and elements of an array are separated by commas; names and texts must not need to be
-// escaped.
+// object and elements of an array are separated by commas; names and texts must not require
+// escaping.
 class JsonText {
  public:
   explicit JsonText(std::string& text) : text_(&text) {}
@@ -20,8 +20,8 @@ class JsonText {
   JsonText& open(char bracket, std::string_view name = {});
   JsonText& close(char bracket);
 
-  // Doubles have the fewest digits, at most 17, from which the same value is read; and a point or
-  // an exponent, so that no reader takes them for an integer, which has no -0.
+  // Doubles are written with the fewest digits, at most 17, from which the same value is read back,
+  // and with a point or an exponent, so that no reader takes them for integers, which have no -0.
   JsonText& member(std::string_view name, double value);
   JsonText& member(std::string_view name, std::int64_t value);
   JsonText& member(std::string_view name, int value) {

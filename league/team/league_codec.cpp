@@ -25,7 +25,7 @@ namespace autoref::league {
 namespace {
 
 // Serializes frames as the packets of their cameras. A camera gets a number once it has seen a ball
-// whose height vision does not know; until one has, there is one camera above the field's centre.
+// whose height vision does not know. Until one has, there is one camera above the field's centre.
 class LeagueVision {
  public:
   explicit LeagueVision(const Field& field);
@@ -33,8 +33,8 @@ class LeagueVision {
   // An SSL_WrapperPacket with the geometry.
   const std::string& geometry() const { return geometry_; }
 
-  // One packet per camera, after the geometry if it is due: once per second and with new cameras.
-  // Valid until the next call.
+  // One packet per camera, after the geometry if that is due: once per second, and when there are
+  // new cameras. Valid until the next call.
   const std::vector<std::string>& packets_of(const Frame& frame);
 
  private:
@@ -66,8 +66,8 @@ Frame seen_by_a_perfect_camera(const TeamView& view) {
   return frame;
 }
 
-// The detections of a team's frame in field coordinates. Without detections, they are what a
-// perfect camera would see: the tracked positions, and the ball's height if it is known.
+// The detections in a team's frame, in field coordinates. Without detections, they are those of a
+// perfect camera: the tracked positions, and the ball's height if it is known.
 Frame field_frame_of(const TeamFrame& frame, Side side) {
   Frame seen = frame.detections ? *frame.detections : seen_by_a_perfect_camera(frame.view);
   seen.number = frame.view.frame;
@@ -115,7 +115,7 @@ const std::vector<std::string>& LeagueVision::packets_of(const Frame& frame) {
 // Headings of a team's robots in the frame of vision, by number.
 using Headings = std::array<Vec2, kMaxRobots>;
 
-// Global velocities are rotated into the robots' frames by `headings`.
+// `headings` are used to rotate global velocities into the robots' frames.
 void add_commands(const simulation::RobotControl& control, const Headings& headings,
                   OutputBuilder& builder) {
   const CommandPacket packet = updates_of(control, kMaxRobots);
@@ -131,8 +131,8 @@ void add_commands(const simulation::RobotControl& control, const Headings& headi
   }
 }
 
-// Remembers what the messages need of earlier ones: the colour and robots of START, the referee's
-// commands, and of the latest frame its number and the robots' headings.
+// Remembers what the messages need from earlier ones: the colour and the robots from START, the
+// referee's commands, and the number of the latest frame with the robots' headings in it.
 class LeagueCodec final : public TeamCodec {
  public:
   LeagueCodec() { headings_.fill(Vec2(1, 0)); }

@@ -6,7 +6,7 @@
 namespace autoref::league {
 namespace {
 
-// By the number of halves that have begun.
+// Indexed by the number of halves that have begun.
 constexpr std::array kHalves = {Stage::kFirstHalfPre, Stage::kFirstHalf, Stage::kSecondHalf,
                                 Stage::kExtraFirstHalf, Stage::kExtraSecondHalf};
 constexpr std::array kNextHalves = {Stage::kFirstHalfPre, Stage::kSecondHalfPre,
@@ -27,7 +27,7 @@ LeagueSignal::LeagueSignal(Side side, int robots) : side_(side) {
   signal_.robots_allowed = {{robots, robots}};
 }
 
-// A command lasts until the next one, also while the ball is in play.
+// A command lasts until the next one, even while the ball is in play.
 CommandKind LeagueSignal::kind_in_running_play() const {
   const CommandKind kind = signal_.command.kind;
   if (is_prepared(kind)) return CommandKind::kNormalStart;
@@ -61,7 +61,7 @@ Command LeagueSignal::command_of(const TeamView& view) const {
   return {};
 }
 
-// The time left is 0 outside the halves; there, penalty kicks are those of a shoot-out.
+// The time left is 0 outside the halves; penalty kicks outside the halves are those of a shoot-out.
 Stage LeagueSignal::stage_of(const TeamView& view) const {
   if (view.stage_time_left_s != 0) return kHalves.at(halves_);
   const bool is_penalty = view.play == Play::kPreparePenalty || view.play == Play::kPenalty;

@@ -1,4 +1,4 @@
-// The referee's signal, for teams that know only the league's messages.
+// The referee's signal, for teams that only know the league's messages.
 #pragma once
 
 #include "soccer/referee_signal.hpp"
@@ -7,14 +7,14 @@
 
 namespace autoref::league {
 
-// Concludes from a team's views what the referee has sent. A view knows neither cards nor whether a
-// team may place the ball; the half follows from the time left in it.
+// Infers from a team's views what the referee has sent. A view contains neither cards nor whether a
+// team may place the ball; the half is inferred from the time left in it.
 class LeagueSignal {
  public:
-  // `side` is the team's.
+  // `side` is the team's side.
   LeagueSignal(Side side, int robots);
 
-  // Call it once per frame. Positions of the signal are in field coordinates.
+  // Call it once per frame. The signal's positions are in field coordinates.
   const RefereeSignal& update(const TeamView& view);
 
   const RefereeSignal& signal() const { return signal_; }
@@ -28,7 +28,7 @@ class LeagueSignal {
   Side side_;
   RefereeSignal signal_;
   Play play_ = Play::kHalt;  // of the last view
-  std::size_t halves_ = 0;   // that have begun
+  std::size_t halves_ = 0;   // number of halves that have begun
 };
 
 }  // namespace autoref::league

@@ -9,18 +9,19 @@
 
 namespace autoref::league {
 
-// Fills a TeamOutput with what a program sent. Its functions throw TeamFault for numbers that are
-// not finite or out of range, for robots that do not exist, and for a second command to a robot.
+// Fills a TeamOutput with the data that a program sent. Its functions throw TeamFault for numbers
+// that are not finite or out of range, for robots that do not exist, and for a second command to a
+// robot.
 class OutputBuilder {
  public:
-  // Largest magnitudes of commands: no robot comes near them.
+  // Largest magnitudes of commands; no robot comes near them.
   static constexpr double kFastest_mps = 100;
   static constexpr double kFastest_radps = 1000;
 
   explicit OutputBuilder(TeamOutput& output);
 
   void set_frame(std::int64_t frame);
-  void set_keeper(std::int64_t number);  // -1: unknown
+  void set_keeper(std::int64_t number);  // -1 if unknown
   void set_leaves(std::int64_t number);
   void set_timeout(bool is_requested) { output_->requests.timeout = is_requested; }
   void set_text(std::string_view text);

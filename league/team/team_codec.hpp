@@ -14,11 +14,11 @@
 
 namespace autoref::league {
 
-// Where a message's content lies in a program's output.
+// The position of a message's content in a program's output.
 struct MessageExtent {
   std::size_t begin = 0;
   std::size_t size = 0;
-  std::size_t end = 0;  // of the whole message, with what delimits it
+  std::size_t end = 0;  // end of the whole message, including its delimiters
 };
 
 // One encoding. Objects reuse their memory from message to message.
@@ -29,7 +29,7 @@ class TeamCodec {
   TeamCodec& operator=(const TeamCodec&) = delete;
   virtual ~TeamCodec() = default;
 
-  // Append the message, with what delimits it, to `bytes`. All numbers must be finite. Throw
+  // Append the message, including its delimiters, to `bytes`. All numbers must be finite. Throw
   // std::invalid_argument if the name of the rule book or of a parameter is too long to be sent.
   virtual void append(const TeamStart& start, std::string& bytes) = 0;
   virtual void append(const TeamFrame& frame, std::string& bytes) = 0;
@@ -39,8 +39,8 @@ class TeamCodec {
   // bytes cannot begin a message or the message would be longer than kLongestOutput.
   virtual std::optional<MessageExtent> find_message(std::string_view bytes) const = 0;
 
-  // Replaces `output` by the content of a message. Throws TeamFault if it is invalid; then `output`
-  // is unspecified.
+  // Replaces `output` by the content of a message. Throws TeamFault if the content is invalid;
+  // `output` is unspecified then.
   virtual void read(std::string_view content, TeamOutput& output) = 0;
 };
 
@@ -54,8 +54,8 @@ std::unique_ptr<TeamCodec> make_league_codec();
 // Throws std::invalid_argument if a name in `start` is too long to be sent.
 void check_names(const TeamStart& start);
 
-// Collects the bytes of a program's output after its greeting, and takes its messages from them.
-// The codec must outlive it.
+// Collects the bytes of a program's output after its greeting, and extracts the messages. The codec
+// must outlive it.
 class OutputDecoder {
  public:
   enum class Result : std::uint8_t { kNeedsMore, kOutput, kFault };
@@ -64,14 +64,15 @@ class OutputDecoder {
 
   void add(std::string_view bytes) { bytes_.append(bytes); }
 
-  // Takes the next message. Only after kOutput, `output` is that message. After a fault every
+  // Extracts the next message. Only after kOutput, `output` is that message. After a fault, every
   // further call returns kFault.
   Result next(TeamOutput& output);
 
-  // What is wrong with the output; empty unless next() has returned kFault.
+  // The error in the output; empty unless next() has returned kFault.
   const std::string& fault() const { return fault_; }
 
-  // Bytes that belong to no message taken so far: a program that only answers leaves none.
+  // The number of bytes that belong to no message extracted so far; 0 for a program that only
+  // answers.
   std::size_t bytes_left() const { return bytes_.size(); }
 
  private:

@@ -7,14 +7,14 @@
 
 namespace autoref::league {
 
-// what() says in plain words what is wrong with what the program sent, without naming the program.
+// what() says in plain words what is wrong with the program's output, without naming the program.
 class TeamFault : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-// `bytes` in quotation marks, cut after 40 bytes; those that are not printable ASCII are written as
-// \xHH.
+// `bytes` in quotation marks, cut off after 40 bytes; bytes that are not printable ASCII are
+// written as \xHH.
 std::string excerpt_of(std::string_view bytes);
 
 }  // namespace autoref::league

@@ -59,7 +59,7 @@ class Field(NamedTuple):
     goal_opening_height_m: float  # to the underside of the bar
     goal_bar_radius_m: float
     goal_wall_thickness_m: float
-    defence_area_is_box: bool  # else two quarter circles joined by a line
+    defence_area_is_box: bool  # otherwise two quarter circles joined by a line
 
 
 class Abilities(NamedTuple):
@@ -79,7 +79,7 @@ class Start:
     side: str  # "west" (yellow) or "east" (blue)
     random_seed: int  # of the team's random stream
     frame_rate_hz: float  # camera frames per second
-    latency_s: float  # from a frame until a command sent then moves a robot
+    latency_s: float  # from a frame until a command sent in reply moves a robot
     field: Field
     robots: list[Abilities]  # the team's own robots, by number from 0
     rules: str  # name of the rule book
@@ -99,7 +99,7 @@ class Ball(NamedTuple):
     camera_x_m: float  # the camera that sees the ball; 0 with tracked motion
     camera_y_m: float
     camera_height_m: float  # above the carpet
-    is_height_known: bool  # tracked: False while the ball may or may not be in the air
+    is_height_known: bool  # with tracked motion: False while the ball may or may not be in the air
 
 
 class Robot(NamedTuple):
@@ -133,7 +133,7 @@ class View:
 
     frame: int  # number of the camera frame
     time_s: float  # its capture time since the start of the game
-    latency_s: float  # from that frame until a command sent now moves a robot
+    latency_s: float  # from that frame until a command sent in reply moves a robot
     stage_time_left_s: float  # of the current half
     placement_x_m: float | None  # where the referee wants the ball for the next restart
     placement_y_m: float | None
@@ -141,10 +141,11 @@ class View:
     goals_opponent: int
     play: Play
     ours: bool  # whether the current restart is this team's
-    placing_is_ours: bool | None  # whose robots place the ball now; None: nobody's
-    next: Next | None  # the command that ends this stop; None: not known
+    placing_is_ours: bool | None  # whether it is this team's robots that place the ball; None: no
+    # team places it
+    next: Next | None  # the command that ends this stop; None if unknown
     next_is_ours: bool
-    ball: Ball | None  # None if no camera sees it and the team asked for detections
+    ball: Ball | None  # None if no camera sees it and the team requested detections
     ball_in_dribbler_zone: list[int]  # numbers of own robots that sense the ball there
     _decode: Callable[[], Robots] = field(repr=False, compare=False)
     _robots: Robots | None = field(default=None, repr=False, compare=False)
@@ -170,7 +171,7 @@ class End:
 
     goals_own: int
     goals_opponent: int
-    reason: str  # why the game ended, such as "time"
+    reason: str  # why the game ended, for example "time"
 
 
 @dataclass(slots=True)
@@ -180,7 +181,7 @@ class Command:
     vx_mps: float = 0.0  # -100 to 100
     vy_mps: float = 0.0  # -100 to 100
     angular_velocity_radps: float = 0.0  # -1000 to 1000
-    kick_mps: float = 0.0  # speed of the ball once it is in the dribbler zone; 0: no kick
+    kick_mps: float = 0.0  # speed of the ball once it is in the dribbler zone; 0 for no kick
     chip: bool = False  # kicks upwards at 45 degrees
     dribble: bool = False
 
@@ -191,7 +192,7 @@ class Output:
 
     frame: int
     commands: Mapping[int, Command]  # by the robot's number; a robot without one stands still
-    keeper: int = 0  # number of the keeper; -1: unknown
+    keeper: int = 0  # robot number of the keeper; -1 if unknown
     leaves: int | None = None  # the robot to remove first after a card
     timeout: bool = False  # requests a timeout as soon as play is stopped
     text: str = ""  # for the log, at most 1000 bytes

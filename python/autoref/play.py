@@ -17,8 +17,8 @@ from typing import Any, Union
 from .results import PathLike, results
 from .team import Team
 
-# A strategy's name, a file of Python code, a subclass of Team or one of its objects, the words of
-# a command, or the keys of a team in a scenario.
+# A strategy's name, a file of Python code, a subclass of Team or an instance of one, the words of a
+# command, or the keys of a team in a scenario.
 Player = Union[PathLike, type[Team], Team, list[str], Mapping[str, Any]]
 
 _PACKAGE_FOLDER = Path(__file__).resolve().parent
@@ -36,7 +36,7 @@ class GameResult:
     goals_b: int
     end_reason: str  # "time", "goals", "shootout", "forfeit_a", "forfeit_b" or "void"
     status: str  # "ok", "forfeit" or "void"
-    void_reason: str | None  # why it is void or forfeited
+    void_reason: str | None  # why the game is void or forfeited
     seed: int
     state_hash: str  # equal hashes mean identical games
     details: dict[str, Any]

@@ -40,7 +40,7 @@ _TEXTS = {
 class LogMessage(NamedTuple):
     """One message of an SSL log."""
 
-    time_ns: int  # when it was received, nanoseconds since 1970
+    time_ns: int  # when it was received, in nanoseconds since 1970
     kind: int  # 2: vision of 2010, 3: referee, 4: vision of 2014, 5: tracker
     data: bytes  # the message in protobuf
 
@@ -82,7 +82,7 @@ def rows(folder: PathLike, table: str = "results.csv") -> list[dict[str, Cell]]:
 
 
 def _as_array(columns: dict[str, list[Cell]]) -> Any:
-    import numpy  # not needed by anything else here
+    import numpy  # nothing else here needs it
 
     arrays = {}
     for name, cells in columns.items():

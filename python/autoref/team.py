@@ -33,7 +33,7 @@ class Team:
     params: dict[str, float]  # the team's parameters: start.params
     random: RandomStream  # the team's random numbers: the same seed gives the same game
 
-    keeper: int = 0  # number of the keeper; -1: unknown
+    keeper: int = 0  # robot number of the keeper; -1 if unknown
     leaves: int | None = None  # the robot to remove first after a card
     timeout: bool = False  # request a timeout as soon as play is stopped
     text: str = ""  # for the log, at most 1000 bytes
@@ -65,7 +65,7 @@ class Team:
         cls()._play(codec, source, sink)
 
     def _play(self, codec: Any, source: BinaryIO, sink: int) -> None:
-        # Looked up once: the loop runs a hundred thousand times in a game.
+        # Looked up once, since the loop runs a hundred thousand times in a game.
         read, decode, encode, decide = codec.read, codec.decode, codec.encode, self.decide
         write = os.write
         while data := read(source):

@@ -64,7 +64,7 @@ print(f"{FACTOR}  share of points of a [95 %]")
 for value, (share, low, high) in shares.items():
     print(f"{value:10}  {share:.2f} [{low:.2f}, {high:.2f}]")
 
-# %% A drawing, if matplotlib is there.
+# %% A drawing, if matplotlib is installed.
 try:
     from matplotlib import pyplot
 except ImportError:

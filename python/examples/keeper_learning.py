@@ -7,7 +7,7 @@ The keeper is a linear policy: its sideways velocity is a weighted sum of what i
 tries keepers drawn from a normal distribution on the same shots, and fits the distribution to the best
 of them. Shots with other seeds, on which nothing was learnt, then show how much better it has become.
 """
-# %% The exercise: shots from two to three metres at a random point of the goal.
+# %% The exercise: shots from two to three metres at a random point in the goal.
 import argparse
 from concurrent.futures import ProcessPoolExecutor
 from math import sqrt
@@ -55,7 +55,7 @@ class Exercise:
             if not self.game.step(commands):
                 self.reset()
                 return False
-            if frame < 4:  # the keeper still sees what was before
+            if frame < 4:  # the keeper still sees the previous state
                 continue
             ball, keeper = self.game.a.ball, self.game.a.own[0]
             if ball[0] < self.goal_x_m + 0.02:

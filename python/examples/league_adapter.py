@@ -68,7 +68,7 @@ program = subprocess.Popen(
 frame = None
 while 5 in (message := read_message()):
     if message[5] != frame:  # the first frame comes several times, because of the latency
-        # Until the program listens, packets are repeated.
+        # Packets are repeated until the program listens.
         answer = answer_to(message, LONGEST_WAIT_S if frame else 0.1)
     frame, length = message[5], len(answer)
     sys.stdout.buffer.write(bytes([length] if length < 128 else [length & 127 | 128, length >> 7]))

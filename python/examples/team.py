@@ -10,7 +10,7 @@ import autoref
 from autoref import Ball, Command, Robot, View
 
 KEEPER = 0
-GAIN_PER_S = 3.0  # velocity per distance: slows down near the destination
+GAIN_PER_S = 3.0  # velocity per distance: slows the robot down near its destination
 TURN_GAIN_PER_S = 6.0
 
 
@@ -82,6 +82,6 @@ class Shooter(autoref.Team):
 #     game = autoref.play("python/examples/team.py", "basic", settings={"match.half_s": 60})
 #     game.goals_a, game.goals_b
 
-# %% What the game starts.
+# %% Started by the game.
 if __name__ == "__main__":
     Shooter.run()

@@ -44,7 +44,7 @@ double out_of_box_m(const Field& field, Side side, const RobotObservation& robot
   const double inwards = -goal_sign(side);
   const double aside = std::copysign(1.0, robot.position_m.y());
   const double depth_m = (robot.position_m.x() - field.goal_centre_m(side).x()) * inwards;
-  // The hull is inside the box if its extreme points in both outward directions are: the support
+  // The hull is inside the box if its extreme points in both outward directions are. The support
   // function gives them without computing the outline.
   const double over_front_m =
       depth_m + reach_of_hull_m(robot.heading, Vec2(inwards, 0)) - area.depth_m;

@@ -39,7 +39,7 @@ bool is_out_of_field(const Field& field, const Vec2& ball_m) {
 std::optional<double> intersection(double along0, double across0, double along1, double across1,
                                    double at) {
   if (along0 == along1) return std::nullopt;
-  // Linear interpolation between the two points, extended beyond them.
+  // Linear interpolation between the two points, or extrapolation beyond them.
   return (across0 * (at - along1) + across1 * (along0 - at)) / (along0 - along1);
 }
 

@@ -20,10 +20,10 @@ struct Exit {
   Vec2 point_m{0, 0};  // the ball's centre, on the boundary expanded by the ball's radius
 };
 
-// Which boundary the ball crossed between `before_m` and `ball_m`, which is out of the field, and
-// where. A path through the expanded corner itself crosses the goal line, as in the paper, where
-// only |c_x| < |l_x| means a touch line. If the ball was already out at `before_m`, it counts as
-// having crossed the boundary that it is farther beyond, at its current position along that
+// Which boundary the ball crossed between `before_m` and `ball_m`, and where; `ball_m` is out of
+// the field. A path exactly through the expanded corner crosses the goal line, as in the paper,
+// where only |c_x| < |l_x| means a touch line. If the ball was already out at `before_m`, it is
+// taken to have crossed the boundary that it is farther beyond, at its current position along that
 // boundary.
 Exit find_exit(const Field& field, const Vec2& before_m, const Vec2& ball_m);
 

@@ -59,7 +59,7 @@ Vec2 nearest_clear_of_box(const Field& field, Side side, const Vec2& where_m, do
   const Vec2 beyond_m = Vec2(from_line_m, where_m.y()) - rim_m;
   const double beside_m = std::abs(where_m.y()) - half_m;
   // The points at a given distance from a box form a rectangle with rounded corners. This branch
-  // handles a corner, those below a side and the front.
+  // handles a corner; those below handle a side and the front.
   if (beyond_m.x() > 0 && beside_m > 0) {
     const Vec2 position_m = rim_m + beyond_m.normalized() * clearance_m;
     return {goal_sign(side) * (field.half_length_m() - position_m.x()), position_m.y()};

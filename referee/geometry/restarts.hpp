@@ -2,8 +2,8 @@
 // Free Kick).
 //
 // Every position is symmetric: if the sides are swapped and the input is rotated by 180 degrees,
-// the result is rotated as well. A point exactly on the long axis of the field counts as left of
-// the axis, as seen by the kicking side.
+// the result is rotated too. A point exactly on the long axis of the field counts as left of the
+// axis, as seen by the kicking side.
 #pragma once
 
 #include "soccer/field.hpp"
@@ -23,11 +23,11 @@ Vec2 corner_kick_position(const Field& field, const RuleBook& rules, Side kicker
 // 500 mm from the goal line that the ball crossed at `exit_m`, 100 mm from the nearest touch line.
 Vec2 goal_kick_position(const Field& field, const RuleBook& rules, Side kicker, const Vec2& exit_m);
 
-// For a free kick by `kicker` because of an offence at `where_m`: the offence's position, moved to
-// at least 100 mm inside the lines. Inside the kicker's own defence area it is moved to 600 mm from
-// the goal line and 100 mm from the touch line; within 700 mm of the opponents' area it is moved
-// away from their goal line until it is 700 mm from the area. 2026: the closest position at least
-// 0.2 m inside the lines and 1 m from both areas.
+// The position of a free kick by `kicker` for an offence at `where_m`: the position of the offence,
+// moved to at least 100 mm inside the lines. If it is inside the kicker's own defence area, it is
+// moved to 600 mm from the goal line and 100 mm from the touch line; if it is within 700 mm of the
+// opponents' area, it is moved away from their goal line until it is 700 mm from the area. 2026:
+// the closest position at least 0.2 m inside the lines and 1 m from both areas.
 Vec2 free_kick_position(const Field& field, const RuleBook& rules, Side kicker,
                         const Vec2& where_m);
 

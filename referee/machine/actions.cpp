@@ -144,7 +144,7 @@ void note_foul(RefereeState& state, const RefereeInput& input, const Finding& fi
   book(state, input, finding);
 }
 
-// Rule penalty_kick_failed, or the rule on shoot-outs, reports what follows from the fouls.
+// The rule penalty_kick_failed, or the rule on shoot-outs, reports the consequences of the fouls.
 void note_foul_at_kick(RefereeState& state, const Finding& finding) {
   for (const Side side : kSides) {
     if (!finding.offender || *finding.offender == side) state.play.has_fouled[side] = true;
@@ -169,8 +169,8 @@ void award_free_kick_in_stop(RefereeState& state, const RefereeInput& input,
   wait_anew(state, input);
 }
 
-// At a tournament, people would clear the field during the halt; here it only gives the robots time
-// to stop.
+// At a tournament, people would clear the field during the halt; here, it only gives the robots
+// time to stop.
 void halt_for_foul(RefereeState& state, const RefereeInput& input, const Finding& finding) {
   book(state, input, finding);
   end_play(state);

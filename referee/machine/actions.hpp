@@ -16,15 +16,15 @@ struct Action {
   void (*take)(RefereeState& state, const RefereeInput& input, const Finding& finding);
 };
 
-// Parts that several actions share. Sends a command.
+// Helpers shared by several actions. This one sends a command.
 void send(RefereeState& state, const RefereeInput& input, const Command& command);
 // "When entering the WAIT_STOP state, AutoRef saves the current positions" (paper, section 4.4).
 void wait_anew(RefereeState& state, const RefereeInput& input);
 void place_ball(RefereeState& state, const Vec2& target_m);
 void end_play(RefereeState& state);
-// The side that takes the restart which `command` starts; nullopt for a force start.
+// The side that takes the restart started by `command`; nullopt for a force start.
 std::optional<Side> kicker_of(const RefereeState& state, const Command& command);
-// At a penalty kick: the side at fault, or both, has fouled.
+// At a penalty kick: records that the side at fault, or both sides, committed a foul.
 void note_foul_at_kick(RefereeState& state, const Finding& finding);
 
 void begin(RefereeState& state, const RefereeInput& input, const Finding& finding);

@@ -12,8 +12,8 @@ namespace autoref::referee {
 // force start.
 PlayState play_begun(Command command, std::optional<Side> kicker, const RefereeInput& input);
 
-// The state of play if it is on, but its beginning was not seen: the ball is in play, and nothing
-// is known of earlier touches.
+// The state of play if play is on but its start was not seen: the ball is in play, and earlier
+// touches are unknown.
 PlayState play_joined(const RefereeInput& input);
 
 // Updates the state with one frame of RUN.
@@ -28,14 +28,14 @@ double goalwards_m(const PlayState& play, const RefereeInput& input);
 bool began_with_kickoff(const PlayState& play, const Field& field);
 bool began_with_penalty(const PlayState& play, const Field& field);
 
-// Whether the ball comes straight from the restart: only its kicker has touched it. A touch by an
-// unknown robot may have been made by a second robot.
+// Whether the ball comes straight from the restart, so only the kicker has touched it. A touch by
+// an unknown robot may have been made by a second robot.
 bool is_straight_from_restart(const PlayState& play);
 
 // Restarts that are retaken because their own rules were broken: opponents too near, robots in the
 // wrong half, robots out of position at a penalty kick (Laws 8, 13 and 14).
 
-// Whether the current restart may be retaken. AutoRef's own limit is three retakes, so that a team
+// Whether the current restart can be retaken. AutoRef's own limit is three retakes, so that a team
 // that always breaks the rules cannot hang a game. After that, play continues.
 bool may_be_taken_again(const RefereeState& state);
 

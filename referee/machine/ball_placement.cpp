@@ -23,7 +23,8 @@ constexpr double kGiveUp_s = 2_s;
 // side.
 constexpr double kCorner_m = 150_mm;
 
-// The referee draws no random numbers; the parity of the commands sent so far is the lot.
+// The referee draws no random numbers; the parity of the number of commands sent so far serves as
+// the lot.
 Side drawn_side(const RefereeState& state) {
   return state.signal.command_counter % 2 == 0 ? Side::kWest : Side::kEast;
 }
@@ -37,7 +38,7 @@ double distance_to_target_m(const RefereeState& state, const RefereeInput& input
   return (input.ball->position_m - state.placing.target_m).norm();
 }
 
-// Notes since when the ball has stayed within the resting tolerance.
+// Records how long the ball has stayed within the resting tolerance.
 void watch_rest(TeamPlacement& placing, const RefereeInput& input) {
   const bool stays = (input.ball->position_m - placing.mark_m).norm() <=
                      input.configuration.rules.ball_in_position_m;
@@ -46,14 +47,14 @@ void watch_rest(TeamPlacement& placing, const RefereeInput& input) {
   placing.still_since_s = input.time_s();
 }
 
-// As long as a ball at the resting speed would need to cross the tolerance.
+// The time that a ball at the resting speed would need to cross the tolerance.
 bool is_at_rest(const TeamPlacement& placing, const RefereeInput& input) {
   const RuleBook& rules = input.configuration.rules;
   return has_passed(placing.still_since_s, 2 * rules.ball_in_position_m / rules.ball_at_rest_mps,
                     input.time_s());
 }
 
-// Whether a ball at rest there may stay ("No ball placement is required if ...").
+// Whether a ball at rest there can stay ("No ball placement is required if ...").
 bool is_near_enough(const RefereeState& state, const RefereeInput& input) {
   const Field& field = input.configuration.field;
   const RuleBook& rules = input.configuration.rules;
@@ -93,10 +94,10 @@ PlacementStep next_step(const RefereeState& state, const RefereeInput& input) {
 
 struct RobotGap {
   double any_m = std::numeric_limits<double>::infinity();
-  double own_m = std::numeric_limits<double>::infinity();  // of the placing team
+  double own_m = std::numeric_limits<double>::infinity();  // from the placing team
 };
 
-// The smallest gaps between the ball and robots' hulls.
+// The smallest gaps between the ball and the robots' hulls.
 RobotGap robot_gap(const RefereeState& state, const RefereeInput& input) {
   RobotGap gap;
   for (const Side side : kSides) {
@@ -133,7 +134,7 @@ Finding outcome_of(Event event, const RefereeState& state, const RefereeInput& i
   return finding;
 }
 
-// How far the ball is from its position: before it is placed, or as it is left.
+// How far the ball is from its position, either before it is placed or where it was left.
 Finding step_of(const RefereeState& state, const RefereeInput& input) {
   Finding finding;
   finding.event = Event::kSignalled;

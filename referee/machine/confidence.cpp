@@ -29,7 +29,7 @@ constexpr std::array kFitted = {
 };
 #undef AUTOREF_CONFIDENCE
 
-// Calls without a row have not been seen often enough to be fitted.
+// Calls without a row have not been seen often enough for a fit.
 constexpr ConfidenceCoefficients kOfOtherCalls = {2.2, 0, 0, 0, 0};
 
 double margin_of(const Finding& finding) {
@@ -75,7 +75,7 @@ std::string sentence(std::string text) {
   return text;
 }
 
-// The ball's position, and that of the robot at fault.
+// Adds the positions of the ball and of the robot at fault.
 void add_positions(EventDetails& details, const Finding& finding, const RefereeInput& input) {
   if (!details.ball_m && input.ball) details.ball_m = input.ball->position_m;
   if (details.robot_m || (!details.robot && finding.robots.empty())) return;

@@ -1,9 +1,8 @@
-// How sure the referee is of a call: a logistic model of what vision shows about it. Its
-// coefficients (confidence.def) were fitted to calls of simulated games that ground truth has
-// judged, by scripts/fit-confidence; results/reference/judge shows how well they hold for games
-// that they were not fitted to.
+// How sure the referee is of a call, by a logistic model of what vision shows. Its coefficients
+// (confidence.def) were fitted by scripts/fit-confidence to calls in simulated games, each judged
+// by ground truth; results/reference/judge shows how well they hold in other games.
 //
-// Also turns a step of the machine, with its call, into a row of the event log.
+// Also turns a step of the machine and its call into a row of the event log.
 #pragma once
 
 #include <array>
@@ -34,13 +33,13 @@ ConfidenceFeatures confidence_features(const Finding& finding, const RefereeStat
 double confidence_by(const ConfidenceCoefficients& coefficients,
                      const ConfidenceFeatures& features);
 
-// Sets the finding's confidence, and what it was computed from. Where the last touch decides, it is
-// multiplied by the probability that a gap in vision hides no later touch of the other side.
-// Findings that are not calls keep a confidence of 1.
+// Sets the finding's confidence and the features that it was computed from. If the last touch
+// decides the call, the confidence is multiplied by the probability that no later touch of the
+// other side is hidden in a gap in vision. Findings that are not calls keep a confidence of 1.
 void add_confidence(Finding& finding, const RefereeState& state, const RefereeInput& input);
 
-// The decision that `finding` led to in the state `before`, including the state of the game and the
-// card shown.
+// The decision that `finding` led to in the state `before`, with the state of the game and the card
+// shown.
 Decision decision_of(const RefereeState& before, const RefereeInput& input, const Finding& finding,
                      const Step& taken);
 

@@ -61,8 +61,8 @@ inline constexpr Guard kFoulsAreNoted{"fouls only count", fouls_are_noted};
 // The first half of extra time. It follows the game's second half, even if the game has only one.
 inline constexpr int kFirstExtraHalf = 2;
 
-// Stages of half `half`, counted from 0: before its kick-off, while it runs, and the break before
-// it (from the second half on).
+// The stages of half `half`, counted from 0: before its kick-off, while it runs, and the break
+// before it (from the second half on).
 Stage stage_before(int half);
 Stage stage_of(int half);
 Stage break_before(int half);
@@ -90,11 +90,11 @@ double clock_s(const RefereeState& state, const RuleBook& rules, double now_s);
 std::optional<HalfClock> half_clock(const RefereeState& state, const Configuration& configuration,
                                     double now_s);
 
-// Time left in the running half, in seconds; at least 0, and 0 in other stages.
+// Time left in the running half, in seconds; never negative, and 0 in other stages.
 double time_left_s(const RefereeState& state, const Configuration& configuration, double now_s);
 
-// When the running half's time is up and no penalty kick is left to be taken: kHalfOver, or
-// kGameOver after the last half. If a knockout game is drawn then, kExtraTime, and kShootout after
+// When the running half's time is up and no penalty kick remains to be taken: kHalfOver, or
+// kGameOver after the last half. If a knockout game is level then: kExtraTime, or kShootout after
 // extra time.
 std::optional<Finding> find_time_over(const RefereeState& state, const RefereeInput& input);
 

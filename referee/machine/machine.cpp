@@ -98,7 +98,7 @@ bool leads_on(const Transition& transition, const RefereeState& state, const Ref
          transition.guard.holds(state, input);
 }
 
-// The clock of actual play runs in RUN only; a transition from RUN to RUN does not affect it.
+// The clock of actual play runs only in RUN; a transition from RUN to RUN does not affect it.
 void follow_play(RefereeState& state, State before, double now_s) {
   if (before == state.machine_state) return;
   if (before == State::kRun) state.play_clock.stop(now_s);
@@ -188,7 +188,8 @@ bool stops_play(Event event) { return comes_in_play(event, Effect::kStopsPlay); 
 bool stops_play_by_book(Event event) { return comes_in_play(event, Effect::kStopsByBook); }
 bool counts_in_play(Event event) { return comes_in_play(event, Effect::kCounts); }
 
-// Surplus robots are taken off by hand, and a penalty kick may be retaken for robots' positions.
+// Surplus robots are removed by hand, and a penalty kick may be retaken because of the robots'
+// positions.
 bool may_decide_penalty(Event event) {
   const EventEntry& entry = entry_of(event);
   return entry.is_foul && entry.when != When::kInStop && event != Event::kTooManyRobots &&

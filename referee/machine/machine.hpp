@@ -20,14 +20,15 @@
 
 namespace autoref::referee {
 
-// Whether a call of this event would stop play: at once, or if fouls do by the rule book.
+// Whether a call of this event would stop play, either always or because fouls do under the rule
+// book.
 bool stops_play(Event event);
 bool stops_play_by_book(Event event);
 bool counts_in_play(Event event);
-// Whether the event is a foul of a side that may decide a penalty kick.
+// Whether the event is a foul by one side that can decide a penalty kick.
 bool may_decide_penalty(Event event);
 
-// What triggers a transition: one event, or every event of a kind (event.hpp).
+// The trigger of a transition: one event, or every event of a kind (event.hpp).
 struct Trigger {
   constexpr Trigger(Event of) : event(of) {}  // implicit, so that a row can name its event
   constexpr Trigger(std::string_view its_text, bool (*of_kind)(Event))
@@ -36,7 +37,7 @@ struct Trigger {
   bool has(Event found) const { return event ? *event == found : includes(found); }
 
   std::optional<Event> event{};
-  std::string_view text{};  // wording of the kind of event
+  std::string_view text{};  // wording for this kind of event
   bool (*includes)(Event) = nullptr;
 };
 
@@ -62,8 +63,7 @@ std::span<const Transition> transitions_in_figure();
 // The transitions of game time, which "operates outside this diagram".
 std::span<const Transition> transitions_outside_figure();
 
-// Transitions for calls that the paper's referee lacks. They differ only in the event that triggers
-// them.
+// Transitions for calls that the paper's referee lacks. They differ only in their triggering event.
 std::span<const Transition> transitions_beyond_paper();
 
 // Transitions for cards, timeouts and knockout games (administration.cpp). They are tried first,
@@ -77,7 +77,7 @@ std::span<const Transition> transitions_of_placement();
 // All transitions while AutoRef commands the game, in the order in which they are tried.
 std::array<std::span<const Transition>, 6> all_transitions();
 
-// Every label that a step may have, in the order of all_transitions().
+// Every label that a step can have, in the order of all_transitions().
 std::vector<std::string_view> all_labels();
 
 struct Step {

@@ -1,5 +1,5 @@
-// Prints the figures and tables of referee/README.md from the transition table, and draws
-// the figure like the paper's Fig. 3.
+// Prints the figures and tables of referee/README.md from the transition table, and draws the
+// figure in the style of the paper's Fig. 3.
 #pragma once
 
 #include <span>
@@ -13,17 +13,18 @@ namespace autoref::referee {
 // transitions. Ends with a newline.
 std::string machine_figure();
 
-// The diagram and the table of other transitions.
+// The diagram and the table for other transitions.
 std::string machine_figure(std::span<const Transition> transitions);
 
-// Parts of a transition as text: "ready, next is a preparation", and the names of its states.
+// Parts of a transition as text: its condition ("ready, next is a preparation") and the names of
+// its states.
 std::string condition_of(const Transition& transition);
 std::string from_of(const Transition& transition);
 std::string to_of(const Transition& transition);
 
 // The transitions in the figure as a graph in Graphviz's language, for `dot -Tsvg`. As in the
 // paper, each edge is labelled with its conditions above a line and its assignments below it.
-// Transitions that differ only in their condition share an edge; any one of its conditions
+// Transitions that differ only in their conditions share an edge, and any one of these conditions
 // suffices. Ends with a newline.
 std::string machine_graph();
 

@@ -19,7 +19,8 @@ namespace {
 constexpr double kShortest_m = 100_mm;
 // A ball slower than this does not count as moving, because of vision noise.
 constexpr double kMoves_mps = 0.2_mps;
-// Standard deviations of both positions by which a ball that has moved back exceeds the tolerance.
+// Standard deviations of both positions by which the distance that a ball has moved back must
+// exceed the tolerance.
 constexpr double kSurelyBack = 3;
 
 bool is_by_keeper(const BallTouch& touch, Side side, const RefereeInput& input) {
@@ -48,14 +49,14 @@ PenaltyFailure turned(double turn_deg, const RuleBook& rules) {
 
 PenaltyFailure without_measure(const char* evidence) { return {0, 0, "", evidence}; }
 
-// In a shoot-out, a kick that any defender has turned back is over.
+// In a shoot-out, a kick is over once any defender has turned it back.
 bool is_saved(const RefereeState& state, const RefereeInput& input) {
   const Side defender = opponent_of(*state.play.kicker);
   return input.last_touch.side == defender && input.tracks.ball &&
          goal_sign(defender) * input.tracks.ball->velocity_mps.x() < -kMoves_mps;
 }
 
-// Whether another robot than the keeper has played the ball after the kick.
+// Whether a robot other than the keeper has played the ball after the kick.
 bool is_played_again(const RefereeState& state, const RefereeInput& input) {
   const TouchHistory& touches = state.play.touches;
   const Side defender = opponent_of(*state.play.kicker);
@@ -64,8 +65,8 @@ bool is_played_again(const RefereeState& state, const RefereeInput& input) {
          !is_by_keeper(*touches.newest(), defender, input);
 }
 
-// "The ball has to only move towards the opponent goal" (2026). The ball may come back by as much
-// as it has to move to be in play, or from a defender: then the angle decides.
+// "The ball has to only move towards the opponent goal" (2026). The ball may come back by the
+// distance that it has to move to be in play, or off a defender: then the angle decides.
 std::optional<PenaltyFailure> moved_back(const RefereeState& state, const RefereeInput& input) {
   if (!input.ball || input.last_touch.side == opponent_of(*state.play.kicker)) return std::nullopt;
   const double back_m = state.play.farthest_m - goalwards_m(state.play, input);
@@ -76,7 +77,7 @@ std::optional<PenaltyFailure> moved_back(const RefereeState& state, const Refere
                         fmt::format("The ball has moved back by {:.0f} mm.", 1e3 * back_m)};
 }
 
-// Failures that only some rule books or a shoot-out have.
+// Failures that only exist under some rule books or in a shoot-out.
 std::optional<PenaltyFailure> special_failure(const RefereeState& state,
                                               const RefereeInput& input) {
   const bool is_2026 = input.configuration.rules.edition == Edition::kRules2026;
@@ -106,7 +107,7 @@ Side next_kicker(const ShootoutBook& book, const Configuration& configuration) {
 
 bool is_decided(const ShootoutBook& book, int kicks) {
   // Decided once a side leads by more than the other can still score. After the regular kicks
-  // (sudden death), the only remaining kick is the one that gives both sides equally many.
+  // (sudden death), the only remaining kick is the one that makes the numbers of kicks equal.
   const int most = std::max({kicks, book.kicks[Side::kWest], book.kicks[Side::kEast]});
   return std::any_of(kSides.begin(), kSides.end(), [&](Side side) {
     const Side other = opponent_of(side);

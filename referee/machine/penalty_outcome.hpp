@@ -1,16 +1,16 @@
-// How a penalty kick ends, and the order and end of a shoot-out.
+// How a penalty kick ends, the order of kicks in a shoot-out, and when it ends.
 //
-// It fails if the ball goes out, if the keeper turns its path by 90 degrees or more, or 10 s after
-// the signal (2026, Penalty Kick; shoot-outs of all books). In 2026 it also fails if the ball does
-// not "only move towards the opponent goal".
+// A penalty kick fails if the ball goes out, if the keeper turns the ball's path by 90 degrees or
+// more, or 10 s after the signal (2026, Penalty Kick; shoot-outs under all rule books). In 2026 it
+// also fails if the ball does not "only move towards the opponent goal".
 //
-// A foul decides the kick in 2026 ("a goal is awarded if the defending team commits any foul; a
+// In 2026, a foul decides the kick ("a goal is awarded if the defending team commits any foul; a
 // goal is not awarded if the attacking team violates any rule"). In a shoot-out under the Laws, the
 // kick is over after a foul by the kicker's side, or "as soon as the kicker touches the ball after
 // he released it the first time" (appendix A).
 //
 // If play continues after a failed penalty kick (Laws 14), the same conditions decide when the
-// rules on penalty kicks no longer apply.
+// rules on penalty kicks cease to apply.
 #pragma once
 
 #include <optional>
@@ -25,24 +25,25 @@ namespace autoref::referee {
 
 // The order of a shoot-out's kicks, and when it is decided (Laws 2014, appendix A; 2026).
 //
-// The sides alternate. The side that kicked off the game begins, so lots are drawn only for the
-// ends of the field and the kick-off.
+// The sides alternate. The side that kicked off the game begins, so lots are drawn only for ends
+// and kick-off.
 
-// A shoot-out still level after this many kicks per side is a draw. This is AutoRef's own limit,
-// for teams that cannot score.
+// If a shoot-out is still level after this many kicks per side, it is a draw. This is AutoRef's own
+// limit, for teams that cannot score.
 inline constexpr int kMostShootoutKicks = 50;
 
 Side next_kicker(const ShootoutBook& book, const Configuration& configuration);
 
-// Whether the remaining kicks cannot change the winner. Each side has `kicks` kicks; after those,
-// each side gets one more at a time.
+// Whether the remaining kicks can no longer change the winner. Each side has `kicks` kicks; after
+// that, each side gets one more at a time.
 bool is_decided(const ShootoutBook& book, int kicks);
 
 // Whether the shoot-out is decided or the limit is reached.
 bool is_over(const ShootoutBook& book, int kicks);
 
 struct PenaltyFailure {
-  double value = 0;  // measured; threshold and unit follow, which is empty if nothing was measured
+  double value = 0;  // measured value; threshold and unit follow, and the unit is empty if nothing
+                     // was measured
   double threshold = 0;
   std::string_view unit;
   std::string evidence;
@@ -59,8 +60,8 @@ bool is_goal_awarded(const RefereeState& state, const RefereeInput& input);
 // penalty kick.
 std::optional<PenaltyFailure> penalty_failure(const RefereeState& state, const RefereeInput& input);
 
-// Whether the penalty kick is over, though play may continue: it is a goal or has failed, or, under
-// the Laws, another robot than the keeper has played the ball after the kick. Play must be a
+// Whether the penalty kick is over, though play may continue: it is a goal, it has failed or, under
+// the Laws, a robot other than the keeper has played the ball after the kick. Play must be a
 // penalty kick.
 bool is_penalty_over(const RefereeState& state, const RefereeInput& input);
 

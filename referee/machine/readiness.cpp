@@ -163,7 +163,7 @@ std::optional<Finding> find_ready(RefereeState& state, const RefereeInput& input
     if (most_m < rules.stillness_m && rests_in_position(state, input)) {
       return ready(most_m, state, input);
     }
-    // Keep the saved positions for the timeout's evidence.
+    // Keeps the saved positions for the timeout's evidence.
     if (!is_late) state.saved = positions_in(input.frame);
     state.checked_s = now_s;
   }

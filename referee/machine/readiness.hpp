@@ -1,5 +1,5 @@
 // Decides when play can start or continue: the periodic checks of the robots in the paper's section
-// 4.4, "Robot Positions", the ball at its position, and the timeouts.
+// 4.4, "Robot Positions", the check that the ball is at its position, and the timeouts.
 #pragma once
 
 #include <optional>
@@ -12,19 +12,19 @@ namespace autoref::referee {
 
 SavedPositions positions_in(const Frame& frame);
 
-// The largest move of any robot of each side since the positions were saved: 0 if no robot of the
-// side was seen both then and now.
+// For each side, the largest move of any of its robots since the positions were saved; 0 if no
+// robot of the side was seen both then and now.
 struct LargestMoves {
   PerSide<double> move_m;
   PerSide<std::optional<RobotId>> robot;
 };
 LargestMoves largest_moves(const SavedPositions& saved, const Frame& frame);
 
-// How far from its position, in metres, a ball at its position may be seen: the rule book's
-// tolerance and twice the cameras' lasting error.
+// How far from its position, in metres, vision may see a ball that is there: the rule book's
+// tolerance plus twice the cameras' systematic error.
 double ball_tolerance_m(const Configuration& configuration);
 
-// Records since when the ball has been at its position.
+// Records how long the ball has been at its position.
 void watch_ball(RefereeState& state, const RefereeInput& input);
 
 // In WAIT_START: kRobotsMoved if a periodic check finds at least one robot of each team more than
@@ -33,8 +33,8 @@ std::optional<Finding> find_start(RefereeState& state, const RefereeInput& input
 
 // In WAIT_STOP: kReady if a periodic check finds every robot within epsilon of its position at the
 // previous check and the ball at rest at its position, or kReadyTimeout after the timeout. Saves
-// the positions at each check that finds a robot moving, and requests the ball to be set to its
-// position shortly before the timeout.
+// the positions at each check that finds a robot moving, and, shortly before the timeout, requests
+// that the ball be set to its position.
 std::optional<Finding> find_ready(RefereeState& state, const RefereeInput& input);
 
 }  // namespace autoref::referee

@@ -15,7 +15,7 @@
 
 namespace autoref::referee {
 
-inline constexpr int kMaxHalves = 4;  // two halves, and two of extra time
+inline constexpr int kMaxHalves = 4;  // two halves and two halves of extra time
 
 // "AutoRef saves the current positions of the robots" (paper, section 4.4).
 struct SavedPositions {
@@ -26,9 +26,10 @@ struct SavedPositions {
 // The current phase of play. Meaningless outside RUN.
 struct PlayState {
   Command began_with;  // NORMAL_START, a free kick or FORCE_START
-  Command restart;     // the command that repeats this restart: the same one or its PREPARE command
+  Command restart;     // the command that repeats this restart: either the same one or its PREPARE
+                       // command
   Vec2 position_m{0, 0};            // where the ball was placed for it
-  std::optional<Side> kicker;       // takes the restart; nullopt after a force start
+  std::optional<Side> kicker;       // the side that takes the restart; nullopt after a force start
   double began_s = 0;               // when the restart was signalled
   std::optional<Vec2> ball_from_m;  // where the ball was then; nullopt until it is seen
   bool in_play = false;             // the ball has moved, or does not need to
@@ -41,7 +42,7 @@ struct PlayState {
   double farthest_m = -std::numeric_limits<double>::infinity();
   PerSide<bool> has_fouled;
 
-  // Whether fouls of this side, but not of the other one, decide the penalty kick.
+  // Whether fouls by this side alone decide the penalty kick.
   bool is_decided_by_foul_of(Side side) const {
     return has_fouled[side] && !has_fouled[opponent_of(side)];
   }
@@ -76,8 +77,10 @@ struct CardBook {
   // When the active yellow cards end, by the play clock, oldest first.
   boost::container::static_vector<double, kMaxRobots> yellow_ends_s;
   std::optional<double> fewer_since_s;     // when the number allowed last changed
-  std::optional<double> too_many_since_s;  // since when the side has too many robots on the field
-  bool too_many_called = false;            // since the number allowed last changed
+  std::optional<double> too_many_since_s;  // when the side began to have too many robots on the
+                                           // field
+  bool too_many_called = false;            // whether this was called since the number allowed last
+                                           // changed
 };
 
 // The timeouts that a side has taken since the start of the game, or of extra time.
@@ -94,19 +97,19 @@ struct ShootoutBook {
 
 // How the ball gets to the next restart's position.
 enum class PlacementStep : std::uint8_t {
-  kNone,       // by hand, or it is there
-  kUndecided,  // a team is due to place it, but has not been ordered to
-  kByTeam,     // its robots place it
-  kStays,      // it is near enough
-  kByHand,     // the robots cannot reach it, or may not place it
+  kNone,       // placed by hand, or already there
+  kUndecided,  // a team has to place it, but has not yet been ordered to
+  kByTeam,     // placed by the team's robots
+  kStays,      // near enough to stay
+  kByHand,     // placed by hand: the robots cannot reach it, or may not place it
 };
 
 // Ball placement by the teams' robots (2026).
 struct TeamPlacement {
   PlacementStep step = PlacementStep::kNone;
-  Side side = Side::kWest;   // the side that is due
-  Command restart;           // as given, before a failure changed it
-  PerSide<bool> has_failed;  // to place the ball for this restart
+  Side side = Side::kWest;   // the side that has to place the ball
+  Command restart;           // as first given, before a failure changed it
+  PerSide<bool> has_failed;  // whether each side has failed to place the ball for this restart
   Vec2 target_m{0, 0};       // the designated position
   double distance_m = 0;     // from the ball to that position when the side was ordered to place it
   Vec2 mark_m{0, 0};         // the ball has stayed near this position since `still_since_s`
@@ -115,7 +118,7 @@ struct TeamPlacement {
 
 struct RefereeState {
   State machine_state = State::kInit;
-  std::optional<MidwayStart> midway_start;  // nullopt: with the first kick-off
+  std::optional<MidwayStart> midway_start;  // nullopt if the game begins with the first kick-off
   RefereeSignal signal;  // in force; includes score, placement and the paper's `next`
 
   double wait_began_s = 0;  // in WAIT_START and WAIT_STOP: start of the timeout

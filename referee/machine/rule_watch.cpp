@@ -5,7 +5,7 @@
 namespace autoref::referee {
 namespace {
 
-constexpr double kSame = 1e-6;  // excesses that differ by less are equal
+constexpr double kSame = 1e-6;  // excesses that differ by less than this are equal
 
 }  // namespace
 

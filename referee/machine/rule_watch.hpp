@@ -1,5 +1,5 @@
-// What the rules have recorded since play last started or stopped, and the grace
-// timers and sets of robots that they keep for it.
+// The records that rules have kept since play last started or stopped, and the grace timers and
+// sets of robots used for them.
 #pragma once
 
 #include <array>
@@ -19,8 +19,8 @@ namespace autoref::referee {
 // Timers for offences that are allowed for a grace period. Each robot is reported once per stop.
 class GraceTimer {
  public:
-  // Records whether the robot offends now. Returns whether it has offended for `grace_s` and has
-  // not been reported.
+  // Records whether the robot is offending in this frame. Returns whether it has offended for
+  // `grace_s` without having been reported.
   bool is_due(RobotId robot, bool offends, double grace_s, double now_s);
   void mark_reported(RobotId robot) { of(robot).is_reported = true; }
 
@@ -40,13 +40,13 @@ struct GraceViolation {
   double excess = 0;
 };
 
-// Whether `a` is reported before `b`: the larger excess first; if they are equal up to rounding,
-// the robot nearer to the centre, so that neither side is favoured.
+// Whether `a` is reported before `b`: the larger excess comes first; if they are equal up to
+// rounding, the robot nearer to the centre comes first, so that neither side is favoured.
 bool goes_before(const GraceViolation& a, const GraceViolation& b);
 
 // Returns the robot with the largest excess among those that have offended for `grace_s` and have
-// not been reported, and marks it reported. `excess_of(side, robot)` is how far a robot exceeds the
-// limit, in any unit; robots with at most 0 do not offend.
+// not been reported, and marks it reported. `excess_of(side, robot)` is the amount by which a robot
+// exceeds the limit, in any unit; a robot offends if it is positive.
 template <typename ExcessOf>
 std::optional<GraceViolation> take_worst(GraceTimer& grace_timer, const RefereeInput& input,
                                          double grace_s, const ExcessOf& excess_of) {
@@ -83,9 +83,9 @@ struct Collision {
   double closing_mps = 0;  // relative velocity just before, along the line of their centres
   double closing_deviation_mps = 0;  // its standard deviation
   double lead_mps = 0;               // difference between their speeds
-  double angle_rad = 0;              // between their velocities; 0 if one of them stands
+  double angle_rad = 0;              // between their velocities; 0 if one of them is standing still
   Vec2 position_m{0, 0};             // midpoint of their centres
-  Vec2 faster_m{0, 0};               // the faster one's centre
+  Vec2 faster_m{0, 0};               // centre of the faster one
 };
 
 // Two opponents that may have collided at `met_s`, by number.
@@ -97,11 +97,11 @@ struct PairMeeting {
 
 struct CrashWatch {
   double before_s = kNever_s;  // time of the previous frame
-  // The robots that vision saw in each of the most recent frames of play, one bit per number. Frame
-  // n (FrameHistory) is at n modulo the size.
+  // The robots that vision saw in each of the most recent frames of play, one bit per robot number.
+  // Frame n (FrameHistory) is stored at n modulo the size.
   std::array<PerSide<std::uint32_t>, 64> seen{};
   boost::container::static_vector<PairMeeting, kMaxRobots * kMaxRobots>
-      meetings;  // not yet measured; holds every pair, so that none is favoured
+      meetings;  // not yet measured; has room for every pair, so that no pair is favoured
   // When west robot [i] and east robot [j] were last in contact.
   std::array<std::array<double, kMaxRobots>, kMaxRobots> met_s = never_met();
   boost::container::static_vector<Collision, 32> unreported;
@@ -119,17 +119,17 @@ struct PushContact {
   int west = 0;
   int east = 0;
   bool is_near = true;
-  bool is_followed = false;  // for at least one frame
+  bool is_followed = false;  // for at least one frame so far
   bool are_in_contact = false;
   PerSide<Vec2> from_m{{Vec2(0, 0), Vec2(0, 0)}};      // where they were when contact began
   Vec2 ball_from_m{0, 0};                              // where the ball was then
   PerSide<Vec2> before_mps{{Vec2(0, 0), Vec2(0, 0)}};  // their velocities just before
-  // Whether a robot that was driven back far enough to be pushed had driven that way itself.
+  // Whether a robot that was driven back far enough to count as pushed had driven that way itself.
   PerSide<bool> drove_itself{{false, false}};
 };
 
 // Contacts between round robots of two sides form a bipartite planar graph: 32 robots have at most
-// 60 pairs in contact, plus a few that are close.
+// 60 pairs in contact, plus a few pairs that are close.
 struct PushingWatch {
   boost::container::static_vector<PushContact, 3 * 2 * kMaxRobots> contacts;
   RobotSet with_ball;  // in contact with the ball
@@ -152,8 +152,8 @@ struct PositionViolation {
   double worst_m = 0;
 
   bool any() const { return !robots.empty(); }
-  // Adds the robot, up to the number that a decision can name. If `is_worse`, it becomes the
-  // worst.
+  // Adds the robot, up to the number of robots that a decision can name. If `is_worse`, it becomes
+  // the worst.
   void add(RobotId robot, double measured_m, bool is_worse) {
     if (robots.empty() || is_worse) {
       worst = robot;
@@ -178,7 +178,7 @@ struct RestartDistanceWatch {
 
 // The touch for which a non-stopping foul was called (2026).
 struct CalledTouch {
-  std::optional<RobotId> robot;  // nullopt: none called
+  std::optional<RobotId> robot;  // nullopt if no foul was called
   double ended_s = 0;            // last known end of the touch
   double called_s = 0;
 };
@@ -201,7 +201,7 @@ struct PenaltyPositionsWatch {
 
 // Top speed of a kick while the ball's height was unknown.
 struct KickSpeedWatch {
-  std::optional<double> kicked_s;  // when the touch ended; nullopt: no kick
+  std::optional<double> kicked_s;  // when the touch ended; nullopt without a kick
   double speed_mps = 0;
   bool is_in_air = false;
 };
@@ -209,7 +209,7 @@ struct KickSpeedWatch {
 // Which robots of a side were offside at its newest touch, and at the one before.
 struct OffsideWatch {
   struct Pass {
-    int touch = 0;       // number since play began, from 1; 0: none
+    int touch = 0;       // number since play began, from 1; 0 for no touch
     double ended_s = 0;  // end of that touch
     Side side = Side::kWest;
     RobotSet offside;  // the side's robots in an offside position
@@ -228,7 +228,7 @@ struct RuleWatch {
   GraceTimer stop_distance;
   GraceTimer bot_interfered_placement;
   bool interference_is_called = false;  // for the current placement
-  bool boundary_is_crossed = false;     // called since the ball was last inside it
+  bool boundary_is_crossed = false;     // called since the ball was last inside the boundary
   AttackerNearAreaWatch attacker_too_close_to_defense_area;
   RestartDistanceWatch defender_too_close_to_kick_point;
   KickoffPositionsWatch kickoff_positions;
@@ -239,7 +239,7 @@ struct RuleWatch {
   OffsideWatch offside;
 };
 
-// The records that are kept when play starts, because a free kick belongs to the stop before it.
+// The records that are kept when play starts, because a free kick belongs to the preceding stop.
 inline RuleWatch kept_at_start(const RuleWatch& watch) {
   RuleWatch kept;
   kept.attacker_too_close_to_defense_area = watch.attacker_too_close_to_defense_area;

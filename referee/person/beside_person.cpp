@@ -16,7 +16,8 @@ namespace {
 constexpr double kSlowDown_s = 2_s;              // 2026: robots have 2 s to slow down after a STOP
 constexpr double kGoesOn_s = 1_s;                // our choice
 constexpr double kLongestWait_s = 15_s;          // for the person's answer to a call; our choice
-constexpr double kCalledFor_s = 1_s;             // our choice: later, the event is a new one
+constexpr double kCalledFor_s = 1_s;             // our choice: after this time, the event is a new
+                                                 // one
 constexpr double kFasterThanStop_mps = 0.3_mps;  // margin for the estimate of a robot's speed
 
 // Whether a call of this event would stop play under the rule book.
@@ -25,7 +26,7 @@ bool would_stop_play(const RefereeInput& input, Event event) {
          (stops_play_by_book(event) && input.configuration.rules.fouls_stop_play);
 }
 
-// Whether the command is not the one that AutoRef's call would lead to.
+// Whether the command differs from the one that AutoRef's call would lead to.
 bool contradicts(const Finding& call, const Command& command) {
   const bool decides = starts_play(command.kind) || command.kind == CommandKind::kPrepareKickoff ||
                        command.kind == CommandKind::kPreparePenalty;

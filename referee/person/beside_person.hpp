@@ -1,10 +1,10 @@
-// AutoRef beside a person: the person (or the game controller) commands the game, AutoRef follows
-// and calls what it sees.
+// AutoRef alongside a person: the person (or the game controller) commands the game, and AutoRef
+// follows and makes its own calls.
 //
 // "AutoRef ... stops play at once" on its own call and then waits for the person's signal (paper,
-// sections 4.1 and 5): it sends STOP, and goes on observing. If no command follows and play visibly
-// goes on, or after 15 s, the call was overruled. Scores, cards and stages are the person's. If
-// nobody commands the game, play is on throughout, and calls are only reported.
+// sections 4.1 and 5): it sends STOP and keeps observing. The call was overruled if no command
+// follows and play visibly goes on, or after 15 s. Scores, cards and stages come from the person.
+// If nobody commands the game, play is always on, and calls are only reported.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -14,29 +14,29 @@
 
 namespace autoref::referee {
 
-// Without the rules on what a person decides: cards, timeouts and the end of the game.
+// Removes the rules on matters that a person decides: cards, timeouts and the end of the game.
 Configuration without_administration(Configuration configuration);
 
 class BesidePerson final : public Official {
  public:
   explicit BesidePerson(const Configuration& configuration);
 
-  // Under Control::kNone, signals are ignored. The evidence of the finding says whether the command
+  // Under Control::kNone, signals are ignored. The finding's evidence says whether the command
   // contradicts AutoRef's call.
   std::optional<Finding> follow(const RefereeSignal& given, const RefereeInput& input) override;
 
   // In CALLED: kOverruled once play visibly goes on, or 15 s after the call. Play visibly goes on
-  // if the ball has been on the field for a second and a robot of each team has been faster than a
-  // stop allows within that second; robots have 2 s to slow down. It also goes on if the ball
-  // leaves the field: without a signal, this is an event of its own.
+  // if the ball has been on the field for a second and, within that second, a robot of each team
+  // has been faster than a stop allows; robots have 2 s to slow down. Play also goes on if the ball
+  // leaves the field: without a signal, this is a separate event.
   std::optional<Finding> find_before_rules(const RefereeInput& input) override;
   std::optional<Finding> find(const RefereeInput& input) override;
   // The person keeps the time.
   std::optional<Finding> find_time_over(const RefereeInput& input) override;
 
-  // A finding leads to no step if its event has been called in this play already: the same event by
+  // A finding leads to no step if its event has already been called in this play: the same event by
   // the same side, until it has not been found for a second; or any event while the ball stays
-  // outside the field. Otherwise the event counts as called from now on.
+  // outside the field. Otherwise, the event counts as called from now on.
   std::optional<Step> next(const RefereeInput& input, const Finding& finding) override;
   void enter(const RefereeInput& input, const Finding& finding, Step step) override;
   void show_time(const RefereeInput& input) override;
@@ -46,8 +46,8 @@ class BesidePerson final : public Official {
   void forget(const Frame& frame) override;
 
  private:
-  // AutoRef's own call, while it waits for the person's answer, and its record afterwards, so that
-  // one event is not called twice.
+  // AutoRef's own call, while it waits for the person's answer, and the record of it afterwards, so
+  // that the same event is not called twice.
   struct OwnCall {
     Finding finding;
     double called_s = 0;
@@ -55,7 +55,7 @@ class BesidePerson final : public Official {
     bool ball_is_out = false;  // the ball was outside the field
   };
 
-  // Signs that play continues after a call, in spite of it.
+  // Signs that play continues despite a call.
   struct PlayGoesOn {
     std::optional<double> ball_on_field_since_s;
     PerSide<std::optional<double>> fast_s;  // when a robot last was faster than a stop allows
@@ -72,8 +72,8 @@ class BesidePerson final : public Official {
   bool has_person_;
   std::optional<RefereeSignal> given_;                 // the person's last signal
   boost::container::static_vector<OwnCall, 8> calls_;  // of the current play, oldest first
-  bool is_exit_called_ = false;  // while the ball was out, and it has not come back
-  PlayGoesOn goes_on_;           // in CALLED
+  bool is_exit_called_ = false;  // the ball's exit has been called, and the ball has not come back
+  PlayGoesOn goes_on_;           // used in CALLED
 };
 
 }  // namespace autoref::referee

@@ -1,8 +1,8 @@
 // AutoRef as an official: holds the machine's state, and passes findings to the machine. The
 // referee calls it in each frame.
 //
-// This class officiates alone: it commands the game (paper, section 4.3) and keeps its time. If
-// somebody else commands the game, a class derived from it takes its place (person/).
+// This class works alone: it commands the game (paper, section 4.3) and keeps its time. If somebody
+// else commands the game, a derived class takes its place (person/).
 #pragma once
 
 #include <optional>
@@ -20,46 +20,45 @@ class Official {
   explicit Official(const Configuration& configuration);
   virtual ~Official() = default;
 
-  // Rules write their own records into the state.
+  // Rules keep their own records in the state.
   RefereeState& state() { return state_; }
   const RefereeState& state() const { return state_; }
 
-  // Takes note of the signal of whoever commands the game. Returns a finding if it contains a new
-  // command.
+  // Notes a signal from whoever commands the game. Returns a finding if it contains a new command.
   virtual std::optional<Finding> follow(const RefereeSignal& given, const RefereeInput& input);
 
-  // What the machine's state waits for. Before the rules of each frame:
+  // The event that the machine's state waits for. Called before the rules of each frame.
   virtual std::optional<Finding> find_before_rules(const RefereeInput& input);
-  // After them, if they have changed neither the state nor the command:
+  // Called after the rules, if they have changed neither the state nor the command.
   virtual std::optional<Finding> find(const RefereeInput& input);
-  // At the end of each frame:
+  // Called at the end of each frame.
   virtual std::optional<Finding> find_time_over(const RefereeInput& input);
 
-  // Takes note of a finding. Returns the step that it leads to from the current state; nullopt if
-  // it leads to none.
+  // Notes a finding. Returns the step that it leads to from the current state; nullopt if there is
+  // none.
   virtual std::optional<Step> next(const RefereeInput& input, const Finding& finding);
   // Takes that step.
   virtual void enter(const RefereeInput& input, const Finding& finding, Step step);
 
-  // Shows the time that is left in the signal.
+  // Shows the remaining time in the signal.
   virtual void show_time(const RefereeInput& input);
 
-  // Whether the ball has stayed outside the field since its exit was called, though play is on.
+  // Whether the ball has stayed outside the field since its exit was called, although play is on.
   virtual bool is_exit_called() const { return false; }
-  // Takes note that it is back.
+  // Notes that the ball is back.
   virtual void note_return() {}
 
-  // Forgets what the rules have recorded, because of a long gap before this frame.
+  // Forgets the rules' records, because of a long gap before this frame.
   virtual void forget(const Frame& frame);
 
  private:
   RefereeState state_;
 };
 
-// The step; nullopt if it has no transition.
+// The step, or nullopt if it has no transition.
 std::optional<Step> if_taken(Step step);
 
-// A finding without evidence: the first frame, or the end of a briefly sent command.
+// A finding without evidence, for the first frame or the end of a briefly sent command.
 Finding passed_by_itself(Event event);
 
 // Whether the ball was last seen outside the field.

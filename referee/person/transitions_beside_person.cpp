@@ -36,8 +36,8 @@ bool person_commands_fouls_stop(const RefereeState& state, const RefereeInput& i
   return person_commands(state, input) && fouls_stop_play(state, input);
 }
 
-// The half that a stage belongs to, counted from 0; the stages before a half and the break before
-// it belong to it.
+// The half that a stage belongs to, counted from 0. The stages before a half and the break before
+// it belong to that half.
 int half_of(Stage stage) {
   constexpr std::array<int, 14> kHalves = {0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 3, 3, 3};
   return kHalves[static_cast<std::size_t>(stage)];
@@ -57,7 +57,7 @@ void count_goals(RefereeState& state) {
   }
 }
 
-// A kick of a shoot-out ends with its play.
+// A kick of a shoot-out ends when its play ends.
 void count_kick(RefereeState& state) {
   if (state.signal.stage == Stage::kShootout && state.play.kicker)
     ++state.shootout.kicks[*state.play.kicker];
@@ -65,8 +65,8 @@ void count_kick(RefereeState& state) {
 
 void end_followed_play(RefereeState& state, const RefereeInput& input) {
   count_kick(state);
-  // As after AutoRef's own stop (actions.cpp), the second foul near the area and the second attempt
-  // at a restart count.
+  // As after AutoRef's own stop (actions.cpp), a second foul near the area and a second attempt at
+  // a restart count.
   const PerSide<int> fouls_near_area = state.watch.attacker_too_close_to_defense_area.fouls;
   const Finding* call = input.own_call;
   const Retakes retakes = call == nullptr ? Retakes{} : retakes_after(state.retakes, *call);
@@ -143,7 +143,7 @@ void follow_halt(RefereeState& state, const RefereeInput& input, const Finding& 
   take_restart(state, input);
 }
 
-// On its own call AutoRef sends STOP and keeps the play, in case it is overruled.
+// On its own call, AutoRef sends STOP and keeps the state of play in case it is overruled.
 void emit_stop(RefereeState& state, const RefereeInput& input, const Finding& finding) {
   count_foul(state, input, finding);
   place_ball(state, finding.ball_to_m);
@@ -246,7 +246,7 @@ void take_values(RefereeState& state, const RefereeInput& input) {
   signal.robots_allowed = given.robots_allowed;
   signal.yellow_cards = given.yellow_cards;
   signal.red_cards = given.red_cards;
-  // When the number changed before AutoRef joined is unknown, so the time to leave begins now.
+  // It is unknown when the number changed before AutoRef joined, so the time to leave starts now.
   note_robots_allowed(state, input, robots_before);
   count_goals(state);
   // In CALLED, AutoRef's own restart is in force.

@@ -9,10 +9,10 @@ namespace autoref::referee {
 
 std::span<const Transition> transitions_beside_person();
 
-// Whether a command lets play begin.
+// Whether play can begin after a command.
 bool starts_play(CommandKind kind);
 
-// Takes score, cards, stage, placement and next command from the person's signal.
+// Takes the score, cards, stage, placement and next command from the person's signal.
 void take_values(RefereeState& state, const RefereeInput& input);
 
 }  // namespace autoref::referee

@@ -3,8 +3,8 @@
 //
 // Deviation D14: if the last touch is unknown, the restart is a goal kick behind a goal line (the
 // paper's "otherwise") and a force start from the throw-in position over a touch line. Other rule
-// books have no "otherwise". Under them, a ball behind a goal line leads to a force start from a
-// neutral position, so that an unseen touch favours nobody.
+// books have no "otherwise". Under those, a ball behind a goal line leads to a force start from a
+// neutral position, so that an unseen touch favours neither side.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -53,7 +53,7 @@ std::string touched_by(const LastTouch& touch) {
   return fmt::format("{} touched it last, at {:.3f} s", text_of(*touch.robot), touch.time_s);
 }
 
-// Names no coordinates, since teams change ends (soccer/referee_signal.hpp).
+// Avoids coordinates, since teams change ends (soccer/referee_signal.hpp).
 std::string crossing_text(const Exit& exit) {
   const std::string_view half = colour_of(exit.point_m.x() < 0 ? Side::kWest : Side::kEast);
   if (exit.line == ExitLine::kTouch) {

@@ -1,8 +1,8 @@
 // Two opponents collide: substantial contact (Laws 12), crashing (2026).
 //
 // The measured value is their relative velocity just before, along the line of their centres. The
-// faster robot is at fault. If the speeds differ by less than 0.3 m/s, nobody is at fault under the
-// Laws of 2014 (play continues without a call), and both are under the 2026 rules.
+// faster robot is at fault. If the speeds differ by less than 0.3 m/s, neither robot is at fault
+// under the Laws of 2014 (play continues without a call), and both are under the 2026 rules.
 //
 // Robots collide when their 180 mm cylinders do. Between two flat fronts the hulls are then up to
 // 30 mm apart, but robots closing at 1.5 m/s need four times that to brake. The collision is
@@ -25,17 +25,18 @@ namespace autoref::referee {
 namespace {
 
 constexpr double kTouching_m = 2 * kRobotRadius_m;  // between the centres
-// Robots count as separated after more than this distance for kApart_s: colliding robots bounce off
-// each other a few times.
+// Robots count as separated after being farther apart than this for kApart_s: colliding robots
+// bounce off each other a few times.
 constexpr double kApart_m = kTouching_m + 20_mm;
 constexpr double kApart_s = 200_ms;
 // Robots that came this close in a frame may have collided. They may bounce off each other between
 // two frames.
 constexpr double kMayTouch_m = kTouching_m + 12_mm;
-// The collision is looked for from kBefore_s before that frame, and measured kMeasured_s after it.
+// The search for the collision starts kBefore_s before that frame; the collision is measured
+// kMeasured_s after it.
 constexpr double kBefore_s = 40_ms;
 constexpr double kMeasured_s = 60_ms;
-// Speeds this close are equal up to rounding.
+// Speeds that differ by less than this are equal up to rounding.
 constexpr double kSame_mps = 1e-6;
 constexpr double kBeyondDeviations = 1;
 
@@ -43,8 +44,8 @@ constexpr double kBeyondDeviations = 1;
 // `duration_s`. `path_m` leads from one centre to the other.
 std::optional<double> time_to_touch_s(const Vec2& path_m, const Vec2& velocity_mps,
                                       double duration_s) {
-  // Smaller root of |path + velocity t| = kTouching_m. This form of the solution does not subtract
-  // nearly equal numbers, and needs no division by a relative speed of zero.
+  // Smaller root of |path + velocity t| = kTouching_m. This form of the solution avoids subtracting
+  // nearly equal numbers and dividing by a relative speed of zero.
   const double closing = -path_m.dot(velocity_mps);
   const double left_m2 = path_m.squaredNorm() - kTouching_m * kTouching_m;
   if (left_m2 <= 0) return 0.0;
@@ -61,7 +62,7 @@ double angle_between_rad(const Vec2& a_mps, const Vec2& b_mps) {
   return atan2_exact(std::abs(across), a_mps.dot(b_mps));
 }
 
-// The frames of play in which vision saw a robot.
+// Whether vision saw a robot in that frame of play.
 bool was_seen(const CrashWatch& watch, std::int64_t frame, Side side, int number) {
   const auto& seen = watch.seen[static_cast<std::size_t>(frame) % watch.seen.size()];
   return (seen[side] >> static_cast<unsigned>(number) & 1U) != 0;
@@ -78,8 +79,8 @@ void note_seen(CrashWatch& watch, const RefereeInput& input) {
   }
 }
 
-// The robots in the most recent frames. Vision may have missed a robot whose position the frame
-// extrapolates; that is not a detection.
+// The robots in the most recent frames. If vision missed a robot, the frame has an extrapolated
+// position, which is not a detection.
 PairPath path_of(const CrashWatch& watch, const FrameHistory& frames, const PairMeeting& pair) {
   PairPath path;
   const PerSide<int> numbers{{pair.west, pair.east}};
@@ -114,7 +115,7 @@ Collision collision_of(const MeasuredCollision& measured, const PairMeeting& pai
   return collision;
 }
 
-// Whether these robots may just have collided, for the first time since they were apart.
+// Whether these robots may just have collided for the first time since they were apart.
 bool have_met(CrashWatch& watch, const RefereeInput& input, const TrackedRobot& west,
               const TrackedRobot& east) {
   double& met_s =
@@ -144,7 +145,7 @@ bool is_foul(const Collision& collision, const RuleBook& rules) {
   return is_called && surely_mps > rules.crash_mps;
 }
 
-// Measures the collisions whose following frames have been seen.
+// Measures the collisions for which the following frames have been seen.
 void measure(CrashWatch& watch, const RefereeInput& input) {
   const auto is_due = [&input](const PairMeeting& pair) {
     return has_passed(pair.met_s, kMeasured_s, input.time_s());
@@ -205,8 +206,8 @@ bool comes_after(const Collision& a, const Collision& b) {
   return a.position_m.squaredNorm() > b.position_m.squaredNorm();
 }
 
-// Takes the fastest unreported collision. If each side caused one equally fast, and only one can
-// stop play, neither is reported.
+// Takes the fastest unreported collision. If each side caused one at the same speed, and only one
+// can stop play, neither is reported.
 std::optional<Collision> take_worst(CrashWatch& watch, const RuleBook& rules) {
   auto& unreported = watch.unreported;
   const auto worst = std::max_element(unreported.begin(), unreported.end(), comes_after);

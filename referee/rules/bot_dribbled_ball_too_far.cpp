@@ -1,6 +1,6 @@
-// A robot dribbles the ball over more than 500 mm, later 1 m, "measured linearly from the ball
-// location where the dribbling started" (Laws 12; 2026). Dribbling lasts from the first contact to
-// an observable separation.
+// A robot dribbles the ball over more than 500 mm (in later editions, 1 m), "measured linearly from
+// the ball location where the dribbling started" (Laws 12; 2026). Dribbling lasts from the first
+// contact to an observable separation.
 #include <fmt/format.h>
 
 #include "referee/rules/rule.hpp"

@@ -1,13 +1,14 @@
 // A kick must not be faster than 8 m/s (Laws 2014, law 12), or 6.5 m/s in space (2026). The limit
-// is for the speed at the kick. On the carpet, a constant-deceleration fit to the ball's free path
-// after a robot's touch is extrapolated back to the touch. It is evaluated after seven frames, when
-// the next touch ends the path, or once it exceeds the limit by three standard deviations, but not
-// before the fourth frame. In the air, three successive speeds must be above the limit (2016), and
-// their mean beyond the noise.
+// applies to the speed at the kick. On the carpet, a constant-deceleration fit to the ball's free
+// path after a robot's touch is extrapolated back to the touch. It is evaluated after seven frames,
+// when the next touch ends the path, or once it exceeds the limit by three standard deviations, but
+// not before the fourth frame. In the air, three successive speeds must be above the limit (2016),
+// and their mean must exceed it by more than the noise.
 //
-// Until it is known whether a kicked ball flies, its speed is unknown as well: a chip seems faster
-// than it is. The call waits until then, or until the ball is out. In that case the ball counts as
-// having stayed on the ground, as in most kicks. Nobody is blamed if the kicker is unknown.
+// Until it is known whether a kicked ball flies, its speed is also unknown: a chip seems faster
+// than it is. The call waits until this is known, or until the ball is out. In the latter case, the
+// ball counts as having stayed on the ground, as in most kicks. No foul is called if the kicker is
+// unknown.
 #include <fmt/format.h>
 #include <boost/container/static_vector.hpp>
 
@@ -29,14 +30,15 @@ constexpr std::size_t kIntervals = 3;
 // earlier once it exceeds the limit by kSure standard deviations.
 constexpr std::size_t kKickDetections = 7;
 constexpr double kSure = 3;
-// If the next touch ends the path early, this many detections suffice for such a speed.
+// If the next touch ends the path early, this many detections suffice for a speed that exceeds the
+// limit so clearly.
 constexpr std::size_t kFewestAtEnd = 3;
 // Standard deviations by which the mean speed in the air must exceed the limit.
 constexpr double kBeyondNoise = 2;
-// An error of an estimated height is an error of the position along the camera's ray, too, which is
-// at most as far from the vertical as from the carpet.
+// An error in an estimated height moves the position along the camera's ray, which is within 45
+// degrees of the vertical, so the horizontal position changes by at most the same amount.
 constexpr double kFlightDeviation = 1.4;
-constexpr double kTouchTime_s = 8_ms;  // error of a touch's time: half a frame
+constexpr double kTouchTime_s = 8_ms;  // error in a touch's time: half a frame
 // Deceleration of a kicked ball, which slides at first: 3.0 to 3.9 m/s2 on the league's carpets.
 constexpr double kCarpet_mps2 = 3.4;
 constexpr double kCarpetDeviation_mps2 = 0.4;
@@ -51,7 +53,7 @@ struct Speed {
 // speed at ground level by conservation of energy.
 Speed mean_speed(const BallDetection& from, const BallDetection& to, const Configuration& c) {
   const double duration_s = to.time_s - from.time_s;
-  // Two independent detections: their variances add, hence the square root of 2.
+  // The two detections are independent: their variances add, hence the square root of 2.
   Speed speed{(to.position_m - from.position_m).norm() / duration_s,
               std::sqrt(2.0) * c.noise.ball_m / duration_s};
   if (c.rules.edition != Edition::kRules2026) return speed;
@@ -108,8 +110,8 @@ std::optional<double> speeding_in_flight_mps(double kicked_s, const RefereeInput
   return is_fast ? std::optional(speed_mps) : std::nullopt;
 }
 
-// The ball's mean speed in the air over the last three frames, if each of them may exceed the
-// limit, given the noise, and their mean certainly does.
+// The ball's mean speed in the air over the last three frames, if each of their speeds may exceed
+// the limit, given the noise, and the mean certainly does.
 std::optional<double> speeding_in_air_mps(const FrameHistory& frames, double kicked_s,
                                           const Configuration& c) {
   const BallDetection* oldest = frames.ball(kIntervals);
@@ -126,8 +128,8 @@ std::optional<double> speeding_in_air_mps(const FrameHistory& frames, double kic
 }
 
 // If the ball was as fast before the touch, another robot made it fast. If its earlier path is no
-// longer known, this cannot be excluded. Touches may be reported a frame late, so both preceding
-// intervals must be as fast.
+// longer known, this cannot be ruled out. Touches may be reported a frame late, so the ball must
+// have been as fast in both preceding intervals.
 bool was_as_fast(const FrameHistory& frames, double kicked_s, double speed_mps,
                  const Configuration& c) {
   const BallDetection* before = frames.ball_before(kicked_s);
@@ -139,7 +141,7 @@ bool was_as_fast(const FrameHistory& frames, double kicked_s, double speed_mps,
   return true;
 }
 
-// The speed of a kick, measured from the ball's free path until `until_s`, once it is certain.
+// The speed of a kick, once it is certain, measured on the ball's free path until `until_s`.
 // `is_over` means that no more detections will follow. Returns nullopt if the ball was already as
 // fast before.
 std::optional<double> reported_speed_mps(const BallTouch& kick, const FrameHistory& frames,
@@ -205,7 +207,7 @@ ReportedKick reported_kick(KickSpeedWatch& kick, const TouchHistory& touches,
   return {touches.newest(), kick.speed_mps};
 }
 
-// nullopt if the ball may or may not be in the air.
+// nullopt while it is unknown whether the ball is in the air.
 std::optional<bool> is_chipped(const KickSpeedWatch& watch, const ReportedKick& kick,
                                const RefereeInput& input) {
   const bool is_newest = kick.touch->ended_s == watch.kicked_s;

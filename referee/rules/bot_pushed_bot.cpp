@@ -1,10 +1,10 @@
 // A robot drives an opponent back: holding (Laws 12), pushing (2026).
 //
 // Both must travel in the pushed robot's direction for more than 200 mm while in contact with each
-// other or, in 2026, both with the ball. A robot that already drove that way itself was not pushed:
-// that is decided once in a contact, when the 200 mm are complete, because the line between robots
-// that slide along each other turns. The free kick is taken from where the offence occurred (Laws),
-// or from where the ball was when it began (2026).
+// other or, in 2026, both with the ball. A robot that was already driving that way itself was not
+// pushed. This is decided once per contact, when the 200 mm are complete, because the line between
+// robots that slide along each other turns. The free kick is taken from where the offence occurred
+// (Laws), or from where the ball was when it began (2026).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,10 +22,10 @@ namespace {
 // do not overlap, but noisy detections may.
 constexpr double kInContact_m = 2 * kRobotRadius_m + 5_mm;
 constexpr double kNear_m = 2 * kRobotRadius_m + 60_mm;
-// Largest gap between the ball's surface and each hull if the ball comes between the robots. It
-// stays between them until it is visibly apart from one (touch_candidates.hpp).
+// Largest gap between the ball's surface and each hull when the ball comes between the robots. The
+// ball counts as between them until it is visibly apart from one of them (touch_candidates.hpp).
 constexpr double kAtBall_m = 5_mm;
-// A robot that previously drove away from the pusher faster than this was not pushed.
+// A robot that was already driving away from the pusher faster than this was not pushed.
 constexpr double kOwnSpeed_mps = 0.1_mps;
 // Pushes that differ by less than this count as equally long (rounding).
 constexpr double kPushSame_m = 1e-9;
@@ -38,8 +38,8 @@ struct Push {
   Vec2 ball_from_m{0, 0};  // where the ball was when the push began
 };
 
-// Returns null if the list of contacts is full, which cannot happen with real robots: so many pairs
-// do not fit close together.
+// Returns null if the list of contacts is full. This cannot happen with real robots, since that
+// many pairs cannot be close together.
 PushContact* contact_of(PushingWatch& watch, int west, int east) {
   const auto known = std::find_if(
       watch.contacts.begin(), watch.contacts.end(),
@@ -86,7 +86,7 @@ std::optional<Push> push_by(Side side, PushContact& contact, const TrackedRobot&
               contact.ball_from_m};
 }
 
-// Finds the longest push. The result is nullopt if the longest pushes of both sides are equal.
+// Finds the longest push. The result is nullopt if both sides' longest pushes are equal.
 class LongestPush {
  public:
   void take_in(const std::optional<Push>& push) {

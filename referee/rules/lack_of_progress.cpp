@@ -1,4 +1,4 @@
-// The ball makes no progress for a while, although both teams may play it.
+// The ball makes no progress for some time, although both teams may play it.
 #include <fmt/format.h>
 #include <algorithm>
 #include <optional>
@@ -11,9 +11,9 @@
 namespace autoref::referee {
 namespace {
 
-// Since when the ball has moved less than `RuleBook::stuck_distance_m`, if that is
-// `RuleBook::stuck_time_s` ago. While the keeper may hold the ball in its defence area, its own
-// limit applies (rule keeper_held_ball): that time does not count here.
+// The time since which the ball has moved less than `RuleBook::stuck_distance_m`, if that is at
+// least `RuleBook::stuck_time_s` ago. Time in which the keeper may hold the ball in its defence
+// area does not count here, since it has its own limit (rule keeper_held_ball).
 std::optional<double> without_progress_since_s(const RefereeState& state,
                                                const RefereeInput& input) {
   const PlayState& play = state.play;

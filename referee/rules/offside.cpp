@@ -1,4 +1,4 @@
-// Offside, for experiments. None of the league's rule books includes it. referee/README.md has
+// Offside, for experiments. It is not part of any of the league's rule books. referee/README.md has
 // AutoRef's definition.
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 namespace autoref::referee {
 namespace {
 
-// A robot is offside only if it is nearer to the goal line by more than this many standard
+// A robot is offside only if it is nearer to the goal line by more than this number of standard
 // deviations of both positions.
 constexpr double kOffsideBeyondNoise = 3;
 
@@ -47,8 +47,8 @@ void watch(OffsideWatch& watch, const TouchHistory& touches, const RefereeInput&
   const BallTouch& touch = *touches.newest();
   OffsideWatch::Pass& newest = watch.newest;
   if (newest.touch == touches.count() && newest.ended_s == touch.ended_s) return;
-  // A pass is judged when it is received, which is the next touch: keep the newest and the one
-  // before.
+  // A pass is judged when it is received, which is the next touch. So the newest touch and the one
+  // before are kept.
   if (newest.touch < touches.count()) watch.before = newest;
   newest = {touches.count(), touch.ended_s, Side::kWest, {}};
   if (!touch.side) return;

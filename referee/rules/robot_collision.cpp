@@ -25,13 +25,13 @@ constexpr int kContactSteps = 16;                 // samples of the path between
 
 // Frames after the contact whose distances are extrapolated back to it.
 constexpr std::size_t kFramesAfter = 3;
-// Greatest extrapolated distance of robots in contact, beyond that of their cylinders, and the
-// standard deviations of a robot's position to be added.
+// Largest extrapolated distance between robots in contact, in excess of that of their cylinders,
+// and the number of standard deviations of a robot's position to be added.
 constexpr double kContactError_m = 1_mm;
 constexpr double kContactDeviations = 2.5;
 
-// The first sample for the fit that ends with path[last]: at most kFittedFor_s before it, and after
-// the robot was last relocated.
+// The first sample of the fit that ends with path[last]. It is at most kFittedFor_s before
+// path[last], and after the robot was last relocated.
 std::size_t first_sample(std::span<const PairSample> path, std::size_t last, Side side) {
   std::size_t first = last;
   const PairSample* later = nullptr;
@@ -48,7 +48,7 @@ std::size_t first_sample(std::span<const PairSample> path, std::size_t last, Sid
   return first;
 }
 
-// The robot's motion at the time of path[last]; nullopt if it was hardly seen.
+// The robot's motion at the time of path[last]; nullopt if it was rarely seen.
 std::optional<ConstantAcceleration> motion_before(std::span<const PairSample> path,
                                                   std::size_t last, Side side,
                                                   const tracking::VisionNoise& noise) {
@@ -68,7 +68,7 @@ std::optional<ConstantAcceleration> motion_before(std::span<const PairSample> pa
   for (const PairSample& sample : window) {
     if (!is_seen(sample)) continue;
     const double ago_s = now_s - sample.time_s;
-    // A jerk j that the fit does not know displaces the robot by j t^3 / 6.
+    // A jerk j that is unknown to the fit displaces the robot by j t^3 / 6.
     const double strayed_m = kUnknownJerk_mps3 * ago_s * ago_s * ago_s / 6;
     fit.add(-ago_s, *sample.position_m[side],
             std::sqrt(square(strayed_m) + square(noise.robot_m) + square(kCollisionRounding_m)));

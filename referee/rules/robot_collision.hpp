@@ -1,11 +1,11 @@
 // Measures how fast two opponents ran into each other, from vision frames before and after.
 //
 // A robot's motion before the collision is a weighted least-squares fit with constant acceleration
-// to its detections of the last 0.2 s. Robots may start to brake at any time: a jerk of 30 m/s3
-// that the fit does not know makes old detections less certain, and the acceleration has a prior
-// of 2 m/s2 against the motion, with a standard deviation of 2 m/s2. The robots collide where the
-// fits bring their 180 mm cylinders together, provided that the frames after it agree: a ball or a
-// third robot between them keeps their cylinders apart.
+// to its detections of the last 0.2 s. Since robots may start to brake at any time, an unknown jerk
+// of 30 m/s3 makes old detections less certain, and the acceleration has a prior of 2 m/s2 against
+// the motion, with a standard deviation of 2 m/s2. The robots collide where the fits bring their
+// 180 mm cylinders together, provided that later frames agree: a ball or a third robot between them
+// keeps their cylinders apart.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -36,8 +36,8 @@ struct MeasuredCollision {
 };
 
 // The collision of two robots at or after `from_s`. `path` holds frames in order of time, from
-// about 0.2 s before to three frames after the collision; nullopt if the robots do not collide, or
-// if vision saw too little of them.
+// about 0.2 s before the collision to three frames after it. Returns nullopt if the robots do not
+// collide or vision saw too little of them.
 std::optional<MeasuredCollision> measure_collision(std::span<const PairSample> path, double from_s,
                                                    const tracking::VisionNoise& noise);
 

@@ -1,4 +1,4 @@
-// A rule: the states in which it is active, and its search for a breach or an event.
+// A rule: the states in which it is active, and its searches for breaches or events.
 #pragma once
 
 #include <array>
@@ -48,7 +48,7 @@ class Rule {
 #include "soccer/rules/rules.def"
 #undef AUTOREF_RULE
 
-// The kicks of a shoot-out, whatever rules are in force; called after the others.
+// The kicks of a shoot-out. Applies whatever rules are in force, and is called after the others.
 extern const Rule kShootoutRule;
 
 struct ListedRule {
@@ -56,8 +56,7 @@ struct ListedRule {
   const Rule* rule;
 };
 
-// All rules in the order of rules.def, in which they are called. Rules that are not in force are
-// skipped.
+// All rules in the order of rules.def, in which they are called. Rules not in force are skipped.
 std::span<const ListedRule> rules();
 
 }  // namespace autoref::referee

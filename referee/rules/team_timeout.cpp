@@ -1,11 +1,12 @@
-// Timeouts (Laws 7; 2026), limited in number and total length, separately in extra time. A team
-// gets one on request while play is stopped, except before the first kick-off, when the match has
-// not begun, and in a shoot-out.
+// Timeouts (Laws 7; 2026), limited in number and total length, with separate limits for extra time.
+// A team gets one on request while play is stopped, except in a shoot-out and before the first
+// kick-off, when the match has not begun.
 //
 // A timeout lasts until its team withdraws the request or has used up its time. If both teams
-// request a timeout at once, the side that takes the restart comes first; if neither does, the side
-// that has used less time. If those times are equal, the side that has taken fewer timeouts comes
-// first; if these are equal, too, the side that did not kick off this half.
+// request a timeout at the same time, the side that takes the restart comes first; if neither takes
+// it, the side that has used less time does. If those times are equal, the side that has taken
+// fewer timeouts comes first; if these numbers are also equal, it is the side that did not kick off
+// this half.
 #include <fmt/format.h>
 
 #include "referee/machine/guards.hpp"

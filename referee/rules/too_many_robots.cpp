@@ -1,6 +1,6 @@
-// A side must not have more robots on the field than allowed 10 s after a card (Laws 3 and 12;
-// 2026, Yellow Card) or, in 2026, 2 s after a start without a card. In 2026 the game continues with
-// a force start, and the team is not penalised.
+// A side must not have more robots on the field than allowed, from 10 s after a card (Laws 3 and
+// 12; 2026, Yellow Card) or, in 2026, from 2 s after a start without a card. In 2026 the game
+// continues with a force start, and the team is not penalised.
 //
 // Robots leave by driving off: a robot is off the field once all of it is beyond the lines. After
 // each card, the rule makes at most one call. If both sides are at fault, the finding names
@@ -26,7 +26,7 @@ bool reaches_field(const Field& field, const Vec2& position_m) {
 }
 
 // Vision sometimes detects robots that are not there, but not for this long. A robot that vision no
-// longer sees is tracked for half a second.
+// longer sees is still tracked for half a second.
 constexpr double kPatternLasts_s = 1_s;
 // Time to remove surplus robots after a start without a card (2026).
 constexpr double kAfterStart_s = 2_s;

@@ -1,4 +1,4 @@
-// The number of robots a side has on the field.
+// The number of robots that a side has on the field.
 #pragma once
 
 #include "referee/referee_input.hpp"

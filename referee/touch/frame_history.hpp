@@ -32,16 +32,16 @@ struct BallDetection {
 struct StoredFrame {
   double time_s = 0;
   bool has_ball = false;
-  BallDetection ball;  // the last earlier detection if this frame has no ball
+  BallDetection ball;  // the last detection before this frame, if this frame has no ball
   PerSide<SeenRobots> robots;
 };
 
 // Whether the robot is within a metre of the ball's last detection. Touches by robots farther away
-// are neglected: at 60 Hz, a ball at 6 m/s takes ten frames without a detection to get there.
+// are neglected: at 60 Hz, a ball at 6 m/s would have to go undetected for ten frames to get there.
 bool is_near_ball(const StoredFrame& frame, const RobotObservation& robot);
 
-// A ring buffer; nothing is allocated. Frame 0 is the one in which play started, the frames of play
-// count from 1.
+// A ring buffer; nothing is allocated. Frame 0 is the one in which play started; the frames of play
+// are counted from 1.
 class FrameHistory {
  public:
   static constexpr int kKept = 256;       // 4 s at 60 Hz, 2.5 s at 100 Hz
@@ -52,7 +52,7 @@ class FrameHistory {
 
   FrameHistory();
 
-  // Starts a new play in this frame, with the ball at rest at `ball_m`, or nullopt if the ball has
+  // Starts a new play in this frame, with the ball at rest at `ball_m`; nullopt if the ball has
   // never been seen.
   void restart(const Frame& frame, const std::optional<Vec2>& ball_m);
 
@@ -60,7 +60,7 @@ class FrameHistory {
   void lose_sight() { jumps_ = true; }
 
   // Appends a frame of play, dropping the oldest one. Skips frames that are not later than the
-  // newest one. `track` is the tracked ball, for the uncertainty of a flying ball's height.
+  // newest one. `track` is the tracked ball, used for the uncertainty of a flying ball's height.
   void push(const Frame& frame, const std::optional<TrackedBall>& track = std::nullopt);
 
   std::int64_t newest() const { return newest_; }
@@ -68,17 +68,17 @@ class FrameHistory {
     return kept_[static_cast<std::size_t>(number) % kKept];
   }
 
-  // Detections of the ball since the restart, the ball at rest included.
+  // Detections of the ball since the restart, including the ball at rest.
   std::int64_t detections() const { return detections_; }
   // The frame of the `back`-th detection before the newest one; `back` must be below kDetections
   // and below detections().
   const StoredFrame& detection(int back) const { return (*this)[number_of_detection(back)]; }
-  // The number of the first detection still kept and not before `since_s`; newest() + 1 if there is
+  // The number of the first stored detection that is not before `since_s`; newest() + 1 if there is
   // none.
   std::int64_t first_detection(double since_s) const;
 
   // The `back`-th detection before the newest one; null unless it is one of the last kRecent of
-  // this play, the ball at rest excluded.
+  // this play, not counting the ball at rest.
   const BallDetection* ball(std::size_t back) const;
 
   // The newest of those detections that is not after `time_s`, or the oldest if all are later; null
@@ -86,8 +86,8 @@ class FrameHistory {
   // path.
   const BallDetection* ball_before(double time_s) const;
 
-  // The robots at that time, linearly interpolated between the last kRecent frames; outside of
-  // them, those of the nearest frame.
+  // The robots at that time, linearly interpolated between the last kRecent frames; outside that
+  // range, those of the nearest frame.
   PerSide<SeenRobots> robots_at(double time_s) const;
 
  private:
@@ -99,7 +99,7 @@ class FrameHistory {
 
   std::array<StoredFrame, kKept> kept_;
   std::int64_t newest_ = 0;
-  std::array<std::int64_t, kDetections> detection_numbers_{};  // a ring buffer, too
+  std::array<std::int64_t, kDetections> detection_numbers_{};  // also a ring buffer
   std::int64_t detections_ = 0;
   bool jumps_ = false;
 };

@@ -47,7 +47,7 @@ class Walker {
          const HullIntersectionParameters& parameters)
       : motion_(motion), goes_back_(goes_back), parameters_(parameters) {}
 
-  // Samples the path from one frame to the next; end points shared by two intervals are sampled
+  // Samples the path from one frame to the next; an end point shared by two intervals is sampled
   // once.
   void go(const StoredFrame& from, const StoredFrame& to, int samples, double start_s,
           bool is_first) {
@@ -68,8 +68,8 @@ class Walker {
             gap_m2 + motion_.position_variance_after(time_s - start_s)};
   }
 
-  // A robot near the ball in the frame `from`, and in the frame `to`, or null if it is not near
-  // there.
+  // A robot that is near the ball in the frame `from`, and the same robot in the frame `to`, or
+  // null if it is not near there.
   struct NearRobot {
     RobotId id;
     const RobotObservation* from;

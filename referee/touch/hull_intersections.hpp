@@ -1,4 +1,4 @@
-// Intersections of the ball's path with the hulls of robots, and the filter of its motion.
+// Intersections of the ball's path with the hulls of robots, and the filter for the ball's motion.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -14,7 +14,7 @@ namespace autoref::referee {
 // The ball's motion while only the carpet acts on it.
 //
 // A Kalman filter of position, velocity and acceleration with white-noise jerk (Bar-Shalom, Li and
-// Kirubarajan 2001, chapter 6; docs/touch-detection.md). Both axes are independent and share one
+// Kirubarajan 2001, chapter 6; docs/touch-detection.md). The axes are independent and share one
 // covariance. It runs forwards or backwards in time.
 
 // Measurement and process noise. Standard deviations are per coordinate.
@@ -26,14 +26,14 @@ struct BallMotionParameters {
   // m/s2 in a direction that depends on the unknown spin.
   double slides_mps2 = 2.2;
   double slides_change_m2ps5 = 1.0;  // power spectral density of the jerk
-  // Prior mean and standard deviation of a rolling ball's deceleration; all of the league's carpets
+  // Prior mean and standard deviation of a rolling ball's deceleration; all carpets in the league
   // are similar.
   double rolls_mps2 = 0.3;
   double rolls_off_mps2 = 0.2;
   double rolls_change_m2ps5 = 0.005;
   double begins_to_roll_mps = 0.02;  // velocity change caused by sliding for part of the frame
-  // Velocity change by a touch: a kick or bounce, or a brush after which a rolling ball keeps
-  // rolling.
+  // Velocity change caused by a touch: a kick or bounce, or a brush after which a rolling ball
+  // keeps rolling.
   double hard_mps = 1.5;
   double soft_mps = 0.12;
   double jump_m = 10_mm;  // position error of a ball that takes off or lands
@@ -56,7 +56,7 @@ class BallMotionFilter {
   // Switches to the rolling model: the ball has stopped sliding.
   void begin_to_roll(const BallMotionParameters& parameters);
 
-  // Corrects the state by a detection. Returns the deviance of the innovation, minus twice its
+  // Corrects the state with a detection. Returns the deviance of the innovation, minus twice its
   // log-likelihood: the normalised innovation squared plus the log-determinant of its covariance,
   // up to a constant.
   double correct(const Vec2& seen_m, const BallMotionParameters& parameters);
@@ -112,8 +112,9 @@ struct Walk {
 
 // Samples the path that starts at frame `from` up to frame `to`, which may be earlier. A touch's
 // deviance is that of the gap between ball and hull at that time, plus the deviance of the hulls
-// that the ball has passed through until then. If `to` is earlier, the path began with a touch, so
-// the deviance of a kick also depends on the angle between the robot's heading and the path.
+// that the ball has passed through until then. If `to` is earlier than `from`, the path began with
+// a touch, so the deviance of a kick also depends on the angle between the robot's heading and the
+// path.
 Walk walk(const BallMotionFilter& motion, const FrameHistory& frame_history, std::int64_t from,
           std::int64_t to, const HullIntersectionParameters& parameters);
 

@@ -12,11 +12,12 @@ namespace {
 // If the deviances of rolling and sliding differ by more than this, only the likelier of the two is
 // kept.
 constexpr double kRollsSurely = 20;
-// Hypotheses with this much more deviance than the best are pruned: they cannot catch up. This is
-// twice the deviance of a velocity change with no robot near.
+// Hypotheses with this much more deviance than the best one are pruned, because they cannot catch
+// up. This is twice the deviance of a velocity change with no robot nearby.
 constexpr double kTooUnlikely = 60;
 constexpr double kLeastSliding_mps2 = 3.0;  // friction on the slickest carpet
-constexpr double kBeforeKnown_s = 50_ms;    // the speed after a touch is not known earlier
+constexpr double kBeforeKnown_s = 50_ms;    // the speed after a touch is not known earlier than
+                                            // this
 constexpr std::int64_t kLongestGap = 64;    // frames; after 1 s unseen, tracking starts over
 
 }  // namespace
@@ -81,7 +82,7 @@ const TouchHypothesis* HypothesisTracker::cheapest_sliding() const {
   return cheapest;
 }
 
-// A solid sphere rolls once sliding has taken 2/7 (here 0.3) of the difference between its speed
+// A solid sphere rolls once sliding has removed 2/7 (here 0.3) of the difference between its speed
 // and its spin; the spin is at most that of rolling before the touch.
 bool HypothesisTracker::slides_still(const TouchHypothesis& hypothesis) const {
   const double former_mps = hypothesis.before_mps.norm();
@@ -97,9 +98,9 @@ const TouchHypothesis& HypothesisTracker::cheapest() const {
                            });
 }
 
-// Gates the detection by the likeliest hypothesis. If it is outside the gate, or if a robot or goal
-// was near enough, branches off a soft and a hard touch since the previous detection. The new
-// hypotheses start from the per-side minima of all existing ones, which merges those.
+// Gates the detection with the likeliest hypothesis. If it is outside the gate, or if a robot or
+// goal was near enough, branches off a soft and a hard touch since the previous detection. The new
+// hypotheses start from the per-side minima of all existing ones, and thus merge them.
 void HypothesisTracker::add_touch() {
   const BallMotionParameters& parameters = basis_.parameters.motion;
   const BallMotionFilter& motion = cheapest().motion;
@@ -209,7 +210,7 @@ void HypothesisTracker::forget_unlikely() {
 }
 
 // Merges hypotheses that begin with the same touch: only the likelier one is kept once the ball
-// rolls in both, or once their deviances differ clearly.
+// rolls in both of them, or once their deviances differ clearly.
 void HypothesisTracker::strike_twins(Deviances& deviances) const {
   for (std::size_t i = 0; i < deviances.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {

@@ -1,9 +1,8 @@
 // Runs a multiple-hypothesis tracker over the detections of the ball (Reid 1979).
 //
 // Whenever the ball is near a robot, or an innovation is outside the gate, new hypotheses branch
-// off in which the ball was touched there; the others continue without a touch. The decision about
-// a touch is thus deferred until the ball's later path supports it. The likeliest ten hypotheses
-// are kept.
+// off that assume a touch there; the others continue without one. The decision about a touch is
+// thus deferred until the ball's later path supports it. The ten likeliest hypotheses are kept.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -20,14 +19,14 @@ class HypothesisTracker {
   explicit HypothesisTracker(const HypothesisContext& basis) : basis_(basis) {}
 
   // Processes the frames from `first`, a detection of the ball, to the newest one. The ball's
-  // velocity at `first` is unknown. `before` contains the per-side minima before `first`; returns
+  // velocity at `first` is unknown. `before` contains the per-side minima before `first`. Returns
   // the minima up to the newest frame.
   SideMinima track(std::int64_t first, const SideMinima& before);
 
  private:
-  // With fewer hypotheses some calls change; with more, none do.
+  // With fewer hypotheses, some calls change; with more, no calls change.
   static constexpr std::size_t kMostHypotheses = 10;
-  // A detection adds one hypothesis for rolling and two for a touch.
+  // Each detection adds one hypothesis for rolling and two for a touch.
   using TouchHypotheses = boost::container::static_vector<TouchHypothesis, kMostHypotheses + 4>;
   using Deviances = boost::container::static_vector<double, TouchHypotheses::static_capacity>;
 

@@ -13,19 +13,19 @@ namespace {
 constexpr double kAtRobot_m = 20_mm;
 constexpr double kAlone_m = 400_mm;  // from the ball to the centre of the nearest opponent
 constexpr double kSurelyApartDeviations = 3;
-// A ball slower than this shows neither where it goes nor whence it comes.
+// A ball slower than this shows neither where it is going nor where it comes from.
 constexpr double kMoves_mps = 0.5_mps;
 constexpr double kMovedOn_m = 150_mm;
 constexpr double kBesidePath_m = 150_mm;  // from the ball before the gap to its path after it
 constexpr double kStraight = 0.1;         // change of direction, in radians
 constexpr double kFaster = 1.05;          // carpets slow a ball down; the rest is noise
-// How the percentages of the header fall towards 50: conservative fits.
+// How the percentages in the header fall towards 50; conservative fits.
 constexpr double kStraightLasts_s = 10;
 constexpr double kHolderLasts_s = 2;
 
 double kept_over(double gap_s, double lasts_s) { return (1 + exponential(-gap_s / lasts_s)) / 2; }
 
-// The mean velocity over the newest detections without the last `back` ones.
+// The mean velocity over the newest detections, except the last `back` ones.
 Vec2 velocity_mps(const FrameHistory& frames, int back) {
   const int oldest =
       static_cast<int>(std::min<std::int64_t>(back + kDetectionsAtGap, frames.detections())) - 1;
@@ -99,7 +99,7 @@ std::optional<LastTouch> kept_touch(const BeforeGap& before, const FrameHistory&
     touch.kept = kept_over(gap_s, kHolderLasts_s);
     return touch;
   }
-  // A ball that only rolls is slower at the end, so it takes longer than its last speed says.
+  // A ball that only rolls is slower at the end, so it takes longer than its last speed suggests.
   const double unbraked_s = since_s * before.velocity_mps.norm() / std::max(now_mps.norm(), 1e-9);
   if (!before.last.side || !goes_straight_on(before, now_mps) ||
       !leads_from(before.position_m, now.position_m, now_mps, unbraked_s)) {

@@ -53,7 +53,7 @@ std::optional<BeforeGap> OnlineTouchDetector::before_gap() const {
   return referee::before_gap(frames_, 0, last_, noise_m());
 }
 
-// Takes up what the ball shows after the gap, unless a robot has touched it since.
+// Uses the ball's motion after the gap, unless a robot has touched it since.
 void OnlineTouchDetector::look_back_over_gap() {
   if (last_.side) return gap_.reset();
   if (known_ < kDetectionsAtGap) return;
@@ -61,8 +61,8 @@ void OnlineTouchDetector::look_back_over_gap() {
   gap_.reset();
 }
 
-// Handles a ball that was unseen for a while: unless it moved on as before, a robot touched it that
-// is unknown until more has been seen.
+// Handles a ball that was unseen for a while: unless it moved on as before, a robot touched it.
+// That robot is unknown until more of the ball has been seen.
 void OnlineTouchDetector::resume_after_gap() {
   const BallDetection& now = ball(0);
   const BallDetection& before = frames_[frames_.newest() - 1].ball;
@@ -94,7 +94,7 @@ bool OnlineTouchDetector::is_sudden_change() const {
   return change_mps(1, 0).norm() > explained_mps + noise_mps && !is_landing();
 }
 
-// A landing ball keeps its direction but loses speed, a quarter of it at the first hop.
+// A landing ball keeps its direction but loses speed: a quarter of it at the first hop.
 bool OnlineTouchDetector::is_landing() const {
   const bool in_air =
       ball(0).height_m > 0 || ball(1).height_m > 0 || (known_ > 2 && ball(2).height_m > 0);
@@ -144,7 +144,8 @@ void OnlineTouchDetector::detect_single_touch(double share) {
   const Vec2 met_m = before.position_m + before.velocity_mps * (share * ball(1).duration_s);
   const BallSegment segment{met_m, met_m, share, share};
   const Verdict verdict = verdict_on(segment, 1, {change_mps(2, 0), ball(0).velocity_mps});
-  // If neither a robot nor a goal was near, there was more than one touch: keep the first verdict.
+  // If neither a robot nor a goal was near, there was more than one touch, so the first verdict is
+  // kept.
   if (!verdict.is_touch && gap_to_goals_m(field_, segment) > parameters_.reach_m) return;
   last_ = settled_;
   conclude(verdict, 1, change_mps(2, 0));
@@ -194,8 +195,8 @@ bool OnlineTouchDetector::carries_ball(RobotId id) const {
 
 // Whether the robot pushed the ball so softly that its velocity did not change suddenly. The hull
 // must have touched the ball, and the ball must have accelerated away from the hull. The
-// acceleration must be large enough under both assumptions about friction: that it stayed as it was
-// just before, and that it ceased because the ball began to roll.
+// acceleration must be large enough under both possible assumptions about friction: that it stayed
+// the same as just before, and that it ceased because the ball began to roll.
 bool OnlineTouchDetector::pushed_softly(const RobotObservation& robot) const {
   if (!(gap_to_robot_m(robot, ball(1).position_m) <= touching_m())) return false;
   const double duration_s = ball(0).duration_s;
@@ -217,7 +218,7 @@ double OnlineTouchDetector::touching_m() const {
   return parameters_.touching_m + kMaybe * parameters_.position_noise_m;
 }
 
-// Detects, a few frames later, soft touches that noise hides between single frames.
+// Detects, a few frames later, soft touches that are hidden by noise between single frames.
 void OnlineTouchDetector::detect_velocity_change() {
   if (parameters_.position_noise_m <= 0) return;
   const std::optional<VelocityChange> change = velocity_changes_.update();

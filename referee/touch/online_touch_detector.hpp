@@ -4,12 +4,12 @@
 // Deviation D16: the paper's AutoRef takes c as given.
 //
 // docs/touch-detection.md describes two detectors; this is the online touch detector. It judges
-// each frame by the most recent detections of the ball. A touch is visible in the ball's motion:
+// each frame from the most recent detections of the ball. A touch is visible in the ball's motion:
 // its velocity or position changes by more than carpet and noise can explain while a robot's hull
 // is at the ball, or the ball stays at a moving hull and moves along with it. A robot that is
-// merely near did not touch the ball, and a velocity change with no robot near (a post, a wall) is
-// not a touch. If robots of both sides explain a velocity change about equally well, the last touch
-// is unknown.
+// merely nearby did not touch the ball, and a velocity change with no robot nearby (from a post or
+// a wall) is not a touch. If robots of both sides explain a velocity change about equally well, the
+// last touch is unknown.
 //
 // The referee restarts the detector when play starts and updates it after each frame of play.
 #pragma once
@@ -44,11 +44,11 @@ class OnlineTouchDetector {
   // Forgets all touches. Call after FrameHistory::restart().
   void restart();
 
-  // What is known now, before a gap in vision. Call before FrameHistory::restart(); nullopt if the
-  // ball has not been seen in this play.
+  // What is known before a gap in vision. Call before FrameHistory::restart(); nullopt if the ball
+  // has not been seen in this play.
   std::optional<BeforeGap> before_gap() const;
 
-  // Goes on after that gap. Call after restart().
+  // Continues after that gap. Call after restart().
   void resume(const BeforeGap& before) { gap_ = before; }
 
   // Judges the newest frame of the history, if it has a ball.
@@ -88,13 +88,13 @@ class OnlineTouchDetector {
   Field field_;
   TouchParameters parameters_;
   double robot_noise_m_ = 0;
-  std::int64_t judged_ = 0;  // detections of the history
+  std::int64_t judged_ = 0;  // number of detections in the history
   int known_ = 0;            // detections since play started or the ball was lost, up to kUsed
   bool is_open_ = false;     // the next frame may revise the newest velocity change
   LastTouch settled_;        // the last touch before that velocity change
   VelocityChangeDetector velocity_changes_;
   double changed_s_ = 0;          // time of the last velocity change seen from frame to frame
-  std::optional<BeforeGap> gap_;  // until enough of the ball has been seen since the newest gap
+  std::optional<BeforeGap> gap_;  // until the ball has been seen often enough since the newest gap
   LastTouch last_;
 };
 

@@ -11,7 +11,8 @@
 namespace autoref::referee {
 namespace {
 
-// Distances that differ by less are equal: rounding differs between the two ends of the field.
+// Distances that differ by less than this are equal: rounding differs between the two ends of the
+// field.
 constexpr double kNearer_m = 0.05e-3;
 
 // The result if either side may have made the last touch.

@@ -5,7 +5,7 @@
 // of the ball (hull_intersections.hpp), with touches in between. A hypothesis is scored by the
 // likelihood of the detections, the prior probability of each touch, and the likelihood of the
 // robot that made it (hull_intersections.hpp). The path before a touch must lead to that robot's
-// hull; the path after it must come from there, or out of its dribbler zone along its heading,
+// hull; the path after it must start there, or in the robot's dribbler zone along its heading,
 // without passing through other robots. A touch that noise hides at first is thus revealed by the
 // ball's later path.
 //
@@ -34,8 +34,8 @@ class RetrospectiveTouchDetector {
   RetrospectiveTouchDetector& operator=(const RetrospectiveTouchDetector&) = delete;
 
   // The last touch; its side is empty if either side may have made it. `reported` is the online
-  // detector's last touch: the answer if nobody touched the ball within the window of
-  // TouchHypothesisParameters, or within the frames kept if there is no earlier touch.
+  // detector's last touch. It is also the answer if nobody touched the ball within the window of
+  // TouchHypothesisParameters, or within the stored frames if there is no earlier touch.
   LastTouch detect(const LastTouch& reported) const;
 
  private:

@@ -7,13 +7,13 @@
 namespace autoref::referee {
 namespace {
 
-// No ball is faster.
+// No ball is faster than this.
 constexpr double kFastest_mps = 15;
 constexpr double kSlack_m = 0.2;
-// Two cameras project a high ball to points so far apart.
+// Two cameras can project a high ball to points that are this far apart.
 constexpr double kBetweenCameras_m = 2;
 
-// After a longer gap in vision, nothing is inferred across it.
+// Nothing is inferred across a longer gap in vision.
 constexpr double kLongestGap_s = 1;
 
 }  // namespace
@@ -50,7 +50,7 @@ void BallJumpFilter::filter(Frame& frame) {
   pending_.clear();
 }
 
-// Whether the ball is where the pending ones lead rather than where the accepted ones do.
+// Whether the ball is where the pending detections lead rather than the accepted ones.
 bool BallJumpFilter::follows_pending(const Detection& now) const {
   if (pending_.empty()) return false;
   const Detection before = detection_in(pending_.back());
@@ -81,7 +81,7 @@ bool Sight::add(const Frame& frame, bool is_play) {
   return is_gap;
 }
 
-// Begins afresh, except for what the ball shows later of the last touch.
+// Begins afresh, but keeps what is needed to infer the last touch from the ball's later motion.
 void Sight::forget(bool is_play) {
   if (is_play) before_gap_ = online_touch_.before_gap();
   ball_.reset();
@@ -116,8 +116,8 @@ void Sight::add_unseen_robots() {
   }
 }
 
-// Without a reported height, a flying ball is not where the camera projects it: use the tracker's
-// position.
+// Without a reported height, a flying ball is not where the camera projects it, so the tracker's
+// position is used.
 void Sight::lift_ball() {
   // If the frame is not newer than the last one, the tracker has no ball.
   if (!frame_.ball || frame_.ball->height_m || !tracks_.ball) return;
@@ -157,8 +157,8 @@ void Sight::join_play() {
     if (before_gap_) online_touch_.resume(*std::exchange(before_gap_, std::nullopt));
     return;
   }
-  // The ball counts as at rest where it has appeared, so that a robot that kicks it away at once is
-  // seen to touch it.
+  // The ball counts as being at rest where it appeared, so that a robot that kicks it away
+  // immediately is seen to touch it.
   const BallJumpFilter::Frames& jumped = ball_jump_.jumped();
   begin_play(jumped.front(), jumped.front().ball->position_m);
   for (const Frame& frame : jumped) {

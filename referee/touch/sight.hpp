@@ -1,5 +1,5 @@
-// What the referee sees of a game: the current frame, with what the tracks add to it, the ball, and
-// who touched it in the current play.
+// The referee's view of a game: the current frame, completed with estimates from the tracks, the
+// ball, and who touched it in the current play.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -15,19 +15,19 @@
 
 namespace autoref::referee {
 
-// Detects that the ball of a recorded or live game has been replaced: that it is suddenly farther
-// away than any ball can fly. A false detection does not last; a ball that somebody has put
-// elsewhere does.
+// Detects that the ball of a recorded or live game has been replaced: it is suddenly farther away
+// than any ball can fly. A false detection does not last; a ball that somebody has moved stays
+// there.
 class BallJumpFilter {
  public:
-  static constexpr std::size_t kConfirmed = 3;  // detections at the new place, in a row
+  static constexpr std::size_t kConfirmed = 3;  // consecutive detections at the new position
   using Frames = boost::container::static_vector<Frame, kConfirmed>;
 
   // Removes the ball from a frame if it is too far from the last accepted one. Once kConfirmed
-  // successive balls agree, the newest is kept; the frames with all of them are then in jumped().
+  // consecutive detections agree, the newest is kept; jumped() then returns all of their frames.
   void filter(Frame& frame);
 
-  // The frames since the ball's jump if this frame has confirmed it, otherwise empty.
+  // The frames since the ball's jump, if this frame has confirmed it; otherwise empty.
   const Frames& jumped() const { return jumped_; }
 
   void forget();
@@ -42,26 +42,26 @@ class BallJumpFilter {
   static bool is_possible(const Detection& from, const Detection& to);
   bool follows_pending(const Detection& now) const;
 
-  std::optional<Detection> last_;  // accepted
+  std::optional<Detection> last_;  // the last one accepted
   Frames pending_;
   Frames jumped_;
 };
 
 class Sight {
  public:
-  // `ball_may_jump`: in recorded and live games, a ball that is suddenly farther away than any ball
-  // can fly is ignored until it has been seen there several times.
+  // If `ball_may_jump` (recorded and live games), a ball that is suddenly farther away than any
+  // ball can fly is ignored until it has been seen there several times.
   Sight(const Configuration& configuration, bool ball_may_jump);
   Sight(const Sight&) = delete;
   Sight& operator=(const Sight&) = delete;
 
-  // Adds the next frame, without objects that have non-finite numbers or a ball that jumps.
-  // Returns true after a long gap: then the earlier frames are forgotten. While play is stopped
-  // (`is_play` is false), a ball may jump, since people move it.
+  // Adds the next frame, without objects that have non-finite numbers or a ball that jumps. Returns
+  // true after a long gap, when the earlier frames are forgotten. While play is stopped (`is_play`
+  // is false), a ball may jump, since people move it.
   bool add(const Frame& frame, bool is_play);
 
-  // Adds the tracks' estimates of unseen robots and of a flying ball to that frame. Call it once
-  // for each frame (asserted).
+  // Adds the tracks' estimates of unseen robots and of a flying ball to that frame. Must be called
+  // exactly once for each frame (asserted).
   void complete(const Tracks& tracks);
 
   // Whether a frame has been completed.
@@ -71,19 +71,20 @@ class Sight {
   const std::optional<BallSight>& ball() const { return ball_; }
   const FrameHistory& history() const { return history_; }
   const LastTouch& last_touch() const { return online_touch_.last(); }
-  // The last touch according to everything seen since, for a ball that has just left the field.
+  // The last touch, judged in hindsight from everything seen since then, for a ball that has just
+  // left the field.
   LastTouch last_touch_in_hindsight() const {
     return retrospective_touch_.detect(online_touch_.last());
   }
 
-  // A play begins in this frame, with the ball at rest at `ball_from_m`; nullopt if its beginning
+  // Begins a play in this frame, with the ball at rest at `ball_from_m`; nullopt if its beginning
   // was not seen.
   void begin_play(const Frame& frame, const std::optional<Vec2>& ball_from_m);
-  // Forgets how the current play began; it has to be joined in this frame.
+  // Forgets how the current play began, so it has to be joined in this frame.
   void rejoin_play() { joins_ = true; }
   // The frame in which the current play has to be joined; null if it is followed already.
   const Frame* frame_to_join() const;
-  // Begins to follow the play in that frame, which must not be null.
+  // Starts following play in that frame, which must not be null.
   void join_play();
 
   // Follows the ball and its touches through this frame, unless the play has to be joined in it.
@@ -100,11 +101,11 @@ class Sight {
   Tracks tracks_;
   std::optional<BallSight> ball_;
   bool has_begun_ = false;
-  bool is_complete_ = true;              // whether frame_ is
+  bool is_complete_ = true;              // whether frame_ is complete
   bool joins_ = false;                   // play is joined afresh in this frame
-  std::optional<BeforeGap> before_gap_;  // then, after a gap in vision
+  std::optional<BeforeGap> before_gap_;  // used when joining play after a gap in vision
   bool was_lifted_ = false;              // whether lift_ball() moved the ball in the previous frame
-  FrameHistory history_;                 // of the current play
+  FrameHistory history_;                 // frames of the current play
   OnlineTouchDetector online_touch_;
   RetrospectiveTouchDetector retrospective_touch_;
   BallJumpFilter ball_jump_;

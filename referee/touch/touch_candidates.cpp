@@ -17,7 +17,7 @@ struct CandidatePose {
   Vec2 heading{1, 0};
 };
 
-// A robot between two detections.
+// A robot's motion between two detections.
 class Motion {
  public:
   Motion(const RobotObservation& before, const RobotObservation& after)

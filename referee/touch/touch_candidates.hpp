@@ -1,5 +1,5 @@
 // Which robots may have touched the ball on a short segment of its path, and which are in contact
-// with it.
+// with it now.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -35,7 +35,7 @@ struct Impulse {
 struct Candidate {
   RobotId robot;
   double gap_m = 0;       // gap from the ball's surface to the hull, at the closest approach
-  double share = 0;       // time of the closest approach
+  double share = 0;       // time of the closest approach, as a fraction
   bool explains = false;  // whether a push or kick by the robot explains the velocity change
 };
 using Candidates = boost::container::static_vector<Candidate, 2 * kMaxRobots>;
@@ -61,8 +61,8 @@ const RobotObservation* find_robot(const SeenRobots& robots, int number);
 
 // Whether the robot is in contact with the ball. Contact begins when the gap between hull and ball
 // is below 1 mm plus one standard deviation of `noise`, and ends with "an observable separation
-// between the ball and the robot" (Laws 12; 2026, Dribbling), taken as 20 mm. `had` is whether it
-// was in contact in the previous frame. A ball above the robot is not in contact.
+// between the ball and the robot" (Laws 12; 2026, Dribbling), taken to be 20 mm. `had` says whether
+// it was in contact in the previous frame. A ball above the robot is not in contact.
 bool has_ball(const TrackedRobot& robot, const TrackedBall& ball, bool had,
               const tracking::VisionNoise& noise);
 

@@ -10,7 +10,7 @@
 namespace autoref::referee {
 namespace {
 
-// Ball and hull are apart if the gap exceeds this plus three standard deviations.
+// Ball and hull are apart if the gap exceeds this distance plus three standard deviations.
 constexpr double kHistoryApart_m = 20_mm;
 constexpr double kSureDeviations = 3;
 // Touches by unknown robots count as one unless they are this far apart in time: three frames.
@@ -50,7 +50,7 @@ void locate_end(BallTouch& touch, const FrameHistory& frames) {
   if (robot == nullptr) return;
   touch.toucher = *robot;
   if (ball == nullptr) return;
-  // A touch is reported up to a frame late, when the ball may have left the robot.
+  // A touch is reported up to a frame late, when the ball may already have left the robot.
   const Vec2& before_m = frames.ball_before(ball->time_s - kNoTime_s)->position_m;
   if (gap_to_robot_m(*robot, before_m) < gap_to_robot_m(*robot, touch.ended_m)) {
     touch.ended_m = before_m;

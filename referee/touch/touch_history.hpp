@@ -1,8 +1,8 @@
 // The touches of the ball since play started, in order, and the ball's motion between them.
 //
-// Built from the last touch that the online detector reports in each frame. Touches by one robot
-// count as one until the ball has separated from its hull. When the detector shortly afterwards
-// changes a touch's robot or time, or withdraws the touch, the history follows.
+// Built from the last touch that the online detector reports in each frame. Repeated touches by one
+// robot count as one until the ball has separated from its hull. If the detector changes a touch's
+// robot or time shortly afterwards, or withdraws the touch, the history follows.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -40,12 +40,12 @@ class TouchHistory {
   int count() const { return count_; }
   int kept() const { return static_cast<int>(kept_.size()); }
   bool has(int back) const { return back < kept(); }
-  // The `back`-th touch before the newest one; must be kept.
+  // The `back`-th touch before the newest one; it must still be stored.
   const BallTouch& at(int back) const {
     return kept_[kept_.size() - 1 - static_cast<std::size_t>(back)];
   }
   const BallTouch* newest() const { return kept_.empty() ? nullptr : &kept_.back(); }
-  // Whether at most one robot has touched the ball; an unknown toucher counts as a second robot.
+  // Whether at most one robot has touched the ball; an unknown robot counts as a second one.
   bool is_one_robots() const;
 
  private:

@@ -81,7 +81,8 @@ const HullIntersection* intersection_with(const HullIntersections& intersections
 }
 
 // Deviance of a touch by that robot, given the paths before and after. Either it was the only touch
-// between the two frames, or there was another one; then the path after need not fit this robot.
+// between the two frames, or there was another one; in that case, the path after need not fit this
+// robot.
 double deviance_of(const TouchSource& source, const HullIntersection* after, double goal_deviance,
                    const TouchHypothesisParameters& p) {
   double deviance = std::min(source.bounce_deviance, source.kick_deviance) +

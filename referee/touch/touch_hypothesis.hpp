@@ -1,4 +1,4 @@
-// A hypothesis about the ball's motion: free motion, with touches in between, and what caused them.
+// A hypothesis about the ball's motion: free motion, the touches in between, and their causes.
 //
 // A deviance is minus twice a log-likelihood, up to a constant that all hypotheses share: the sum
 // of normalised innovations squared and log-determinants. It has no unit; the difference of two is
@@ -18,10 +18,10 @@
 
 namespace autoref::referee {
 
-// Parameters of the retrospective touch detector (retrospective_touch_detector.hpp).
-// Deviances are minus twice log-likelihoods. They are priors of events, or upper limits that make
-// the likelihoods robust against outliers. The values were tuned on games between two `basic`
-// teams, seeds 5001 to 5020.
+// Parameters of the retrospective touch detector (retrospective_touch_detector.hpp). Deviances are
+// minus twice log-likelihoods. Those below are priors of events, or upper limits that make the
+// likelihoods robust against outliers. The values were tuned on games between two `basic` teams,
+// seeds 5001 to 5020.
 struct TouchHypothesisParameters {
   // The window starts `window_s` before the ball left the field, or `before_reported_s` before the
   // online detector's last touch, whichever is earlier.
@@ -42,7 +42,8 @@ struct TouchHypothesisParameters {
   double landing_deviance = 4;    // a flying ball that loses speed
   double roll_deviance = 4;       // the ball begins to roll in this frame
   double post_off_m = 3_mm;       // standard deviation of the gap at a bounce off a goal
-  // If the deviances of the two sides differ by less, the nearer robot touched the ball last.
+  // If the deviances of the two sides differ by less than this, the nearer robot touched the ball
+  // last.
   double lead_deviance = 1.5;
 };
 
@@ -82,7 +83,7 @@ struct TouchHypothesis {
   std::int64_t before = 0;     // the detection before that frame; equals `start` if there is none
   int detections = 0;          // since the last touch
   bool is_soft = false;        // whether the last touch was a brush
-  bool jumps = false;          // instead of a touch, the ball's position jumped
+  bool jumps = false;          // it begins with a jump of the ball's position, not with a touch
   double motion_deviance = 0;  // deviance of the detections since the last touch
   Vec2 before_mps{0, 0};       // velocity before the touch
   double goal_deviance = kNever;    // deviance of a bounce off a goal, given the path before
@@ -94,18 +95,19 @@ struct TouchHypothesis {
   double deviance() const { return minima.least() + motion_deviance; }
 };
 
-// What caused the touch that a hypothesis begins with: a robot, a goal's post or wall, or nothing.
+// The cause of the touch with which a hypothesis begins: a robot, a goal's post or wall, or
+// nothing.
 //
-// The path before the touch must lead to the robot's hull, and the path after it must come from
-// there (hull_intersections.hpp). The path before is known when the hypothesis begins; the path
-// after is estimated from the detections that follow.
+// The path before the touch must lead to the robot's hull, and the path after it must start there
+// (hull_intersections.hpp). The path before is known when the hypothesis begins; the path after is
+// estimated from the detections that follow.
 
 // Whether a robot or a goal may have been on the ball's path from the frame `former` to the frame
 // `now`; `onwards_m` is the predicted position of an untouched ball.
 bool may_be_touched(const HypothesisContext& basis, std::int64_t former, std::int64_t now,
                     const Vec2& onwards_m);
 
-// Deviance of a bounce off a goal's post or wall between these frames, given the path before;
+// Deviance of a bounce off a goal's post or wall between these frames, given the path before it;
 // kNever if no goal is near.
 double goal_deviance_of(const HypothesisContext& basis, std::int64_t former, std::int64_t now,
                         const Vec2& onwards_m);

@@ -33,7 +33,7 @@ Ranking ranking_of(const Candidates& candidates, Side side) {
   return ranking;
 }
 
-// Whether `a` touched the ball rather than `b`; false if neither explains the velocity change.
+// Whether `a` rather than `b` touched the ball; false if neither explains the velocity change.
 bool is_clearly_better(const Candidate& a, const Candidate* b, const TouchParameters& p) {
   if (b == nullptr) return true;
   if (!a.explains) return false;

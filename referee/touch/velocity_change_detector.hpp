@@ -1,5 +1,5 @@
-// Detects changes of the ball's velocity that noise hides between two frames, but not over several,
-// and attributes touches.
+// Detects changes of the ball's velocity that noise hides between two frames but not over several,
+// and attributes the touches.
 //
 // A two-window change detector (Gustafsson 2000; docs/touch-detection.md): least-squares lines are
 // fitted to the five detections that end with each detection and to the five that begin with it. If
@@ -73,10 +73,10 @@ struct Verdict {
 };
 
 // Candidates that explain the velocity change come before those that do not, unless the ball is
-// pinned against one of the latter. Among equals, the side that is nearer by `lead_m` touched the
-// ball; otherwise the side is unknown. If a goal is about as near as the best robot, the touch is
-// unknown, unless that robot's side touched the ball before (`had_it`); if a goal is clearly
-// nearer, there was no touch.
+// pinned against one of the latter. If several are equally good, the side that is nearer by
+// `lead_m` touched the ball; if neither is, the side is unknown. If a goal is about as near as the
+// best robot, the touch is unknown, unless that robot's side touched the ball before (`had_it`); if
+// a goal is clearly nearer, there was no touch.
 Verdict attribute_touch(const Candidates& candidates, double gap_to_goals_m,
                         std::optional<Side> had_it, const TouchParameters& parameters);
 

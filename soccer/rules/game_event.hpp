@@ -1,5 +1,5 @@
-// The league's game events as plain values: what an automatic referee reports to the league's game
-// controller, and what the controller decided on.
+// The league's game events as plain values: those that an automatic referee reports to the league's
+// game controller, and those that the controller decided on.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ std::string_view name_of(GameEventType type);
 // The type with that name; nullopt if there is none.
 std::optional<GameEventType> game_event_type(std::string_view name);
 
-// One event. Each type uses some of the optional members; the league's messages say which
+// One event. Each type uses some of the optional members, as described in the league's messages
 // (league/messages/game_event.proto).
 struct GameEvent {
   GameEventType type = GameEventType::kUnknown;
@@ -37,15 +37,15 @@ struct GameEvent {
   std::string id;
 
   std::optional<Side> by_team;       // nullopt if unknown
-  std::optional<Side> kicking_team;  // of a goal
-  // Robots' numbers.
+  std::optional<Side> kicking_team;  // for a goal
+  // Robot numbers.
   std::optional<int> by_bot;
   std::optional<int> kicking_bot;
   std::optional<int> violator;
   std::optional<int> victim;
   std::optional<int> bot_yellow;
   std::optional<int> bot_blue;
-  // Numbers of robots.
+  // Numbers of robots, as counts.
   std::optional<int> num_robots_by_team;
   std::optional<int> num_robots_allowed;
   std::optional<int> num_robots_on_field;
@@ -82,7 +82,8 @@ struct GameEvent {
   bool operator==(const GameEvent&) const = default;
 };
 
-// Calls `visit(name, member)` for each member that depends on the type, with the league's name.
+// Calls `visit(name, member)` for each member that depends on the type, with its name in the
+// league's messages.
 template <typename Event, typename Visitor>
 void visit_fields(Event& event, Visitor&& visit) {
   visit("by_team", event.by_team);

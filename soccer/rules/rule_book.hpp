@@ -1,5 +1,5 @@
-// The referee's rules by name, which a game file switches on or off; the rule books, which contain
-// rules and their parameters; and the rules that a team keeps to.
+// The referee's rules by name, which a game file can switch on or off; the rule books, which
+// contain rules and their parameters; and the rules that a team obeys.
 #pragma once
 
 #include <array>
@@ -54,7 +54,7 @@ class RuleSet {
 
 // The rules in force and their parameters, each with its source.
 
-// Which edition a rule book follows; the divisions within an edition differ in numbers.
+// Which edition a rule book follows. The divisions of an edition differ only in numbers.
 enum class Edition : std::uint8_t { kPaper, kLaws2014, kRules2026 };
 
 // The rules of an edition, from rules.def. For the paper: the rules it describes (section 4.2) and
@@ -106,16 +106,17 @@ struct RuleEntry {
   RuleId rule{};
   std::string_view name{};   // in snake_case
   std::string_view about{};  // what it forbids or grants
-  // Its section in each edition, for example "Laws 12"; empty if the edition lacks the rule.
+  // Its section in each edition, for example "Laws 12"; empty if the edition does not have the
+  // rule.
   std::string_view paper{};
   std::string_view laws_2014{};
   std::string_view rules_2026{};
   double RuleBook::*threshold = nullptr;  // nullptr for rules without a single number
-  // Whether a team can keep to it by what its robots do. The other rules say how a game proceeds:
-  // what scores, which restart follows, and when the game ends.
+  // Whether a team can obey it by what its robots do. The other rules say how a game proceeds: what
+  // scores, which restart follows, and when the game ends.
   bool of_conduct = false;
-  // Whether it is also judged in a shoot-out: rules on fouls, on robots in a stop, and on penalty
-  // kicks. Rules that lead to another restart than a penalty kick are not.
+  // Whether it also applies in a shoot-out. True for rules on fouls, on robots during a stop, and
+  // on penalty kicks, but not for rules that lead to a restart other than a penalty kick.
   bool in_shootout = false;
 
   // Its section in the given edition.
@@ -129,13 +130,13 @@ std::span<const RuleEntry> rule_table();
 const RuleEntry& entry_of(RuleId rule);
 
 // The rule's section in the book's own edition, or "AutoRef" if the rule was switched on although
-// the edition lacks it.
+// the edition does not have it.
 std::string_view section_of(const RuleBook& rules, RuleId rule);
 
-// The rules that a team keeps to: those in force, and those of the laws that its members know.
-// This is `match` with the rules of conduct of `laws` added that the match does not enforce. Their
-// thresholds are those of `laws`, unless the match enforces another rule with the same threshold.
-// All else is the match's: the edition, restarts, penalty kicks and cards.
+// The rules that a team obeys: those of `match`, plus any rules of conduct in `laws` (the rules
+// that its members know) that the match does not enforce. The thresholds of these are those of
+// `laws`, unless the match enforces another rule with the same threshold. All else comes from the
+// match: the edition, restarts, penalty kicks and cards.
 RuleBook obeyed_rules(const RuleBook& match, const RuleBook& laws);
 
 }  // namespace autoref

@@ -13,8 +13,10 @@
 namespace autoref::strategies::basic {
 namespace {
 
-constexpr double kTakerWaits_m = 0.5;  // from the ball: within it, a restart's taker stands still
-constexpr int kSidesteps = 12;         // limit on sidesteps from the ball's path to the goal
+constexpr double kTakerWaits_m = 0.5;  // from the ball: within this distance, a restart's taker
+                                       // stands still
+constexpr int kSidesteps = 12;         // maximum number of sidesteps from the ball's path to the
+                                       // goal
 
 // If kicks above the limit are fouls, the team's kicks stay below it by more than the kickers'
 // error.
@@ -55,7 +57,8 @@ Limits Basic::limits_for(bool is_keeper) const {
   return limits;
 }
 
-// Once per decision. A robot ignores itself: it is at no distance along its own path.
+// Called once per decision. Robots need not exclude themselves, since a robot is at no distance
+// along its own path.
 void Basic::find_obstacles() {
   const double clearance_m = 2 * kRobotRadius_m + style_.robot_gap_m;
   robots_.clear();
@@ -129,11 +132,11 @@ Intent Basic::attack_intent(const TrackedRobot& attacker) const {
   }
   Intent intent{aim.target_m, kick_mps};
   const double distance_m = std::max(0.1, (aim.target_m - ball_m).norm());
-  // The tolerance is a fraction of the angle that the free lane subtends, seen from the ball.
+  // The tolerance is a fraction of the angle that the free lane subtends, as seen from the ball.
   intent.tolerance_rad = std::clamp(
       style_.aim_share * std::min(aim.clearance_m, style_.free_lane_m) / distance_m, 0.04, 0.2);
   if (is_pressed() && now_.play == Play::kRunning) intent.hasty_mps = style_.push_mps;
-  // A ball that is pushed along before it is kicked would count as touched twice.
+  // A ball that is pushed along before it is kicked would count as being touched twice.
   const bool touches_once = context_.rules.has(RuleId::kAttackerDoubleTouchedBall);
   if (touches_once && is_restart(now_.play)) intent.hasty_mps = kick_mps;
   return intent;
@@ -165,7 +168,7 @@ RobotCommand Basic::keep(int index, const RoleAssignment& assignment) const {
   return drive_to(robot, waypoint_of(index, assignment), {}, driving_);
 }
 
-// Whether the attacker may go for the ball now without breaking a rule.
+// Whether the attacker can go for the ball now without breaking a rule.
 bool Basic::may_play_ball() const {
   if (now_.play != Play::kRunning) return now_.ours && is_restart(now_.play);
   const double to_area_m =
@@ -176,14 +179,14 @@ bool Basic::may_play_ball() const {
   return !is_theirs && (now_.own.size() == 1 || to_area_m > kFrontDistance_m);
 }
 
-// Number of the robot that must not touch the ball, -1 if all may.
+// The number of the robot that must not touch the ball; -1 if all robots may.
 int Basic::barred_from_ball() const {
   const bool is_barred = now_.play == Play::kRunning && now_.own.size() > 1 &&
                          context_.rules.has(RuleId::kAttackerDoubleTouchedBall);
   return is_barred ? taker_.number() : -1;
 }
 
-// Whether the robot might run into the ball that it must not touch.
+// Whether the robot might run into a ball that it must not touch.
 bool Basic::must_wait(const TrackedRobot& robot) const {
   return robot.number == barred_from_ball() &&
          (robot.position_m - now_.ball.position_m).norm() < kTakerWaits_m;
@@ -219,8 +222,8 @@ void Basic::play(TeamCommands& commands) {
   }
 }
 
-// A separate position for each robot that depends only on the ball's position, so that everybody
-// comes to rest and play can continue.
+// A separate position for each robot that depends only on the ball's position, so that all robots
+// come to rest and play can continue.
 Waypoint Basic::formation_of(int index) const {
   const Field& field = context_.field;
   const bool alone = now_.own.size() == 1;
@@ -253,8 +256,8 @@ Vec2 Basic::allowed(const Vec2& wanted_m, const Vec2& ball_m, const Limits& limi
   return position_m;
 }
 
-// Where a robot that is too close to the ball in a stop drives first; nullopt if the robot is far
-// enough away, or if the rule book has no such distance.
+// The position to which a robot that is too close to the ball in a stop drives first; nullopt if
+// the robot is far enough away, or if the rule book does not require a distance.
 std::optional<Vec2> Basic::position_off_ball(const Vec2& from_m) const {
   const double keep_m = room_at_ball_m() + kRobotRadius_m + 10_mm;
   const Vec2 off_m = from_m - ball_target_m_;
@@ -288,7 +291,8 @@ void Basic::line_up(TeamCommands& commands) {
   }
 }
 
-// Until the ball is in play, only kicker and keeper matter; the other robots wait behind the ball.
+// Until the ball is in play, only the kicker and the keeper matter; the other robots wait behind
+// the ball.
 void Basic::stand_at_penalty(TeamCommands& commands) {
   const int kicker = now_.ours ? penalty_kicker(now_, ball_target_m_) : -1;
   for (int i = 0; i < static_cast<int>(now_.own.size()); ++i) {

@@ -50,9 +50,9 @@ class Basic final : public Strategy {
   DrivingStyle driving_;
   LookAhead look_ahead_;
   TeamView now_;      // the view, extrapolated to when commands take effect
-  Obstacles robots_;  // what robots drive around
+  Obstacles robots_;  // the obstacles that robots drive around
   Obstacles robots_and_ball_;
-  Vec2 ball_target_m_{0, 0};  // the ball, or where the referee is about to place it
+  Vec2 ball_target_m_{0, 0};  // the ball, or the position where the referee is about to place it
   int former_attacker_ = -1;
   RestartTaker taker_;
   TeamRequests requests_;

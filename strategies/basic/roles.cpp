@@ -33,7 +33,7 @@ void choose_attacker(const TeamView& view, const Field& field, const Style& styl
   for (int i = 0; i < static_cast<int>(view.own.size()); ++i) {
     if (taken[i] || view.own[i].number == barred) continue;
     const Interception interception = intercept(view.own[i], ball);
-    // Hysteresis, so that two robots equally near do not alternate.
+    // Hysteresis, so that the role does not alternate between two equally near robots.
     const double bonus_s = view.own[i].number == former_attacker ? style.loyalty_s : 0.0;
     const double time_s = time_behind_ball_s(view.own[i], interception,
                                              field.goal_centre_m(Side::kEast), style.go_round_s) -
@@ -88,7 +88,7 @@ Waypoint keeper_position(const Field& field, const Style& style, const TrackedBa
   const double line_x = -field.half_length_m() + kRobotRadius_m + style.margin_m;
   const double reach_m = field.half_goal_m() - kRobotRadius_m / 2;
   // At a shot, the keeper stands where the ball's straight path crosses the keeper's line.
-  // Otherwise its offset from the middle is proportional to the sine of the ball's direction.
+  // Otherwise, its offset from the middle is proportional to the sine of the ball's direction.
   double y = 0;
   if (ball.velocity_mps.x() < -style.keeper_shot_mps && ball.position_m.x() > line_x) {
     y = ball.position_m.y() +
@@ -105,12 +105,12 @@ Waypoint wall_position(const Field& field, const Style& style, const Vec2& ball_
   const Vec2 goal_m = own_goal_m(field);
   const Vec2 direction = direction_of(ball_m - goal_m, Vec2(1, 0));
   // The approximate distance from the goal to the area's edge: the area's depth straight ahead, and
-  // more towards the sides.
+  // more to the sides.
   const double off_m = field.defence_area.depth_m +
                        field.defence_area.straight_m / 2 * std::abs(direction.y()) +
                        kRobotRadius_m + 2 * style.margin_m;
-  // The second robot stands on the side of the middle, as close to the first as obstacle avoidance
-  // allows.
+  // The second robot stands on the side towards the middle, as close to the first as obstacle
+  // avoidance allows.
   const double aside = ball_m.y() > 0 ? -1.0 : 1.0;
   return facing_ball(
       goal_m + direction * off_m + left_of(direction) * (aside * style.wall_gap_m * order), ball_m);

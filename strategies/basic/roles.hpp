@@ -1,4 +1,5 @@
-// The robots of `basic`: its tunables, the roles, and positions of those that do not play the ball.
+// The robots of `basic`: its tunables, the roles, and the positions of robots that do not play the
+// ball.
 #pragma once
 
 #include <array>
@@ -27,11 +28,11 @@ struct Style {
   }
 };
 
-// The keeper's position: in the path of a shot, otherwise between the ball and the goal's centre.
+// The keeper's position: in the path of a shot, or else between the ball and the goal's centre.
 Waypoint keeper_position(const Field& field, const Style& style, const TrackedBall& ball);
 
 // A position in front of the team's own area, on the line from the ball to the goal's centre. The
-// second robot (`order` 1) stands beside the first.
+// second robot (`order` 1) stands next to the first.
 Waypoint wall_position(const Field& field, const Style& style, const Vec2& ball_m, int order);
 
 // A position close to an opponent, on its path to the team's own goal, facing the ball.
@@ -42,13 +43,13 @@ Waypoint marker_position(const Field& field, const Style& style, const TrackedRo
 // side away from the ball; the others are spread along and across the field. `order` counts from 0.
 Waypoint supporter_position(const Field& field, const Style& style, const Vec2& ball_m, int order);
 
-// A separate position in the team's own half for each robot beyond the first four while play is
+// A separate position in the team's own half for each robot beyond the first four, while play is
 // stopped. `index` counts from 0.
 Waypoint reserve_position(const Field& field, const Vec2& ball_m, int index);
 
 enum class Role : std::uint8_t { kKeeper, kAttacker, kWall, kSupporter, kMarker };
 
-// One robot's role. For markers, also the opponent (index in the view).
+// One robot's role and, for markers, the opponent (index in the view).
 struct AssignedRole {
   Role role = Role::kSupporter;
   int marks = -1;
@@ -62,12 +63,12 @@ struct RoleAssignment {
   Interception interception;  // where and when the attacker reaches the ball
 };
 
-// Assigns the roles. The lowest number keeps the goal, unless it is alone. The robot that meets the
-// ball first attacks; `former_attacker`, a robot's number, continues unless another is clearly
-// faster. The robot nearest to the team's own goal forms the wall, with five or more robots also
-// the second-nearest. One robot supports. Each of the others marks an opponent in the team's own
-// half, or supports if no opponent is left. The robot with the number `barred` does not attack; -1:
-// all may.
+// Assigns the roles. The robot with the lowest number keeps the goal, unless it is the only robot.
+// The robot that meets the ball first attacks; `former_attacker`, a robot number, remains attacker
+// unless another robot is clearly faster. The robot nearest to the team's own goal forms the wall;
+// with five or more robots, the second-nearest joins it. One robot supports. Each of the others
+// marks an opponent in the team's own half, or supports if no opponent is left. The robot with the
+// number `barred` does not attack; -1 bars no robot.
 RoleAssignment assign_roles(const TeamView& view, const Field& field, const Style& style,
                             int former_attacker, int barred = -1);
 

@@ -13,7 +13,7 @@ class Roster {
   Roster(PlayContext& book, const RoleAssignment& assignment, const FormationSpots& spots)
       : predicted_(book.predicted), assignment_(assignment), spots_(spots), keys_(book.spots) {}
 
-  // Keeps each spot's current owner if that robot may keep its spot, and clears all other owners.
+  // Keeps each spot's current owner if `may_keep` allows it, and clears all other owners.
   template <typename MayKeep>
   void forget(MayKeep may_keep) {
     std::array<int, kMaxRobots> kept{};
@@ -49,8 +49,8 @@ class Roster {
     }
   }
 
-  // Local search by pairwise exchange: swaps two robots if that clearly shortens the sum of their
-  // paths.
+  // Local search by pairwise exchange: swaps two robots if that clearly shortens the total length
+  // of their paths.
   void change_where_better() {
     for (int i = 0; i < predicted_.robots(); ++i) {
       for (int k = i + 1; k < predicted_.robots(); ++k) {

@@ -1,4 +1,4 @@
-// Formation spots: positions that a play wants filled, each by the same robot for as long as
+// Formation spots: positions that a play wants to fill, each with the same robot for as long as
 // possible.
 #pragma once
 
@@ -15,12 +15,12 @@ struct FormationSpot {
 using FormationSpots =
     boost::container::static_vector<FormationSpot, kMaxRobots>;  // most important first
 
-// Assigns a robot to each spot: its previous owner, otherwise the nearest free robot. Two robots
-// swap spots if that clearly shortens their paths. A robot with another role loses its spot.
+// Assigns a robot to each spot: its previous owner, or else the nearest free robot. Two robots swap
+// spots if that clearly shortens their paths. A robot with another role loses its spot.
 void fill_spots(PlayContext& book, RoleAssignment& assignment, const FormationSpots& spots);
 
-// Assigns robots in the same way, but the robot at the ball keeps its spot, which stays empty
-// meanwhile. Only the owners of the first `count` spots go to them; the other owners stay free for
+// Assigns robots in the same way, but the robot at the ball keeps its spot, which meanwhile stays
+// empty. Only the owners of the first `count` spots go to them; the other owners stay free for
 // other roles.
 void fill_own_spots(PlayContext& book, RoleAssignment& assignment, const FormationSpots& spots,
                     int count = kMaxRobots);
@@ -29,7 +29,7 @@ void fill_own_spots(PlayContext& book, RoleAssignment& assignment, const Formati
 void send_ahead(PlayContext& book, RoleAssignment& assignment, int count);
 
 // `position_m`, moved away from the opponents' area by the distance that all rules require plus
-// `more_m`; facing the ball.
+// `more_m`, and facing the ball.
 Waypoint off_their_area(const PredictedState& predicted, const Vec2& position_m, double more_m = 0);
 
 }  // namespace autoref::strategies

@@ -10,7 +10,7 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kClearsAlone_s = 0.4;  // how much earlier than an opponent
+constexpr double kClearsAlone_s = 0.4;  // how much earlier than an opponent the robot gets there
 
 int count_of(double wanted) { return static_cast<int>(std::lround(wanted)); }
 
@@ -21,7 +21,7 @@ bool can_clear_alone(const PredictedState& predicted) {
   return own.point_m.x() < 0 && own.time_s + kClearsAlone_s < predicted.theirs().time_s;
 }
 
-// The robot with the lowest number keeps the goal, unless nobody can shoot at it. Without
+// The robot with the lowest number keeps the goal, unless no opponent can shoot at it. Without
 // team-mates, it leaves the goal only to clear the ball.
 void give_goal(const PredictedState& predicted, RoleAssignment& assignment) {
   if (predicted.robots() == 0) return;
@@ -62,7 +62,7 @@ int choose_for_ball(const PlayContext& book, const RoleAssignment& assignment) {
 
 namespace {
 
-// The style's numbers of robots per role for `left` free robots. They are meant for six robots; a
+// The style's numbers of robots per role, for `left` free robots. They are meant for six robots; a
 // large team shares out the others.
 struct Shares {
   int wall;
@@ -73,7 +73,7 @@ struct Shares {
 Shares shares_of(const Style& style, int left) {
   Shares shares{count_of(style.wall), count_of(style.markers), count_of(style.forwards),
                 count_of(style.receivers)};
-  constexpr int kUsual = 4;  // six robots without the keeper and the one at the ball
+  constexpr int kUsual = 4;  // six robots minus the keeper and the one at the ball
   const int more = style.large_team ? std::max(0, left - kUsual) : 0;
   shares.wall += more / 4;
   shares.markers += (more + 1) / 2;
@@ -82,7 +82,7 @@ Shares shares_of(const Style& style, int left) {
   return shares;
 }
 
-// Assigns the ball, or, if the rules forbid touching it, a position close to it.
+// Assigns the ball or, if the rules forbid touching it, a position close to it.
 void give_ball(PlayContext& book, RoleAssignment& assignment) {
   const PredictedState& predicted = book.predicted;
   const int chosen = choose_for_ball(book, assignment);
@@ -146,7 +146,7 @@ void open_play(PlayContext& book, RoleAssignment& assignment) {
   give_goal_and_ball(book, assignment);
   const int left = assignment.free_robots();
   const Shares shares = shares_of(predicted.style(), left);
-  // Opponents that may come to shoot: all but one, which keeps their goal.
+  // Opponents that may come to shoot: all except one, which keeps their goal.
   const int threats = std::max(0, static_cast<int>(predicted.now().opponents.size()) - 1);
   if (predicted.is_ours()) {
     const int backs = predicted.path().now_m().x() < 0 || is_contested(predicted) ? 2 : 1;

@@ -38,8 +38,8 @@ int RoleAssignment::nearest_free(const Vec2& position_m) const {
   return best;
 }
 
-// Robots with a lower index keep their positions. Each later one moves away from the first position
-// that it overlaps, and tries again a few times, since it may then overlap another.
+// Robots with a lower index keep their positions. Each later robot moves away from the first
+// position that it overlaps, and tries again a few times, since it may then overlap another one.
 void RoleAssignment::spread() {
   const Limits limits = predicted_->limits();
   boost::container::static_vector<Vec2, kMaxRobots> taken_m;

@@ -1,4 +1,4 @@
-// The plays: which roles the robots get in each situation. Each play fills an assignment.
+// The plays, which decide the robots' roles in each situation. Each play fills an assignment.
 #pragma once
 
 #include <array>
@@ -33,7 +33,7 @@ class RoleAssignment {
   // none.
   int nearest_free(const Vec2& position_m) const;
 
-  // Moves all positions to permitted ones, and apart if robots would overlap.
+  // Moves all positions to permitted ones, and moves them apart if robots would overlap.
   void spread();
 
   // Sends the nearest free robot to the waypoint, if there is a free robot.
@@ -44,23 +44,23 @@ class RoleAssignment {
   std::array<Task, kMaxRobots> tasks_;
 };
 
-// What plays read, and what they store from frame to frame.
+// The data that plays read, and the data that they store from frame to frame.
 struct PlayContext {
   const PredictedState& predicted;
   const BallHandler& handler;
   PassField& field;
   int former = -1;          // number of the robot at the ball in the previous frame
-  int restarter = -1;       // number of the robot that must not touch the ball again yet
+  int restarter = -1;       // number of the robot that must not yet touch the ball again
   int stuck = -1;           // number of the robot that failed to take this restart
   double waited_s = 0;      // time since play last changed
   double taker_from_s = 0;  // waited_s when the restart's taker was chosen
   bool is_settled = false;  // play has been stopped long enough for positions to be kept
-  // The key of each robot's formation spot, by robot number; 0: none (formation_spots.hpp).
+  // The key of each robot's formation spot, by robot number; 0 for no spot (formation_spots.hpp).
   std::array<int, kMaxRobots> spots{};
 };
 
-// The robot that goes for the ball: the fastest, with a bonus for the previous one and for a pass's
-// receiver; -1 if there is no free robot.
+// The robot that goes for the ball: the fastest one, with a bonus for the previous robot and for
+// the receiver of a pass; -1 if there is no free robot.
 int choose_for_ball(const PlayContext& book, const RoleAssignment& assignment);
 
 // The play while the ball is in play.
@@ -70,7 +70,7 @@ void open_play(PlayContext& book, RoleAssignment& assignment);
 // has the best pass.
 void line_up_taker(const PlayContext& book, RoleAssignment& assignment);
 
-// The play for the team's own restart, once it may be taken. All robots but the taker keep their
+// The play for the team's own restart, once it can be taken. All robots except the taker keep their
 // tasks in `assignment`.
 void take_restart(PlayContext& book, RoleAssignment& assignment);
 
@@ -92,8 +92,8 @@ void give_goal_and_restart(PlayContext& book, RoleAssignment& assignment);
 // Assigns defenders: a wall of up to `wall` robots, then markers for up to `markers` opponents.
 void defend(PlayContext& book, RoleAssignment& assignment, int wall, int markers);
 
-// Assigns up to `count` robots that have no opponent to mark, one behind the other between ball and
-// goal.
+// Assigns up to `count` robots that have no opponent to mark to positions between ball and goal,
+// one behind the other.
 void cover(const PlayContext& book, RoleAssignment& assignment, int count);
 
 // Makes all remaining free robots run for passes.

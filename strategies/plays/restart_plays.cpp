@@ -36,8 +36,8 @@ void give_keeper(const PredictedState& predicted, RoleAssignment& assignment) {
   if (predicted.robots() > 1) assignment.give(0, Role::kKeeper);
 }
 
-// The nearest robot except the keeper. Robots behind a goal, or stuck ones, are avoided. The
-// previous taker gets a bonus, so that two robots do not alternate.
+// The nearest robot except the keeper. Robots that are stuck or behind a goal are avoided. The
+// previous taker gets a bonus, so that the role does not alternate between two robots.
 int choose_taker(const PlayContext& book) {
   const PredictedState& predicted = book.predicted;
   int taker = -1;
@@ -151,7 +151,8 @@ void take_restart(PlayContext& book, RoleAssignment& assignment) {
   assignment.give(taker, Role::kBall);
 }
 
-// Until the ball is in play, only kicker and keeper matter; the other robots wait behind the ball.
+// Until the ball is in play, only the kicker and the keeper matter; the other robots wait behind
+// the ball.
 void penalty(PlayContext& book, RoleAssignment& assignment) {
   const PredictedState& predicted = book.predicted;
   const Vec2& mark_m = predicted.position_m();

@@ -107,7 +107,7 @@ void Squad::keep(const RoleAssignment& assignment) {
   kept_robots_ = predicted_.robots();
 }
 
-// Whether this team may take its restart now.
+// Whether this team can take its restart now.
 bool Squad::may_take() const { return is_restart(predicted_.now().play) && predicted_.now().ours; }
 
 void Squad::choose_play(RoleAssignment& assignment) {

@@ -8,7 +8,7 @@
 
 namespace autoref::strategies {
 
-// What distinguishes teams of this kind: their style and, if they have any, their own plays.
+// The differences between teams of this kind: their style and any plays of their own.
 struct TeamPlaybook {
   Style style;
   void (*open_play)(PlayContext& book, RoleAssignment& assignment) = strategies::open_play;
@@ -42,7 +42,7 @@ class Squad final : public Strategy {
   BallPlacer placer_;
   PlayContext book_;
   RoleAssignment kept_;  // the assignment that robots keep while play is stopped, and that the
-                         // others keep while one takes a restart
+                         // others keep while one robot takes a restart
   int kept_robots_ = 0;
   Play former_play_ = Play::kHalt;
   std::optional<bool> former_placing_;

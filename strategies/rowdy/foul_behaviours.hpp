@@ -40,10 +40,10 @@ bool is_own_restart(const RowdyView& view);
 bool is_opponents_restart(const RowdyView& view);
 bool is_free_kick(Play play);
 
-// Commands that drive the robot to a position around everybody else, facing the ball.
+// Commands that drive the robot to a position, around all other robots, facing the ball.
 RobotCommand go_to(const RowdyView& view, const TrackedRobot& robot, const Vec2& position_m);
 
-// Commands that drive the robot straight with that velocity, facing its direction of motion.
+// Commands that drive the robot straight ahead with that velocity, facing its direction of motion.
 RobotCommand charge(const TrackedRobot& robot, const Vec2& velocity_mps);
 
 // Commands that drive the robot straight towards a point.
@@ -100,18 +100,18 @@ inline const TrackedRobot* victim_of(const ActiveFoul& foul, const RowdyView& vi
   return is_running(view) ? find(view.now.opponents, foul.other) : nullptr;
 }
 
-// A way of breaking a rule, its opportunities, and what the team then does. Each is a file in
-// kinds/.
+// A way of breaking a rule, the opportunities for it, and what the team then does. Each is a file
+// in kinds/.
 struct FoulBehaviour {
   std::string_view name;  // name of the parameter that sets `share`
   std::string_view about;
   double share;      // default fraction of opportunities taken
-  double longest_s;  // the foul is given up after this time
+  double longest_s;  // after this time, the foul is abandoned
   // The foul that is possible now, without `amount` and `begun_s`; nullopt if there is no
   // opportunity.
   std::optional<ActiveFoul> (*find_chance)(const RowdyView& view);
-  // Changes the team's output. Returns false once the foul is over. If the foul has a robot, the
-  // robot is on the field.
+  // Changes the team's output. Returns false once the foul is over. If the foul has a robot, that
+  // robot must be on the field.
   bool (*go_on)(const RowdyView& view, ActiveFoul& foul, TeamOutput& output);
 };
 

@@ -7,7 +7,7 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-// After this long without an opportunity, the next one is new and gets a new random draw.
+// After this time without an opportunity, the next one is new and gets a new random draw.
 constexpr double kBetweenChances_s = 1.0;
 
 double share_of(const FoulBehaviour& kind, const std::map<std::string, double>& params) {
@@ -41,7 +41,7 @@ void Rowdy::look_for_chances(const RowdyView& view) {
   for (Habit& habit : habits_) consider(habit, view);
 }
 
-// One draw per opportunity, however many frames it lasts. An opportunity during another foul
+// Draws once per opportunity, however many frames it lasts. An opportunity during another foul
 // behaviour is missed.
 void Rowdy::consider(Habit& habit, const RowdyView& view) {
   const std::optional<ActiveFoul> chance = habit.kind->find_chance(view);
@@ -59,7 +59,7 @@ void Rowdy::consider(Habit& habit, const RowdyView& view) {
 bool Rowdy::go_on(const RowdyView& view, TeamCommands& commands) {
   if (now_.time_s - active_foul_.begun_s > under_way_->longest_s) return false;
   if (active_foul_.robot >= 0 && find(now_.own, active_foul_.robot) == nullptr) return false;
-  // Works on copies, which are discarded if the behaviour ends in this frame.
+  // Uses copies, which are discarded if the behaviour ends in this frame.
   TeamCommands wanted = commands;
   TeamRequests asked = requests_;
   TeamOutput output{wanted, asked};

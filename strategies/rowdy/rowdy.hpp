@@ -1,4 +1,4 @@
-// `basic`, but it breaks rules on purpose now and then, so that a referee can be evaluated.
+// Plays like `basic`, but occasionally breaks rules on purpose, so that a referee can be evaluated.
 //
 // Each foul behaviour (foul_behaviours.hpp) has a parameter with its name: the fraction of
 // opportunities that the team takes, from 0 (never) to 1 (always). `otherwise` sets this fraction

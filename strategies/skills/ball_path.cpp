@@ -42,22 +42,23 @@ double speed_after_mps(double speed_mps, double rolling_mps, const Phase& slide,
   return std::max(0.0, rolling_mps - kRoll_mps2 * (time_s - slide.time_s));
 }
 
-constexpr double kUsableBraking = 0.75;  // of the robot's braking; the wheels do not allow more
+constexpr double kUsableBraking = 0.75;  // fraction of the robot's braking; the wheels do not allow
+                                         // more
 constexpr double kReachTouch_m = kFrontDistance_m + kBallRadius_m;
 constexpr double kReachMargin_m = 2e-6;  // far above rounding errors
-constexpr double kBeyond_m = 100_mm;     // outside the field, where a robot may still save a ball
+constexpr double kBeyond_m = 100_mm;     // outside the field, where a robot can still save a ball
 
 // Time in seconds for `distance_m` along a line, from the speed `along_mps` to rest: a trapezoidal
 // velocity profile.
 double line_time_s(double distance_m, double along_mps, const Abilities& a) {
   const double brake_mps2 = kUsableBraking * a.braking_mps2;
-  if (along_mps < 0) {  // it must stop first and then drive farther
+  if (along_mps < 0) {  // the robot must stop first and then drive farther
     const double stop_s = -along_mps / brake_mps2;
     return stop_s + line_time_s(distance_m - along_mps * stop_s / 2, 0, a);
   }
   const double speed2 = along_mps * along_mps;
-  // Triangular profile: (peak^2 - v^2) / (2 a) + peak^2 / (2 b) = distance, with accelerations a up
-  // and b down.
+  // Triangular profile: (peak^2 - v^2) / (2 a) + peak^2 / (2 b) = distance, with acceleration a and
+  // braking b.
   const double peak2 =
       (2 * distance_m + speed2 / a.acceleration_mps2) / (1 / a.acceleration_mps2 + 1 / brake_mps2);
   if (peak2 <= speed2) return 2 * distance_m / std::max(0.1, along_mps);  // overshoots a little
@@ -72,8 +73,8 @@ double line_time_s(double distance_m, double along_mps, const Abilities& a) {
          (distance_m - ramps_m) / top_mps;
 }
 
-// How far a robot gets along a line in a time at most, whatever its direction: the inverse of
-// line_time_s, from the robot's full speed.
+// The farthest that a robot can get along a line within a given time, in any direction: the inverse
+// of line_time_s, starting at the robot's full speed.
 class FarthestReach {
  public:
   FarthestReach(double speed_mps, const Abilities& a)
@@ -95,11 +96,11 @@ class FarthestReach {
   double start_mps_;
   double start_s_;
   double top_mps_;
-  double per_mps_s_;  // time per speed of accelerating to it and braking
-  double start_m_;    // path of accelerating to the robot's speed
+  double per_mps_s_;  // time per unit of speed for accelerating and braking
+  double start_m_;    // path on which the robot accelerates to its speed
 };
 
-// Time until the robot touches the ball where it is at that step of the path.
+// Time until the robot touches the ball at that step of the ball's path.
 double time_to_touch_s(const TrackedRobot& robot, const BallPath& path, int step,
                        const Abilities& abilities) {
   const Vec2& ball_m = path.at_step(step);
@@ -112,7 +113,7 @@ double time_to_touch_s(const TrackedRobot& robot, const BallPath& path, int step
 void BallPath::follow(const TrackedBall& ball, double latency_s) {
   const double seen_mps = ball.velocity_mps.norm();
   // The kick speed determines when sliding ends. A jump in speed means a new kick. Once the ball
-  // rolls, kick_mps_ shrinks with the ball's speed, so that a softer kick is detected as well.
+  // rolls, kick_mps_ shrinks with the ball's speed, so that a softer kick is also detected.
   if (seen_mps > last_mps_ + kPeak_mps || seen_mps > kick_mps_) kick_mps_ = seen_mps;
   if (seen_mps < kRollsFrom * kick_mps_) kick_mps_ = seen_mps / kRollsFrom;  // it is rolling
   last_mps_ = seen_mps;
@@ -161,11 +162,11 @@ double time_to_s(const TrackedRobot& robot, const Vec2& point_m, const Abilities
   const Vec2 direction = offset / distance_m;
   const double along_mps = robot.velocity_mps.dot(direction);
   const double aside_mps = std::abs(cross(direction, robot.velocity_mps));
-  // Lateral velocity is braked on the way, which costs about half as much as braking separately.
+  // Lateral velocity is braked on the way, which costs about half as much as braking it separately.
   return line_time_s(distance_m, along_mps, abilities) + 0.5 * aside_mps / abilities.braking_mps2;
 }
 
-// Steps along the ball's predicted path to the first step at which the robot is no later than the
+// Steps along the ball's predicted path to the first step that the robot reaches no later than the
 // ball, and interpolates linearly between that step and the previous one.
 BallInterception intercept(const TrackedRobot& robot, const BallPath& path,
                            const Abilities& abilities, const Field& field) {
@@ -180,13 +181,13 @@ BallInterception intercept(const TrackedRobot& robot, const BallPath& path,
     if (step > 0 && (std::abs(ball_m.x()) > x_m || std::abs(ball_m.y()) > y_m)) break;
     last = step;
     const double ball_s = step * BallPath::kStep_s;
-    // Out of reach even if the robot already moved towards this point.
+    // Out of reach even if the robot were already moving towards this point.
     const double touch_m = reach.within_m(ball_s) + kReachTouch_m + kReachMargin_m;
     if ((robot.position_m - ball_m).squaredNorm() > touch_m * touch_m) continue;
     const double late_s = time_to_touch_s(robot, path, step, abilities) - ball_s;
     if (late_s > 0) continue;
     if (step == 0) return {ball_m, 0};
-    // Interpolate between this step and the previous one.
+    // Interpolates between this step and the previous one.
     const Vec2& before_m = path.at_step(step - stride);
     const double before_late_s = time_to_touch_s(robot, path, step - stride, abilities) -
                                  (step - stride) * BallPath::kStep_s;

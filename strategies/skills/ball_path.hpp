@@ -10,7 +10,7 @@
 namespace autoref::strategies {
 
 // The path of a free ball on the carpet. The decelerations are those that teams measure on their
-// carpet (sim/README.md): 3.4 m/s^2 while sliding, down to 0.67 of the kick speed, then 0.30 m/s^2
+// carpets (sim/README.md): 3.4 m/s^2 while sliding, down to 0.67 of the kick speed, then 0.30 m/s^2
 // while rolling.
 class BallPath {
  public:
@@ -18,7 +18,7 @@ class BallPath {
   static constexpr double kStep_s = 0.1;
   static constexpr double kLongest_s = kSteps * kStep_s;
 
-  // Updates the path from the ball in the next frame, extrapolated by `latency_s`, when commands
+  // Updates the path from the ball in the next frame, extrapolated by `latency_s` to when commands
   // take effect. Call it for every frame, because kicks are detected from jumps in speed.
   void follow(const TrackedBall& ball, double latency_s);
 
@@ -39,15 +39,15 @@ class BallPath {
   std::array<Vec2, kSteps + 1> table_;
 };
 
-// Kick speed at which the ball still has `arrival_mps` after `distance_m`.
+// Kick speed at which the ball still moves at `arrival_mps` after `distance_m`.
 double kick_for_mps(double distance_m, double arrival_mps);
 
-// A ball kicked with one speed, for questions about several distances.
+// A ball kicked at one speed, for queries about several distances.
 class KickedBall {
  public:
   explicit KickedBall(double kick_mps);
 
-  // Time in seconds that the ball takes for `distance_m`; 10 if it never gets there.
+  // Time in seconds that the ball takes to travel `distance_m`; 10 if it never gets there.
   double roll_time_s(double distance_m) const;
 
  private:
@@ -57,8 +57,8 @@ class KickedBall {
   double slide_m_;
 };
 
-// Time in seconds until `robot` can stand at `point_m`: accelerate, cruise and brake along the
-// straight path, starting from its current velocity.
+// Time in seconds until `robot` can stand at `point_m`, if it accelerates, cruises and brakes along
+// the straight path, starting at its current velocity.
 double time_to_s(const TrackedRobot& robot, const Vec2& point_m, const Abilities& abilities);
 
 // Where and when a robot can first reach the ball.
@@ -67,8 +67,8 @@ struct BallInterception {
   double time_s = 0;  // time from now until both robot and ball are there
 };
 
-// The first point of the ball's path that `robot` reaches no later than the ball; if it cannot
-// catch up, the end of the path. Points outside the field do not count.
+// The first point of the ball's path that `robot` reaches no later than the ball; the end of the
+// path if it cannot catch up. Points outside the field do not count.
 BallInterception intercept(const TrackedRobot& robot, const BallPath& path,
                            const Abilities& abilities, const Field& field);
 

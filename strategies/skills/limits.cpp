@@ -12,14 +12,14 @@
 namespace autoref::strategies {
 namespace {
 
-// Robots this near to each other are in contact, or both with a ball between them.
+// Robots this near to each other are in contact, or both in contact with a ball between them.
 constexpr double kContact_m = 35_mm;
 
 constexpr double kLimitMargin_m =
     30_mm;  // added to the distances in the rules to allow for the robots' own errors
 constexpr double kFarMargin_m = 1e-6;     // far above rounding errors
 constexpr double kWideRunOff_m = 600_mm;  // the Laws' 500 mm from the ball, and a hull
-constexpr int kTurns = 36;  // directions tried to each side of a position inside the ball's circle
+constexpr int kTurns = 36;  // directions tried on each side of a position inside the ball's circle
 
 // Moves `p` to the nearest point at `distance_m` from the area of `side`.
 //
@@ -134,8 +134,8 @@ Vec2 permitted_by_all(const Field& field, const Vec2& wanted_m, const Vec2& ball
   if ((p - ball_m).norm() >= limits.keep_from_ball_m) return p;
   const Vec2 off_m = direction_of(p - ball_m, back_from(field, ball_m)) *
                      (limits.keep_from_ball_m + kLimitMargin_m);
-  // Searches the circle around the ball at growing angles to both sides, so the first permitted
-  // position found is the nearest.
+  // Searches the circle around the ball at increasing angles to both sides, so the first permitted
+  // position found is the nearest one.
   for (int i = 1; i <= kTurns; ++i) {
     for (const double side : {1.0, -1.0}) {
       Vec2 turned_m = ball_m + to_world(off_m, heading_of(side * i * kPi / kTurns));

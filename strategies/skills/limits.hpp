@@ -13,8 +13,9 @@ namespace autoref::strategies {
 struct Easing {
   double from_m = 1.2;         // gap between hulls below which the closing speed is limited
   double gentle_mps = 0.2;     // closing speed allowed at contact
-  double braking_mps2 = 1.2;   // from which the speed allowed at a distance follows
-  double contact_mps = 100.0;  // largest speed towards an opponent in contact; no robot is as fast
+  double braking_mps2 = 1.2;   // braking that determines the speed allowed at a distance
+  double contact_mps = 100.0;  // largest speed towards an opponent in contact; no robot is that
+                               // fast
 };
 
 // Limits the closing speed of `robot` towards each nearby opponent to a braking curve over the gap.
@@ -28,26 +29,27 @@ struct Limits {
   double keep_from_ball_m = 0;      // from a robot's centre to the ball
   double keep_from_area_m = 0;      // from a robot's centre to the opponents' defence area
   bool may_enter_own_area = false;  // true for the keeper
-  // Keeps a position behind the goal line even if it is too near to a quarter-circle area. `basic`
-  // relies on this, and the benchmark's games depend on it.
+  // Keeps a position that is behind the goal line, even if it is too near to a quarter-circle area.
+  // `basic` relies on this, and the benchmark's games depend on it.
   bool may_stay_behind_goal = false;
   double beyond_lines_m = 90_mm;  // how far a robot's centre may be outside the field
 };
 
-// The largest |x| and |y| that a robot's centre can have between walls near the lines; infinite if
-// the run-off is wide enough to keep the rules' distance from a ball at a line.
+// The largest |x| and |y| that a robot's centre can have if there are walls near the lines;
+// infinite if the run-off is wide enough to keep the distance that the rules require from a ball on
+// a line.
 Vec2 farthest_between_walls_m(const Field& field);
 
 // The direction nearest to the unit vector `direction` in which a robot at `from_m` can drive
 // `length_m` without meeting a wall near the lines; `direction` if there is none.
 Vec2 off_walls(const Field& field, const Vec2& from_m, const Vec2& direction, double length_m);
 
-// Extra distance from the ball if the rule book penalises being too near at once (2026); otherwise
-// 0.
+// Extra distance from the ball if the rule book immediately penalises being too near (2026);
+// otherwise 0.
 double room_for_error_m(const RuleBook& rules);
 
-// The permitted position nearest to `wanted_m`, or a position close to that one. If the half, an
-// area or the field's edge leaves no space next to the ball, these limits take precedence over the
+// The permitted position nearest to `wanted_m`, or one close to it. If the half, an area or the
+// edge of the field leaves no space next to the ball, these limits take precedence over the
 // distance from the ball.
 Vec2 permitted(const Field& field, const Vec2& wanted_m, const Vec2& ball_m, const Limits& limits);
 

@@ -10,10 +10,10 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kWholeFrame = 1e-6;  // a shorter rest of a frame is a rounding error
+constexpr double kWholeFrame = 1e-6;  // a smaller part of a frame is a rounding error
 
-// Moves the robot for `duration_s` towards the command's velocity, with the accelerations that it
-// is able to (sim/drive.hpp).
+// Moves the robot for `duration_s` towards the command's velocity, with the accelerations of which
+// it is capable (sim/drive.hpp).
 void obey(const RobotCommand& command, const Abilities& abilities, double duration_s,
           TrackedRobot& robot) {
   const Vec2 wanted_mps = clamp_norm(command.velocity_mps, abilities.speed_mps);
@@ -27,7 +27,7 @@ void obey(const RobotCommand& command, const Abilities& abilities, double durati
   // Constant acceleration: the mean of the velocities before and after.
   robot.position_m += (robot.velocity_mps + change_mps / 2) * duration_s;
   const double turn_rad = (robot.angular_velocity_radps + change_radps / 2) * duration_s;
-  // To second order in the angle; the length is corrected at the end.
+  // Accurate to second order in the angle; the length is corrected at the end.
   robot.heading = robot.heading * (1 - turn_rad * turn_rad / 2) + left_of(robot.heading) * turn_rad;
   robot.velocity_mps += change_mps;
   robot.angular_velocity_radps += change_radps;
@@ -50,8 +50,8 @@ const TeamCommands* LookAhead::sent_for(std::int64_t frame) const {
   return sent.frame == frame ? &sent.commands : nullptr;
 }
 
-// The commands of a frame move the robots from `delay` frames after it, for a frame. So those of
-// the last `delay` frames are still to come, the first of them in part.
+// The commands of a frame take effect `delay` frames later and last for one frame. So the commands
+// of the last `delay` frames have yet to take effect, the first of them in part.
 LookAhead::Pending LookAhead::pending(const TeamView& view) const {
   Pending all;
   const double delay = view.latency_s / frame_s_;
@@ -65,7 +65,7 @@ LookAhead::Pending LookAhead::pending(const TeamView& view) const {
 
 void LookAhead::follow(const Pending& pending, TrackedRobot& robot) const {
   const auto number = static_cast<std::size_t>(robot.number);
-  RobotCommand command;  // goes on as it moves
+  RobotCommand command;  // continues its current motion
   command.velocity_mps = to_local(robot.velocity_mps, robot.heading);
   command.angular_velocity_radps = robot.angular_velocity_radps;
   for (const auto& [sent, duration_s] : pending) {

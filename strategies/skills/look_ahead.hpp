@@ -1,4 +1,4 @@
-// Prediction over the delay: a team's own robots follow the commands that are still on their way.
+// Prediction over the latency: a team's own robots follow the commands that are still on their way.
 #pragma once
 
 #include <array>
@@ -16,24 +16,25 @@ class LookAhead {
 
   LookAhead(const TeamAbilities& abilities, double frame_rate_hz);
 
-  // `view` extrapolated by its latency, to when commands given now take effect. The team's own
-  // robots follow the commands noted so far, within their acceleration; a ball at their dribbler
-  // moves with them. Opponents and any other ball keep their motion. Returns whether the ball is
-  // held.
+  // Extrapolates `view` by its latency, to when commands given now take effect. The team's own
+  // robots follow the commands noted so far, within their acceleration limits; a ball at a robot's
+  // dribbler moves with that robot. Opponents, and a ball that is not held, keep their motion.
+  // Returns whether the ball is held.
   bool look(const TeamView& view, TeamView& ahead) const;
 
-  // The commands that the team gives for the view of this frame.
+  // Notes the commands that the team gives for the view of this frame.
   void note(std::int64_t frame, const TeamCommands& commands);
 
  private:
-  // The latest commands; with more frames between view and motion, the oldest ones are missing.
+  // The number of latest commands kept. If there are more frames between view and motion, the
+  // oldest commands are missing.
   static constexpr int kKept = 32;
   struct Sent {
     std::int64_t frame = -1;
     TeamCommands commands{};
   };
 
-  // Commands on their way, if the team gave any, and for how long they will last.
+  // Commands on their way, if the team gave any, and for how long they will apply.
   struct PendingCommands {
     const TeamCommands* sent;
     double duration_s;

@@ -7,7 +7,8 @@ namespace autoref::strategies {
 namespace {
 
 constexpr double kMotionLookAhead_m = 1.5;  // obstacles farther along the path are ignored
-constexpr double kBetween = 0.7;            // least cosine between a wall's and a robot's direction
+constexpr double kBetween = 0.7;            // minimum cosine between a wall's and a robot's
+                                            // direction
 constexpr double kGoalClearance_m = 30_mm;  // between a goal's wall and a passing robot
 
 // The first obstacle on the path from `from_m` along the unit vector `direction`; nullptr if there
@@ -32,7 +33,7 @@ constexpr double kMovesOn_s = 0.25;            // other robots are extrapolated 
 constexpr double kRoom_m = 30_mm;              // between hulls
 constexpr double kAvoidanceBeside_m = 20_mm;   // additional clearance of the detour point
 constexpr double kBlockedLeg_m = 0.5;          // length added to a detour if an obstacle is on it
-constexpr double kBehindWall_m = 20;           // the same if a wall is
+constexpr double kBehindWall_m = 20;           // the same if a wall is on it
 constexpr double kTurning_s = 0.15;            // weight of the current velocity: length per speed
 
 // The first obstacle on the segment; nullptr if there is none.
@@ -112,7 +113,8 @@ RobotCommand drive_via(const TrackedRobot& robot, const Vec2& steer_m, const Way
   const double left_m = (goal.position_m - robot.position_m).norm();
   if (left_m < style.arrived_m) return drive_with(robot, Vec2(0, 0), goal.heading, style);
   const Vec2 direction = direction_of(steer_m - robot.position_m, goal.heading);
-  // Along the path, the same braking curve with the same proportional controller near the target.
+  // Along the path, the same braking curve is used, with the same proportional controller near the
+  // target.
   const double speed_mps = std::min(
       {style.speed_mps, style.approach_per_s * left_m, std::sqrt(2 * style.braking_mps2 * left_m)});
   return drive_with(robot, direction * speed_mps, goal.heading, style);
@@ -163,7 +165,7 @@ Vec2 steer_for(const TrackedRobot& robot, const Vec2& target_m, const Obstacles&
       cost_m += kBlockedLeg_m;
     if (first_on(beside_m, target_m, obstacles) != nullptr) cost_m += kBlockedLeg_m / 2;
     if (!obstacles.has_room(*hit, from_m, beside_m)) cost_m += kBehindWall_m;
-    // Favours the side to which the robot already moves, so the choice does not flip.
+    // Favours the side towards which the robot is already moving, so that the choice does not flip.
     cost_m -= kTurning_s * robot.velocity_mps.dot(direction_of(leg, direction));
     if (cost_m >= best_cost_m) continue;
     best_cost_m = cost_m;

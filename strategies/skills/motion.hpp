@@ -1,4 +1,4 @@
-// Driving: commands that bring a robot to a position, around robots, ball and areas.
+// Driving: commands that bring a robot to a position, avoiding robots, ball and areas.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -14,9 +14,9 @@ namespace autoref::strategies {
 
 // A team's driving limits, below what its robots can do, so that planned motions are feasible.
 struct DrivingStyle {
-  double speed_mps = 3.0;       // paper, section 3: robots travel up to 3 m/s
-  double braking_mps2 = 2.3;    // planned; robots brake with up to 5 m/s^2
-  double approach_per_s = 6.0;  // speed per remaining distance, for the last centimetres
+  double speed_mps = 3.0;       // paper, section 3: robots travel at up to 3 m/s
+  double braking_mps2 = 2.3;    // planned; robots brake at up to 5 m/s^2
+  double approach_per_s = 6.0;  // speed per metre of remaining distance, for the last centimetres
   double turn_per_s = 8.0;      // angular speed per remaining angle
   double turn_limit_radps = 10.0;
   double turn_braking_radps2 = 1e3;  // planned; robots near their wheels' limits turn worse
@@ -28,13 +28,13 @@ struct Waypoint {
   Vec2 heading{1, 0};  // unit vector to face
 };
 
-// A disc to avoid: its centre, and the minimum distance of a robot's centre from that point.
+// A disc to avoid: its centre, and the minimum distance between that point and a robot's centre.
 struct Obstacle {
   Vec2 position_m{0, 0};
   double clearance_m = 0;
 };
 
-// Discs, and the walls if they stand near the lines.
+// The discs, and the walls if they are near the lines.
 struct Obstacles : boost::container::static_vector<Obstacle, 2 * kMaxRobots + 4> {
   using static_vector::static_vector;
   // The largest |x| and |y| of a detour; see farthest_between_walls_m().
@@ -49,13 +49,13 @@ struct Obstacles : boost::container::static_vector<Obstacle, 2 * kMaxRobots + 4>
 };
 
 // The point to steer for on the way to `target_m`: the target itself if the straight path is free,
-// otherwise a point beside the first obstacle: on its other side if a wall leaves no room, but
-// along the wall if the robot is already between the two.
+// otherwise a point beside the first obstacle. If a wall leaves no room on one side, it is on the
+// other side, but if the robot is already between obstacle and wall, it is along the wall.
 Vec2 steer_around(const Vec2& from_m, const Vec2& target_m, const Obstacles& obstacles);
 
-// The point to steer for from behind or close beside a goal whose walls block the straight path to
-// the field: first sideways, then past the goal line. Returns nullopt elsewhere. No robot gets
-// behind a goal whose side walls reach the field's wall.
+// The point to steer for from behind or close beside a goal, if its walls block the straight path
+// to the field: first sideways, then past the goal line. Returns nullopt elsewhere. Robots cannot
+// get behind a goal if its side walls reach the field's wall.
 std::optional<Vec2> exit_from_behind_goal(const Field& field, const Vec2& from_m);
 
 // Commands that drive `robot` around the obstacles to `goal` and stop it there.
@@ -84,9 +84,9 @@ struct Surroundings {
 void find_obstacles(const Surroundings& all, const TrackedRobot& robot, const Vec2& target_m,
                     Obstacles& obstacles);
 
-// The point to steer for: the target if the straight path is free; otherwise the better of the two
-// points beside the first obstacle, judged by the length of the detour, the obstacles and walls on
-// it, and the robot's current velocity.
+// The point to steer for: the target if the straight path is free, otherwise the better of the two
+// points beside the first obstacle, judged by the length of the detour, the obstacles and walls
+// along it, and the robot's current velocity.
 Vec2 steer_for(const TrackedRobot& robot, const Vec2& target_m, const Obstacles& obstacles);
 
 }  // namespace autoref::strategies

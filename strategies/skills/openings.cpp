@@ -17,7 +17,8 @@ constexpr double kPush_m = 1.0;
 constexpr double kFarAway_m = 10.0;    // clearance if no robot is near
 constexpr double kScoreMargin = 1e-9;  // far above rounding errors
 
-// Like lane_clearance_m if that is at least `needed_m`; otherwise some value between the two.
+// Like lane_clearance_m if that is at least `needed_m`; otherwise some value between that and
+// `needed_m`.
 double clearance_if_m(double needed_m, const Vec2& from_m, const Vec2& to_m,
                       const TrackedRobots& robots) {
   const double needed2 = square(std::max(0.0, needed_m));
@@ -68,8 +69,8 @@ struct Span {
 using Spans = boost::container::static_vector<Span, 2 * kMaxRobots>;
 
 // Whether the shadow of a robot can cover part of the goal if the robot covers a disc of `disc_m`.
-// The same as in add_shadow, multiplied by `to_robot_m` twice and squared, without division or
-// root. The goal's full width allows for rounding errors.
+// The formula is that of add_shadow, multiplied by `to_robot_m` twice and squared, to avoid
+// divisions and roots. The goal's full width allows for rounding errors.
 bool may_cover_goal(const Field& field, const Vec2& from_m, const Vec2& robot_m, double disc_m) {
   const double to_goal_m = field.half_length_m() - from_m.x();
   const Vec2 to_robot = robot_m - from_m;
@@ -81,7 +82,7 @@ bool may_cover_goal(const Field& field, const Vec2& from_m, const Vec2& robot_m,
 }
 
 // Adds the robot's shadow on the goal line, for a ball from `from_m`. `grown_m` is how far the
-// robot can move meanwhile.
+// robot can move in the meantime.
 void add_shadow(double goal_x, const Vec2& from_m, const Vec2& robot_m, double grown_m,
                 Spans& shadows) {
   const double to_robot_m = robot_m.x() - from_m.x();
@@ -110,8 +111,8 @@ Span widest_gap(Spans& shadows, double low_m, double high_m) {
   return best;
 }
 
-// The probability that a normally distributed value is within `z` standard deviations, to within a
-// few hundredths.
+// The probability that a normally distributed value is within `z` standard deviations, accurate to
+// a few hundredths.
 double share_within(double z) { return z / std::sqrt(z * z + 1.1); }
 
 }  // namespace
@@ -127,7 +128,7 @@ Aim best_shot(const Field& field, const Vec2& ball_m, const TrackedRobots& oppon
   for (int i = 0; i < kAimPoints; ++i) {
     const double share = 2.0 * i / (kAimPoints - 1) - 1.0;
     const Vec2 target_m(field.half_length_m(), share * reach_m);
-    // More space than a robot's and a ball's radius helps little; then the middle is safer.
+    // More space than the radii of a robot and a ball helps little; then the middle is safer.
     const double aside_cost = 0.02 * std::abs(share);
     const double needed_m = best_score + aside_cost - kScoreMargin;
     const double clearance_m = clearance_if_m(needed_m, ball_m, target_m, opponents);

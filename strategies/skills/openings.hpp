@@ -9,7 +9,8 @@
 
 namespace autoref::strategies {
 
-// Aiming: which part of the goal, or which direction, a kick from the ball's position can use.
+// Where to aim: the part of the goal, or the direction, that a kick from the ball's position can
+// use.
 struct Aim {
   Vec2 target_m{0, 0};
   double clearance_m = 0;  // from the kick line to the nearest opponent's centre
@@ -18,21 +19,21 @@ struct Aim {
 // Distance in metres between the segment from `from_m` to `to_m` and the nearest robot's centre.
 double lane_clearance_m(const Vec2& from_m, const Vec2& to_m, const TrackedRobots& robots);
 
-// The point of the opponents' goal with the most clearance from opponents, seen from `ball_m`.
+// The point of the opponents' goal with the most clearance from opponents, as seen from `ball_m`.
 Aim best_shot(const Field& field, const Vec2& ball_m, const TrackedRobots& opponents);
 
-// A point 1 m from the ball, ahead or to a side but not back, with the most clearance on the way.
+// A point 1 m from the ball, ahead or to a side but not behind, with the most clearance on the way.
 Aim best_push(const Field& field, const Vec2& ball_m, const TrackedRobots& opponents);
 
-// The segment along which a ball is kicked, for questions about many robots.
+// The segment along which a ball is kicked, for queries about many robots.
 class Lane {
  public:
   Lane(const Vec2& from_m, const Vec2& to_m)
       : from_m_(from_m), to_m_(to_m), offset_(to_m - from_m), length2_(offset_.squaredNorm()) {}
 
-  // Whether the point's distance from the line through both ends, squared, exceeds `distance2`, by
-  // far more than rounding errors. A cheap test: if true, the distance from the lane is larger,
-  // too.
+  // Whether the squared distance of the point from the line through both ends exceeds `distance2`
+  // by far more than rounding errors. This is a cheap test: if it is true, the distance from the
+  // lane is also larger.
   bool is_beyond(const Vec2& point_m, double distance2) const {
     return square(cross(offset_, point_m - from_m_)) >
            (distance2 * (1 + kMargin) + kMargin_m2) * length2_;
@@ -50,7 +51,7 @@ class Lane {
   double length2_;
 };
 
-// The widest free part of the opponents' goal, seen from a point.
+// The widest free part of the opponents' goal, as seen from a point.
 struct Opening {
   Vec2 target_m{0, 0};  // the centre of that part
   double half_width_m = 0;
@@ -64,17 +65,17 @@ struct ShotTerms {
   double kick_error_rad = KickScatter{}.direction_rad;
 };
 
-// Finds the widest opening. Opponents cover what they can reach while the ball is moving; the
-// team's own robots cover only their hulls.
+// Finds the widest opening. Opponents cover the positions that they can reach while the ball is
+// moving; the team's own robots cover only their hulls.
 Opening widest_opening(const Field& field, const Vec2& from_m, const TrackedRobots& opponents,
                        const TrackedRobots& own, const ShotTerms& terms);
 
-// The fraction of a limit on the ball's speed at which a kick whose speed scatters by this fraction
-// stays below it in 98 of 100 cases (two standard deviations).
+// A kick at this fraction of the ball's speed limit, with a speed that scatters by `speed_error`,
+// stays below the limit in 98 of 100 cases (two standard deviations).
 constexpr double share_below_limit(double speed_error) { return 1 / (1 + 2 * speed_error); }
 
-// How safely a ball kicked along the ground gets from one point to the other, 0 to 1, given the
-// opponents in its path and those that can reach it in time.
+// How safely a ball kicked along the ground gets from one point to the other, from 0 to 1, given
+// the opponents in its path and those that can reach it in time.
 double pass_safety(const Vec2& from_m, const Vec2& to_m, double kick_mps,
                    const TrackedRobots& opponents);
 

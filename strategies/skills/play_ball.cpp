@@ -47,13 +47,14 @@ RobotCommand play_ball(const TrackedRobot& robot, const TrackedBall& ball,
   const Vec2 run_up_m = interception_m - aim * (kPlayTouch_m + kPlayRunUp_m);
 
   if (behind_m < kPlayTouch_m * 0.6) {
-    // In front of the ball or level with it: drive around it on the nearer side.
+    // The robot is in front of the ball or level with it, so it drives around it on the nearer
+    // side.
     const double side = beside_m > 0 ? -1.0 : 1.0;
     const Vec2 round_m =
         interception_m - aim * kPlayTouch_m + left_of(aim) * (side * kPlayBeside_m);
     return drive_to(robot, {round_m, aim}, obstacles, style);
   }
-  // From this heading, the kick sends the moving ball along the aim.
+  // At this heading, the kick sends the moving ball along the aim.
   const Vec2 heading = kick_heading(aim, intent.kick_mps, ball.velocity_mps);
   const bool in_lane = std::abs(beside_m) < kPlayLane_m && robot.heading.dot(heading) > 0.9;
   if (!in_lane) return drive_to(robot, {run_up_m, heading}, obstacles, style);
@@ -88,7 +89,7 @@ RobotCommand receive_ball(const TrackedRobot& robot, const TrackedBall& ball,
                           const Vec2& interception_m, const Obstacles& obstacles,
                           const DrivingStyle& style) {
   const Vec2 direction = direction_of(ball.velocity_mps, -robot.heading);
-  // Stays short of the robot's own position; beyond it the robot would drive away from the ball.
+  // Stays short of the robot's own position; beyond it, the robot would drive away from the ball.
   const double along_m = std::min((interception_m - ball.position_m).dot(direction),
                                   (robot.position_m - ball.position_m).dot(direction));
   const Vec2 stand_m = ball.position_m + direction * std::max(along_m, kPlayTouch_m);

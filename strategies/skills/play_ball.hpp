@@ -12,31 +12,33 @@ namespace autoref::strategies {
 // Remembers the number of the robot that took the team's restart until another robot has the ball.
 class RestartTaker {
  public:
-  // `taker` is the number of the robot that goes for the ball, -1 for none. Call it for every view.
+  // `taker` is the number of the robot that goes for the ball; -1 for no robot. Call it for every
+  // view.
   void update(const TeamView& now, int taker);
 
-  int number() const { return number_; }  // -1: none
+  int number() const { return number_; }  // -1 for no robot
 
  private:
   int number_ = -1;
 };
 
-// The target of a kick, and how to kick.
+// The target of a kick and how to kick.
 struct Intent {
   Vec2 target_m{0, 0};
   double kick_mps = 6.5;
   double tolerance_rad = 0.12;  // largest heading error for a kick
-  double hasty_mps = 0;         // speed of a softer kick with a wider tolerance, in a duel; 0: none
+  double hasty_mps = 0;         // speed of a softer kick with a wider tolerance, in a duel; 0 for
+                                // no such kick
   double hasty_tolerance_rad = 0.7;
 };
 
-// Commands for `robot` to reach the ball and kick it to the intent's target. `interception_m` is
-// where it can meet the ball. `obstacles` contains robots only; the ball is avoided here.
+// Commands for `robot` to reach the ball and kick it at the intent's target. `interception_m` is
+// where it can meet the ball. `obstacles` must contain only robots; the ball is avoided here.
 RobotCommand play_ball(const TrackedRobot& robot, const TrackedBall& ball,
                        const Vec2& interception_m, const Intent& intent, const Obstacles& obstacles,
                        const DrivingStyle& style);
 
-// Whether the ball comes towards `robot` so fast that it should be stopped first.
+// Whether the ball approaches `robot` so fast that it should be stopped first.
 bool comes_at(const TrackedRobot& robot, const TrackedBall& ball);
 
 // Commands for `robot` to stand in the ball's path at `interception_m` and stop it with the

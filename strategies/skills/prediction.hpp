@@ -1,4 +1,4 @@
-// Simple prediction of robots and ball, to compensate for the view's latency.
+// Simple prediction of robots and ball to compensate for the view's latency.
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@ Vec2 ball_after(const TrackedBall& ball, double ahead_s);
 // `view` extrapolated by its latency, to when commands given now take effect.
 void look_ahead(const TeamView& view, TeamView& ahead);
 
-// Rough estimate of the time in seconds that a robot needs to reach a point, from rest to rest, at
-// the teams' usual speeds.
+// A rough estimate of the time in seconds that a robot needs to reach a point, from rest to rest,
+// at the teams' usual speeds.
 double travel_time_s(const TrackedRobot& robot, const Vec2& point_m);
 
 struct Interception {
@@ -24,7 +24,7 @@ struct Interception {
 };
 
 // The rolling ball's position now and at each step of the next 2 s, computed once for all robots.
-// Of a ball that lies still, only the position now.
+// For a ball at rest, only the position now.
 class BallSamples {
  public:
   static constexpr int kSteps = 20;

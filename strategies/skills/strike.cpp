@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kStrikeTouch_m = kFrontDistance_m + kBallRadius_m;
 constexpr double kInDribblerZone_m =
-    18_mm;  // largest gap from the plate to a ball that it still holds
+    18_mm;  // largest gap between the plate and a ball that the robot still holds
 constexpr double kIncoming_mps = 1.8;
 constexpr double kBesideLine_m = 0.7;  // largest distance from the ball's line to step onto it
 constexpr double kFrame_s = 1.0 / 60;
@@ -105,7 +105,7 @@ RobotCommand fetch(const TrackedRobot& robot, const BallPath& path,
   const double ahead_m = to_ball.dot(from) - kStrikeTouch_m;
   const double aside_m = cross(from, to_ball);
   RobotCommand command;
-  if (is_near) {  // moves with the ball, and into it once the ball is straight ahead
+  if (is_near) {  // the robot moves with the ball, and into it once the ball is straight ahead
     const bool in_lane = std::abs(aside_m) < kStrikeLane_m + 0.25 * std::max(0.0, ahead_m);
     const double left_m = ahead_m - (in_lane ? 0.0 : kStrikeRunUp_m);
     const double run_mps = in_lane
@@ -135,9 +135,10 @@ Vec2 kicked_mps(const Vec2& heading, double along_mps, const Vec2& ball_mps) {
   return heading * along_mps + across * ball_mps.dot(across);
 }
 
-// With t the tangent of the angle between heading and aim, a the ball's speed along the aim and c
-// that across it, the ball has no motion across the aim if v t sqrt(1 + t^2) = c + a t. Solved by
-// fixed-point iteration, at most 45 degrees off the aim.
+// With t the tangent of the angle between heading and aim, a the ball's speed along the aim, c its
+// speed across it and v the kick's speed, the ball has no motion across the aim if v t sqrt(1 +
+// t^2) = c + a t. This is solved by fixed-point iteration, for headings at most 45 degrees off the
+// aim.
 Vec2 kick_heading(const Vec2& aim, double along_mps, const Vec2& ball_mps) {
   if (along_mps <= 0) return aim;
   const double along = ball_mps.dot(aim);

@@ -1,4 +1,4 @@
-// Getting the ball and kicking it: fetching, receiving passes, turning with the ball, kicking.
+// Getting the ball and kicking it: fetching it, receiving passes, turning with the ball, kicking.
 #pragma once
 
 #include "soccer/tracks.hpp"
@@ -7,7 +7,7 @@
 
 namespace autoref::strategies {
 
-// The target of a kick, and how to kick.
+// The target of a kick and how to kick.
 struct Strike {
   Vec2 target_m{0, 0};
   double kick_mps = 6;
@@ -22,31 +22,31 @@ struct Strike {
   double turn_braking_radps2 = 16.0;  // planned for it
 };
 
-// The least cosine between a first-touch kick and the direction back along the ball's path, and the
-// angle of that cosine.
+// The minimum cosine between a first-touch kick and the direction back along the ball's path, and
+// the corresponding angle.
 inline constexpr double kWideFirstTouch = 0.45;
 inline constexpr double kWideFirstTouch_rad = 1.1040309877;
 
-// The velocity of a ball at the middle of the robot's plate, which moves with it.
+// The velocity of a ball that is at the middle of the robot's plate and moves with it.
 Vec2 plate_mps(const TrackedRobot& robot);
 
-// The velocity with which a kick along `heading` sends on a ball that moves with `ball_mps`: across
+// The velocity of a ball after a kick along `heading`, if it moves with `ball_mps` before: across
 // the heading, the ball keeps its motion (sim/kicker.hpp). `along_mps` is the kick's speed over
-// ground, for a chip its horizontal part.
+// ground; for a chip, its horizontal part.
 Vec2 kicked_mps(const Vec2& heading, double along_mps, const Vec2& ball_mps);
 
-// The heading from which such a kick sends the ball along `aim`; `aim` itself without a kick.
+// The heading at which such a kick sends the ball along `aim`; `aim` itself without a kick.
 Vec2 kick_heading(const Vec2& aim, double along_mps, const Vec2& ball_mps);
 
 // Whether the ball is in the robot's dribbler zone, to a few millimetres.
 bool has_ball(const TrackedRobot& robot, const Vec2& ball_m);
 
-// Whether the ball comes at more than 1.8 m/s and `robot` is in its path or close beside it.
+// Whether the ball approaches at more than 1.8 m/s and `robot` is in its path or close beside it.
 bool comes_towards(const TrackedRobot& robot, const BallPath& path);
 
-// Commands for `robot` to get the ball at the interception and kick it. With the ball, it turns
-// using the dribbler and kicks; an incoming ball is met on its path; any other is fetched from a
-// side that needs little turning. `obstacles` contains robots only.
+// Commands for `robot` to get the ball at the interception and kick it. If it has the ball, it
+// turns using the dribbler and kicks; it meets an incoming ball on its path; it fetches any other
+// ball from a side that needs little turning. `obstacles` must contain only robots.
 RobotCommand strike_ball(const TrackedRobot& robot, const BallPath& path,
                          const BallInterception& interception, const Strike& strike,
                          const Obstacles& obstacles, const DrivingStyle& style);

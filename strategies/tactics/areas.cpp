@@ -10,18 +10,19 @@ namespace {
 
 constexpr double kBesideBox_m = 10_mm;
 constexpr double kGradientStep_m = 1_mm;
-constexpr double kInTheWay_m = 0.35;  // along the field, of an opponent before a robot in the goal
+constexpr double kInTheWay_m = 0.35;  // along the field, from a robot in the goal to an opponent in
+                                      // front of it
 constexpr double kPast_m = 2 * kRobotRadius_m + 10_mm;  // across the field
 constexpr double kGoalBraking_mps2 = 2.5;
 constexpr double kSlowsWithin_m = 1.5;  // at most 3 m/s^2 are needed to stop from full speed
 
-// The corner of a box-shaped area for which to steer if the straight path to `target_m` leads
-// through the area or closer than `apart_m` past it; otherwise the target.
+// The corner of a box-shaped area to steer for if the straight path to `target_m` leads through the
+// area or passes closer than `apart_m` to it; otherwise the target.
 Vec2 around_box(const Field& field, Side side, double apart_m, const TrackedRobot& robot,
                 const Vec2& target_m) {
   const DefenceArea& area = field.defence_area;
   if (area.shape != DefenceArea::Shape::kBox) return target_m;
-  // The box in coordinates in which it is at +x.
+  // The box, in coordinates in which it is at +x.
   const double sign = goal_sign(side);
   const Vec2 from_m = robot.position_m * sign;
   const Vec2 to_m = target_m * sign;
@@ -29,7 +30,7 @@ Vec2 around_box(const Field& field, Side side, double apart_m, const TrackedRobo
   const double side_y = area.straight_m / 2 + apart_m;
   const auto is_inside = [&](const Vec2& p) { return p.x() > front_x && std::abs(p.y()) < side_y; };
   if (is_inside(from_m) || is_inside(to_m)) return target_m;
-  // Where the path enters the box's range along x, and where it leaves it.
+  // Where the path enters the box's range in x, and where it leaves it.
   const Vec2 path = to_m - from_m;
   if (from_m.x() <= front_x && to_m.x() <= front_x) return target_m;
   double first = 0;
@@ -71,7 +72,7 @@ std::optional<Vec2> exit_from_goal(const PredictedState& predicted, const Tracke
       beyond_m > field.goal_depth_m || std::abs(robot.position_m.y()) > field.half_goal_m())
     return std::nullopt;
   const double reach_m = field.half_goal_m() - kRobotRadius_m - kBesideBox_m;
-  // First past an opponent, usually the keeper, that stands in the way.
+  // First drives past any opponent, usually the keeper, that stands in the way.
   for (const TrackedRobot& opponent : predicted.now().opponents) {
     const Vec2 off_m = robot.position_m - opponent.position_m;
     if (off_m.x() < 0 || off_m.x() > kInTheWay_m || std::abs(off_m.y()) > kPast_m) continue;

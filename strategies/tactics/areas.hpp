@@ -1,5 +1,5 @@
-// Keeping robots clear of the defence areas and out of the goals. The style's around_boxes and
-// area_braking_mps2 switch these on.
+// Keeping robots clear of the defence areas and out of the goals. Enabled by the style's
+// around_boxes and area_braking_mps2.
 #pragma once
 
 #include <optional>
@@ -8,22 +8,22 @@
 
 namespace autoref::strategies {
 
-// The point for which to steer on the way to `target_m`: a corner of a box-shaped area if the
-// straight path leads through it; the shortest way out if the robot must leave the opponents' area;
+// The point to steer for on the way to `target_m`: a corner of a box-shaped area if the straight
+// path leads through the area; the shortest way out if the robot must leave the opponents' area;
 // otherwise the target.
 Vec2 around_boxes(const PredictedState& predicted, const TrackedRobot& robot, const Vec2& target_m);
 
-// The point to drive to out of the opponents' goal; nullopt elsewhere.
+// The point to drive to in order to leave the opponents' goal; nullopt elsewhere.
 std::optional<Vec2> exit_from_goal(const PredictedState& predicted, const TrackedRobot& robot);
 
-// The part of `velocity_mps` that lets a point, at `room_m` from the area of `side` beyond the
-// distance to keep, stop in time with the style's area_braking_mps2.
+// The part of `velocity_mps` at which a point can still stop in time with the style's
+// area_braking_mps2. `room_m` is its distance from the area of `side`, minus the distance to keep.
 Vec2 slowed_before_area(const PredictedState& predicted, Side side, const Vec2& point_m,
                         double room_m, const Vec2& velocity_mps);
 
-// Reduces the command's velocity towards areas that the robot with that index, a field player, must
-// keep out of while the ball is in play, and towards the opponents' goal, so that it can stop
-// before them.
+// Reduces the commanded velocity of the robot with that index, a field player, towards areas that
+// it must keep out of while the ball is in play and towards the opponents' goal, so that it can
+// stop in front of them.
 void stay_out_of_areas(const PredictedState& predicted, int index, RobotCommand& command);
 
 }  // namespace autoref::strategies

@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kSteps = 5;  // each at least halves the distance to the area's edge
 
-// The point on the ray from a point in the goal that is this far outside the team's own area.
-// Sphere tracing: each step moves along the ray by the distance still missing.
+// The point at distance `off_m` outside the team's own area on the ray from a point in the goal.
+// Found by sphere tracing: each step moves along the ray by the distance still missing.
 Vec2 on_rim(const Field& field, const Vec2& goal_m, const Vec2& direction, double off_m) {
   Vec2 p = goal_m + direction * (field.defence_area.depth_m + off_m);
   for (int i = 0; i < kSteps; ++i)

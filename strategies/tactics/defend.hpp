@@ -5,15 +5,15 @@
 
 namespace autoref::strategies {
 
-// Position of the wall's robot number `order` of `count`: side by side across the ball's path to
-// the goal, just outside the team's own area.
+// The position of robot number `order` of `count` in the wall. The robots stand side by side across
+// the ball's path to the goal, just outside the team's own area.
 Waypoint wall_position(const PredictedState& predicted, int order, int count);
 
 // A marker's position between an opponent (index in the view) and the team's own goal, shifted
 // towards the ball.
 Waypoint mark_position(const PredictedState& predicted, int opponent);
 
-// Opponents without the ball, the most dangerous first. Those far in the other half are left out.
+// Opponents without the ball, most dangerous first. Opponents far into the other half are left out.
 boost::container::static_vector<int, kMaxRobots> dangerous_opponents(
     const PredictedState& predicted);
 

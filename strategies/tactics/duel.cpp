@@ -32,7 +32,7 @@ RobotCommand block_ball(const PredictedState& predicted, int index) {
         robot, off * predicted.style().block_close_per_s - back * predicted.style().block_press_mps,
         -back, style);
   }
-  // A ball that both robots hold would count as dribbled.
+  // A ball that both robots hold would count as being dribbled.
   command.dribble = predicted.style().dribble_gap_m <= 0 ||
                     !predicted.rules().has(RuleId::kBotDribbledBallTooFar);
   return command;

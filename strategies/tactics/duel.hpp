@@ -10,7 +10,7 @@ namespace autoref::strategies {
 bool opponent_has_ball(const PredictedState& predicted);
 
 // Commands for the robot with that index to get between an opponent's ball and the team's own goal,
-// facing the ball, and to press against it.
+// facing the ball, and to press against the ball.
 RobotCommand block_ball(const PredictedState& predicted, int index);
 
 // Commands for a face-off, in which robots of both teams hold the ball: pull it to a random side,

@@ -11,10 +11,10 @@ namespace autoref::strategies {
 namespace {
 
 constexpr double kTouches_m = 5_mm;  // gap to a ball in contact
-constexpr double kBackwards = -0.3;  // a heading's x from which a kick goes back
+constexpr double kBackwards = -0.3;  // x of a heading below which a kick goes backwards
 constexpr double kLetGo_mps = 1.5;
 constexpr double kCommitted_m = 125_mm;  // from the taker's centre to the ball
-constexpr double kMoves_mps = 0.3;       // a faster ball moves
+constexpr double kMoves_mps = 0.3;       // a ball faster than this is moving
 constexpr double kLong_s = 10;           // as good as unlimited
 
 // A unit vector out of the field if the ball is so close to a line that a push could move it out;
@@ -71,7 +71,7 @@ Choice BallHandler::choose(int index, const Vec2& from_m) const {
     option.worth -= predicted_.style().turn_nll * pressure * (1 - robot.heading.dot(aim)) / 2;
     return option;
   };
-  // Without team-mates, a robot gains time to return to its goal.
+  // Without team-mates, a robot always shoots, which gives it time to return to its goal.
   if (predicted_.robots() == 1 && !predicted_.now().opponents.empty())
     return shot_from(predicted_, robot.number, from_m);
   const std::optional<Hold> hold = hold_of(index, from_m);
@@ -88,7 +88,7 @@ Choice BallHandler::choose(int index, const Vec2& from_m) const {
       predicted_.style().shot_threshold * (is_shooting ? predicted_.style().still_shoots : 1.0))
     return best;
   best = less_turning(best);
-  // Turning only costs, apart from rounding errors.
+  // Turning can only cost, apart from rounding errors.
   constexpr double kTurnGain = 1e-9;
   const auto consider = [&](Choice option) {
     if (option.kind == choice_.kind && option.receiver == choice_.receiver)
@@ -116,8 +116,8 @@ Choice BallHandler::choose(int index, const Vec2& from_m) const {
   return best;
 }
 
-// How the robot holds the ball, or will meet it: head-on in the path of a ball that comes towards
-// it, else from a side that needs little turning (strike_ball()). Unset if it has time.
+// How the robot holds the ball or will meet it: head-on if the ball comes towards it, otherwise
+// from a side that needs little turning (strike_ball()). Empty if the robot has time.
 std::optional<Hold> BallHandler::hold_of(int index, const Vec2& from_m) const {
   const Style& style = predicted_.style();
   if (style.late_cost <= 0 || predicted_.now().play != Play::kRunning) return std::nullopt;
@@ -138,7 +138,7 @@ std::optional<Hold> BallHandler::hold_of(int index, const Vec2& from_m) const {
   return hold;
 }
 
-// How long the robot can turn with the ball before it has dribbled it nearly too far.
+// How long the robot can turn with the ball until it has dribbled it nearly too far.
 double BallHandler::dribble_left_s(const TrackedRobot& robot, bool holds) const {
   const Style& style = predicted_.style();
   if (!predicted_.rules().has(RuleId::kBotDribbledBallTooFar)) return kLong_s;
@@ -197,7 +197,7 @@ void BallHandler::note_contacts() {
   }
 }
 
-// Whether the robot is about to touch the ball at a restart: a new choice would come too late.
+// Whether the robot is about to touch the ball at a restart, so a new choice would come too late.
 bool BallHandler::is_committed(const TrackedRobot& robot) const {
   return predicted_.style().restart_commit_rad > 0 && is_restart(predicted_.now().play) &&
          restart_taker_ == robot.number &&
@@ -268,15 +268,15 @@ bool BallHandler::may_score() const {
          !predicted_.rules().has(RuleId::kIndirectGoal) || predicted_.style().indirect_shots;
 }
 
-// Whether the taker of this restart may touch the ball again, and so take it along.
+// Whether the taker of this restart may touch the ball again, so it can take the ball along.
 bool BallHandler::may_dribble_restart() const {
   return predicted_.style().dribbled_restart > 0 && is_restart(predicted_.now().play) &&
          predicted_.now().play != Play::kPenalty &&
          !predicted_.rules().has(RuleId::kAttackerDoubleTouchedBall);
 }
 
-// A kick does not help if the ball is not at the kicker, an opponent holds it as well, or the kick
-// would go back.
+// A kick does not help if the ball is not at the kicker, if an opponent also holds it, or if the
+// kick would go backwards.
 bool BallHandler::must_let_go(int index) const {
   const TrackedRobot& robot = predicted_.robot(index);
   const auto& from_m = contact_from_m_[static_cast<std::size_t>(robot.number)];
@@ -300,12 +300,13 @@ RobotCommand BallHandler::let_go(int index) const {
   return command;
 }
 
-// The fraction of the allowed distance after which the ball must be passed on at once.
+// The fraction of the allowed distance after which the ball must be passed on immediately.
 double BallHandler::hasty_share() const {
   return std::max(predicted_.style().dribbling_share, predicted_.style().hasty_share);
 }
 
-// Whether the ball has been dribbled so far that it must be passed on now, or at once.
+// Whether the ball has been dribbled so far that it must be passed on now, or immediately in any
+// direction.
 bool BallHandler::must_release() const { return has_dribbled(predicted_.style().dribbling_share); }
 bool BallHandler::is_hasty() const { return has_dribbled(hasty_share()); }
 
@@ -318,7 +319,7 @@ bool BallHandler::has_dribbled(double share) const {
   return dribbled_m(from_m) > share * predicted_.rules().dribbling_m;
 }
 
-// How far from where it was gained the ball will be once the robot can part with it.
+// How far from its starting point the ball will have been dribbled once the robot can part with it.
 double BallHandler::dribbled_m(const Vec2& from_m) const {
   return (predicted_.path().now_m() - from_m).norm() +
          predicted_.style().release_lead_s * predicted_.path().speed_mps();

@@ -10,7 +10,7 @@
 
 namespace autoref::strategies {
 
-// Controls the robot at the ball. Stores its last choice, and the receiver of a pass under way.
+// Controls the robot at the ball. Stores its last choice and the receiver of a pass under way.
 class BallHandler {
  public:
   explicit BallHandler(const PredictedState& predicted);
@@ -18,15 +18,15 @@ class BallHandler {
   // Updates the state. Call it for every view, before play().
   void update();
 
-  // Commands for the robot with that index to go for the ball and use it.
+  // Commands for the robot with that index to go for the ball and play it.
   RobotCommand play(int index);
 
-  // Whether the robot with that index must leave the ball, since it has dribbled it nearly too far
-  // and no kick helps; and the commands for it.
+  // Whether the robot with that index must leave the ball because it has dribbled it nearly too far
+  // and no kick helps; and the commands to do so.
   bool must_let_go(int index) const;
   RobotCommand let_go(int index) const;
 
-  // Number of the robot that is to receive the pass under way.
+  // The number of the robot that is to receive the pass under way.
   std::optional<int> receiver() const { return receiver_; }
   const Choice& choice() const { return choice_; }
 

@@ -19,7 +19,7 @@ constexpr double kNearest_m = 50_mm;    // robots nearer to the ball, along the 
 constexpr double kFarthest = 0.62;      // of the field's length: shots from farther away are rare
 constexpr double kStrayCost_per_m = 1;  // in samples covered, per metre from the usual point
 constexpr double kAimWidth_m = 0.15;    // points of the goal this near to the aim count more
-constexpr double kAimWeight = 1.0;      // by this much at most
+constexpr double kAimWeight = 1.0;      // at most by this
 
 using Weights = std::array<double, kGoalLinePoints>;
 
@@ -72,7 +72,7 @@ OpenPoints without_shaded(const Field& field, const Weights& open) {
   return points;
 }
 
-// What a shadow around `middle_m` covers: its middle surely, its ends hardly.
+// How much a shadow around `middle_m` covers: its middle covers fully, its ends hardly at all.
 double covered(const OpenPoints& open, double middle_m, double half_width_m) {
   double sum = 0;
   for (const OpenPoint& point : open) {
@@ -89,7 +89,7 @@ Vec2 on_goal_line(const Field& field, const Vec2& from_m, const Vec2& direction)
   return {-field.half_length_m(), from_m.y() + share * direction.y()};
 }
 
-// Where an opponent with the ball aims, if that is in the goal or near it.
+// Where an opponent with the ball is aiming, if that is in or near the goal.
 std::optional<Vec2> aimed_at(const PredictedState& predicted) {
   const Field& field = predicted.field();
   if (!opponent_has_ball(predicted)) return std::nullopt;
@@ -110,8 +110,8 @@ Vec2 expected_at(const PredictedState& predicted, const Vec2& halving) {
   return aim_m ? middle_m + (*aim_m - middle_m) * predicted.style().keeper_aim_trust : middle_m;
 }
 
-// `expected_m`, shifted to the part of the goal that the keeper's team-mates leave open to a shot.
-// The keeper stands on the line x = `stand_x`.
+// `expected_m`, shifted towards the part of the goal that the keeper's team-mates leave open to a
+// shot. The keeper stands on the line x = `stand_x`.
 Vec2 shifted_to_gap(const PredictedState& predicted, const Vec2& expected_m, double stand_x) {
   const double share = predicted.style().keeper_fills_gap;
   if (share <= 0) return expected_m;
@@ -133,8 +133,7 @@ double arrival_s(const BallPath& path, const Vec2& point_m) {
   return (point_m - path.now_m()).norm() / std::max(0.1, path.speed_mps());
 }
 
-// Where the ball will cross the team's own goal line; nullopt unless it will cross the line in the
-// goal or near it.
+// Where the ball will cross the team's own goal line; nullopt unless this is in or near the goal.
 std::optional<Vec2> shot_at(const PredictedState& predicted) {
   const BallPath& path = predicted.path();
   const double goal_x = -predicted.field().half_length_m();
@@ -200,7 +199,7 @@ Waypoint keeper_position(const PredictedState& predicted, const TrackedRobot& ke
   const double out_m = predicted.style().keeper_out_m;
   const double stand_x = -field.half_length_m() +
                          std::max(out_m, kRobotRadius_m + predicted.style().keeper_off_line_m);
-  if (halving.x() > -0.25) {  // the ball is beside the goal: cover the near post
+  if (halving.x() > -0.25) {  // the ball is to the side of the goal: cover the near post
     const double y = std::copysign(field.half_goal_m() - kRobotRadius_m, ball_m.y());
     return facing_ball(predicted, {least_x, y});
   }

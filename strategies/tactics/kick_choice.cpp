@@ -12,7 +12,7 @@ namespace autoref::strategies {
 namespace {
 
 constexpr double kStartsTurning_s = 0.1;
-constexpr double kLittleTurn_rad = 0.1;  // needs less time to start
+constexpr double kLittleTurn_rad = 0.1;  // a smaller turn needs less time to start
 
 constexpr int kClearSteps = 3;  // directions to each side of straight ahead
 
@@ -48,7 +48,8 @@ double worth_of_pass(const PredictedState& predicted, const Choice& pass, double
   return share * safety * there + safety * liked - (1 - safety) * lost;
 }
 
-// Like pass_safety, for a ball that flies over robots well between kick and landing.
+// Like pass_safety, for a ball that flies over robots, except shortly after the kick and before the
+// landing.
 double chip_safety(const PredictedState& predicted, const Vec2& from_m, const Vec2& landing_m,
                    const Vec2& to_m) {
   const Vec2 direction = direction_of(landing_m - from_m, Vec2(1, 0));

@@ -1,5 +1,5 @@
-// The options of the robot with the ball, each with its value, and the chance that it has
-// the time to turn to its aim.
+// The options of the robot with the ball, each with its value, and the chance that the robot has
+// time to turn to its aim.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace autoref::strategies {
 
-// How a robot comes to the ball, or holds it.
+// How a robot reaches or holds the ball.
 struct Hold {
   Vec2 heading{1, 0};   // of the robot at its first touch, or now if it holds the ball
   double free_rad = 0;  // how far from that heading it can kick without turning with the ball
@@ -19,7 +19,8 @@ struct Hold {
 };
 
 // The chance, 0 to 1, that the robot kicks along `aim` in time: a logistic function of the spare
-// time minus that of the turn, at ball_turn_radps after a tenth of a second to start it.
+// time minus the time of the turn, which takes a tenth of a second to start and then goes at
+// ball_turn_radps.
 double chance_to_turn(const Style& style, const Hold& hold, const Vec2& aim);
 
 // An option. Its value, for comparison with other options in the same frame, is roughly the chance
@@ -29,7 +30,7 @@ struct Choice {
   Kind kind = Kind::kClear;
   Strike strike;
   double worth = -1;
-  int receiver = -1;  // number of the robot that a pass is for
+  int receiver = -1;  // number of the robot that receives the pass
 };
 
 // A shot at the widest opening of the goal, by the robot with that number.
@@ -44,7 +45,7 @@ Choice chip_to(const PredictedState& predicted, int mate, double chance, const V
 // The option of carrying the ball.
 Choice carry_from(const PredictedState& predicted, const Vec2& from_m);
 
-// The option of dribbling from a restart, towards the goal.
+// The option of dribbling towards the goal from a restart.
 Choice dribble_from(const PredictedState& predicted, const Vec2& from_m);
 
 // A kick into the most open space without turning far from `heading`; never backwards.

@@ -55,7 +55,7 @@ PassField::PassField(const PredictedState& predicted)
 }
 
 // Values are read when positions are chosen. Until one sweep before the next choice, every value
-// would be replaced before it is read.
+// would be replaced before it is read, so none is computed.
 void PassField::update() {
   if (predicted_.now().frame + kSweep_frames <= settle_frame_ + held_frames_) {
     next_ = (next_ + kPerFrame) % kCells;
@@ -78,7 +78,7 @@ double PassField::value_for(
     int index, int cell, const boost::container::static_vector<Vec2, kMaxRobots>& taken_m) const {
   const Vec2& cell_m = cells_m_[static_cast<std::size_t>(cell)];
   const TrackedRobot& robot = predicted_.robot(index);
-  // While play is stopped, everybody waits for the robot with the longest path.
+  // While play is stopped, everyone waits for the robot with the longest path.
   const double far_per_m = predicted_.is_waiting() ? predicted_.style().far_cost_in_stop_per_m
                                                    : predicted_.style().far_cost_per_m;
   double value =
@@ -108,7 +108,7 @@ void PassField::send(const boost::container::static_vector<int, kMaxRobots>& rec
     int best = 0;
     double best_value = -1e9;
     for (int cell = 0; cell < kCells; ++cell) {
-      // All else in value_for is a cost.
+      // All other terms of value_for are costs.
       if (values_[static_cast<std::size_t>(cell)] + most_bonus <= best_value) continue;
       const double value = value_for(index, cell, taken_m);
       if (value <= best_value) continue;

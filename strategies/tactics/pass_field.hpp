@@ -12,8 +12,8 @@ namespace autoref::strategies {
 // would take it, or -1.
 double chance_at(const PredictedState& predicted, const Vec2& point_m, int mate);
 
-// Value, 0 to 1, of a ball passed from `from_m` to `point_m`, given the chance of a shot from
-// there: largest if a first-time shot is possible, with a small bonus for being far upfield.
+// The value, 0 to 1, of a ball passed from `from_m` to `point_m`, given the chance of a shot from
+// there. It is largest if a first-time shot is possible, with a small bonus for being far upfield.
 double worth_of(const PredictedState& predicted, double chance, const Vec2& point_m,
                 const Vec2& from_m);
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kPenaltyRunUp_m = 250_mm;  // from the ball to the waiting kicker's centre
 constexpr double kPenaltyOnLine_m =
-    30_mm;  // keeper's centre in front of its line, with the hull on it
+    30_mm;  // keeper's centre in front of its line, with its hull on the line
 constexpr double kPenaltyMargin_m = 50_mm;
 constexpr double kRows_m = 300_mm;  // between the attackers' and the defenders' row
 constexpr double kGap_m = 300_mm;   // between neighbours in a row

@@ -13,7 +13,7 @@ namespace {
 constexpr double kGrip_m = kFrontDistance_m + kBallRadius_m;  // from robot to ball, in contact
 constexpr double kRunUp_m = 120_mm;     // from where the robot lines up to where it grips
 constexpr double kNearWall_m = 250_mm;  // a ball nearer to a wall is first pulled inwards
-constexpr double kInwards_m = 300_mm;   // by this much
+constexpr double kInwards_m = 300_mm;   // by this distance
 constexpr double kBesideGoal_m =
     450_mm;  // from a goal post, a ball behind the line comes out first
 constexpr double kApproach_mps = 2.5;
@@ -25,16 +25,17 @@ constexpr double kPull_mps2 = 1.3;  // the dribbler loses the ball in harder mot
 constexpr double kTurn_radps = 2.0;
 constexpr double kTurn_radps2 = 8.0;
 constexpr double kSetDown_m = 25_mm;      // from the ball to its position
-constexpr double kGoodEnough_m = 110_mm;  // a ball at rest as near as this stays
+constexpr double kGoodEnough_m = 110_mm;  // a ball at rest this near to its position stays
 constexpr double kStraight_m = 250_mm;    // the last part is straight
-constexpr double kRests_mps = 0.15;       // of a tracked ball at rest, at most
+constexpr double kRests_mps = 0.15;       // maximum speed of a tracked ball at rest
 constexpr double kBrake_s = 0.3;          // to come to rest with the ball
-constexpr double kRelease_s = 0.5;        // the dribbler is off, and the ball comes to rest
-constexpr double kSlowly_s = 1.0;         // until then the robot backs away slowly
+constexpr double kRelease_s = 0.5;        // time for the ball to come to rest after the dribbler is
+                                          // switched off
+constexpr double kSlowly_s = 1.0;         // until then, the robot backs away slowly
 constexpr double kSlowly_mps = 0.25;
 constexpr double kLeave_mps = 1.0;
 constexpr double kLeave_m = 0.75;    // from the robot's centre to the ball
-constexpr double kPatience_s = 9.0;  // without the ball, then another robot tries
+constexpr double kPatience_s = 9.0;  // without the ball; after that, another robot tries
 constexpr double kClear_m = 0.68;    // from others' centres to the ball's path
 
 bool is_field_player(const PredictedState& predicted, const TrackedRobot& robot) {

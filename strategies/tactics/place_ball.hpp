@@ -34,12 +34,12 @@ class BallPlacer {
 
   const PredictedState& predicted_;
   int index_ = -1;
-  int number_ = -1;         // of the robot; -1: none
-  int former_ = -1;         // the robot that has tried before
+  int number_ = -1;         // the robot's number; -1 for no robot
+  int former_ = -1;         // the robot that has already tried
   double since_s_ = 0;      // when the robot was chosen
-  Vec2 ball_m_{0, 0};       // when commands take effect
+  Vec2 ball_m_{0, 0};       // at the time when commands take effect
   Vec2 tracked_m_{0, 0};    // in the view
-  bool is_hidden_ = false;  // the tracker has stopped the ball where it was last seen
+  bool is_hidden_ = false;  // whether the tracker has stopped the ball where it was last seen
   bool holds_ = false;
   double held_since_s_ = 0;
   std::optional<double> set_down_s_;  // when the robot began to set the ball down
@@ -49,12 +49,13 @@ class BallPlacer {
   double step_s_ = 0;  // since the previous view
 };
 
-// Whether the referee is placing the ball for the opponents' restart, and robots must keep clear of
+// Whether the referee is placing the ball for the opponents' restart, so robots must keep clear of
 // it.
 bool must_clear_placement(const PredictedState& predicted);
 
-// Whether the robot would come too near to the ball or its path to the designated position on its
-// way to `waypoint`; then it is better off at the returned position, near the robot's own.
+// A better position for a robot that would come too near to the ball, or to its path to the
+// designated position, on its way to `waypoint`. It is near the robot's current position. Returns
+// nullopt if the way is clear.
 std::optional<Waypoint> clear_of_placement(const PredictedState& predicted,
                                            const TrackedRobot& robot, const Vec2& waypoint_m);
 

@@ -51,7 +51,7 @@ const Abilities& PredictedState::abilities(int index) const {
   return context_.robots[static_cast<std::size_t>(robot(index).number)];
 }
 
-// Each opponent is updated every other frame only, to save time.
+// To save time, each opponent is updated only every other frame.
 void PredictedState::intercept_ball() {
   for (int i = 0; i < robots(); ++i) {
     const auto at = static_cast<std::size_t>(i);
@@ -132,7 +132,7 @@ DrivingStyle PredictedState::driving(int index) const {
   return style;
 }
 
-// Adds a margin outside the areas' lines, because the whole hull must stay out.
+// Adds a margin outside the areas' lines, because the whole hull must stay outside.
 bool PredictedState::may_touch_at(const Vec2& ball_m) const {
   if (rules().has(RuleId::kAttackerTouchedBallInDefenseArea) &&
       distance_to_defence_area(field(), Side::kEast, ball_m) < style_.from_their_area_m)
@@ -181,7 +181,7 @@ RobotCommand go_to(const PredictedState& predicted, int index, const Waypoint& w
   const Vec2 off_m = robot.position_m - now.ball.position_m;
   if (room_m > predicted.style().near_room_m &&
       off_m.norm() < room_m + kRobotRadius_m - predicted.style().near_room_m) {
-    // First leaves the ball's circle directly, or along a wall that is in the way.
+    // First leaves the ball's circle, either directly or along a wall that is in the way.
     const Vec2 out =
         off_walls(predicted.field(), robot.position_m, direction_of(off_m, Vec2(-1, 0)),
                   room_m + kRobotRadius_m - off_m.norm());

@@ -21,7 +21,7 @@ class PredictedState {
 
   // Processes the next view. Call it for every view of the game.
   void update(const TeamView& view);
-  // The team's commands for that view.
+  // Notes the team's commands for that view.
   void note(const TeamCommands& commands) { look_ahead_.note(now_.frame, commands); }
 
   const TeamContext& context() const { return context_; }
@@ -33,8 +33,8 @@ class PredictedState {
   // The ball, or the position where the referee is about to place it.
   const Vec2& position_m() const { return position_m_; }
 
-  // The position from which to expect a shot at the team's own goal: the ball, or where an opponent
-  // will reach it, as far as the style anticipates that.
+  // The position from which to expect a shot at the team's own goal: the ball, or the point where
+  // an opponent will reach it, as far as the style anticipates that.
   const Vec2& threat_m() const { return threat_m_; }
 
   int robots() const { return static_cast<int>(now_.own.size()); }
@@ -42,7 +42,7 @@ class PredictedState {
   const Abilities& abilities(int index) const;
   DrivingStyle driving(int index) const;
 
-  // When and where the robot with that index, and the fastest opponent, can reach the ball.
+  // When and where the robot with that index, or the fastest opponent, can reach the ball.
   const BallInterception& interception(int index) const {
     return interceptions_[static_cast<std::size_t>(index)];
   }
@@ -58,7 +58,7 @@ class PredictedState {
 
   // The current limits on a field player's position.
   const Limits& limits() const { return limits_; }
-  // Minimum gap from hull to ball that the team must currently keep; 0 if there is none.
+  // Minimum gap from hull to ball that the team must currently keep; 0 if no gap is required.
   double room_at_ball_m() const { return room_at_ball_m_; }
 
   // Whether the rules in force allow a field player to touch a ball there.
@@ -99,7 +99,7 @@ RobotCommand go_to(const PredictedState& predicted, int index, const Waypoint& w
 // Reduces a command's velocity if it would run the robot with that index into an opponent.
 void ease_off(const PredictedState& predicted, int index, RobotCommand& command);
 
-// The robots that the robot with that index must avoid on its way, without the ball.
+// The robots that the robot with that index must avoid on its way without the ball.
 void robots_around(const PredictedState& predicted, int index, const Vec2& target_m,
                    Obstacles& obstacles);
 

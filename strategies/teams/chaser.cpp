@@ -19,7 +19,7 @@ constexpr double kChaserOnLine_m =
     kRobotRadius_m + 30_mm;                  // distance of the keeper from its goal line
 constexpr double kFromTheirArea_m = 100_mm;  // a ball closer to the opponents' area is left alone
 constexpr double kSlowBall_mps =
-    1.2;  // a faster ball in the team's own area is a shot: the keeper waits
+    1.2;  // a ball faster than this in the team's own area is a shot: the keeper waits
 constexpr double kShotAtUs_mps = 0.3;  // minimum speed of a shot towards the team's own goal line
 constexpr double kCaution = 0.93;      // fraction of the kick speed limit that is used
 constexpr double kChaserClearance_m = 2 * kRobotRadius_m + 20_mm;
@@ -56,8 +56,8 @@ bool Chaser::may_chase() const {
              kFromTheirArea_m;
 }
 
-// Returns the index of the keeper if the ball is in the team's own area, otherwise of a field
-// player, or -1 if nobody may play the ball.
+// Returns the index of the keeper if the ball is in the team's own area, otherwise that of a field
+// player, or -1 if no robot may play the ball.
 int Chaser::nearest_to_ball() const {
   const Vec2& ball_m = now_.ball.position_m;
   const int count = static_cast<int>(now_.own.size());
@@ -119,7 +119,7 @@ Waypoint Chaser::waypoint_of(int index) const {
   return {position_m, direction_of(ball_target_m_ - position_m, Vec2(1, 0))};
 }
 
-// Where a shot will cross the keeper's line; if there is no shot, on the line towards the ball.
+// Where a shot will cross the keeper's line; without a shot, a position shifted towards the ball.
 double Chaser::keeper_y_m(double line_x_m) const {
   const Vec2& velocity_mps = now_.ball.velocity_mps;
   const double reach_m = context_.field.half_goal_m() - kRobotRadius_m / 2;

@@ -29,7 +29,7 @@ class Chaser final : public Strategy {
 
   TeamContext context_;
   TeamView now_;              // the view, extrapolated to when commands take effect
-  Vec2 ball_target_m_{0, 0};  // the ball, or where the referee is about to place it
+  Vec2 ball_target_m_{0, 0};  // the ball, or the position where the referee is about to place it
   RestartTaker taker_;
   TeamRequests requests_;
 };

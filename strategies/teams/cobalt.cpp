@@ -1,6 +1,6 @@
-// The strong team. It takes the clearest shot, otherwise the pass, dribble or clearance worth most;
-// a kick that it may not have time to turn to is worth less. Wall and keeper cover the goal
-// together.
+// The strong team. It takes a clear shot if there is one, otherwise the most valuable pass, dribble
+// or clearance; a kick that it may not have time to turn to is worth less. Wall and keeper cover
+// the goal together.
 #include "strategies/skills/limits.hpp"
 #include "strategies/teams/playbooks.hpp"
 
@@ -30,8 +30,8 @@ void avoid_few_fouls(Style& style) {
   style.clear_of_placement = false;
 }
 
-// Fitted in games of cobalt against itself, six robots each, under 2014 and 2026-b. Larger shares
-// of dribbling win no more, and are fouls more often.
+// Fitted in games of cobalt against itself, with six robots each, under the rules 2014 and 2026-b.
+// Larger dribbling shares win no more games, and lead to fouls more often.
 void fit(Style& style) {
   style.late_cost = 0.35;
   style.pass_arrival_mps = 3.6;

@@ -1,5 +1,5 @@
-// Man-marking. Each field player follows its own opponent everywhere, whoever has the ball. One
-// robot goes for the ball, and a few leave their opponents to attack with it.
+// Man-marking. Each field player follows its own opponent everywhere, no matter which team has the
+// ball. One robot goes for the ball, and a few leave their opponents to attack with it.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -26,7 +26,8 @@ int their_keeper(const PredictedState& predicted) {
   return keeper;
 }
 
-// A spot beside each opponent except the keeper, starting with those nearest to the own goal.
+// A spot next to each opponent except the keeper, starting with those nearest to this team's own
+// goal.
 FormationSpots men(const PredictedState& predicted) {
   const TrackedRobots& all = predicted.now().opponents;
   const int keeper = their_keeper(predicted);

@@ -1,5 +1,5 @@
 // Zones. The field players stand in a formation that shifts with the ball. A robot leaves its zone
-// only if it reaches the ball first, and its zone stays empty meanwhile.
+// only if it reaches the ball first; in the meantime, the zone stays empty.
 #include <array>
 
 #include "strategies/plays/formation_spots.hpp"
@@ -9,7 +9,7 @@ namespace autoref::strategies {
 namespace {
 
 // Positions when the ball is in the centre, as fractions of half the field's length and width.
-// First come those of a 2-2-1 formation, then positions between and beside these.
+// First come those of a 2-2-1 formation, then positions between and next to these.
 constexpr std::array<std::array<double, 2>, 10> kZones = {{{-0.50, 0.22},
                                                            {-0.50, -0.22},
                                                            {-0.12, 0.45},

@@ -3,7 +3,7 @@
 //
 //     coverage [TRIALS]      default: 20000
 //
-// Exit code 1 if a proportion is outside its bounds, 2 for an invalid argument.
+// The exit code is 1 if a proportion is outside its bounds, and 2 for an invalid argument.
 #include <fmt/format.h>
 
 #include "io/words.hpp"
@@ -15,7 +15,7 @@ namespace {
 constexpr int kTrials = 20000;
 constexpr int kFewestTrials = 1000;  // with fewer, proportions leave their bounds by chance
 constexpr int kMostTrials = 10'000'000;
-// Fewer trials, since rating a round robin takes long.
+// Fewer trials, since rating a round robin takes a long time.
 constexpr int kTrialsPerRoundRobin = 4;
 
 // The number of lines outside their bounds.

@@ -25,7 +25,7 @@ struct League {
 League model_league(const std::string& name, const std::vector<double>& strengths, double draws);
 
 // Games with Poisson-distributed goals: i scores 2 exp(skill of i - skill of j) against j. The true
-// ratings are those of the expected totals of so many games that the penalty has no effect.
+// ratings are those of the expected totals over so many games that the penalty has no effect.
 League poisson_league(const std::string& name, const std::vector<double>& skills);
 
 // A round robin with `pairs` pairs of legs in each matchup; all legs are independent.

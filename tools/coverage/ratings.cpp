@@ -15,35 +15,36 @@ namespace {
 using experiments::Rating;
 using RateTeams = std::vector<Rating> (*)(std::vector<experiments::RatedMatchup>);
 
-// A bootstrap takes much longer than a profile.
+// A bootstrap takes much longer than a profile likelihood.
 constexpr int kTrialsPerBootstrap = 5;
 
-// Strengths of teams with moderate differences, of which the best beats the worst in 90 % of games,
-// and about those of the teams in results/reference/roundrobin, of which it practically always
-// does.
+// Strengths of teams with moderate differences, where the best team beats the worst in 90 % of
+// games, and with about the differences of the teams in results/reference/roundrobin, where it
+// practically always does.
 const std::vector<double> kEqual(4, 0.0);
 const std::vector<double> kModerate = {1.1, 0.4, -0.4, -1.1};
 const std::vector<double> kLarge = {8.1, 3.3, 2.3, 1.0, 0.5, -0.3, -5.2, -9.7};
 
-// Skills of Poisson teams with similar results.
+// Skills of Poisson teams that give similar results.
 const std::vector<double> kModerateSkills = {0.3, 0.1, -0.1, -0.3};
 const std::vector<double> kLargeSkills = {1.5, 0.55, 0.4, 0.15, 0, 0, -1.2, -2.2};
 
-// Draws in games of equal teams: a quarter (as between our teams), and a half, the most that
-// dispersion() corrects for.
+// The fraction of draws between equal teams: a quarter (as between our teams), or a half, the most
+// that dispersion() corrects for.
 constexpr double kQuarter = 0.5;
 constexpr double kHalf = 1;
 
-// What the intervals promise, and where they fall short: see docs/explanations/statistics.md.
+// The coverage that the intervals promise, and where they fall short: see
+// docs/explanations/statistics.md.
 struct Bounds {
   double least = 0.90;
   double most = 0.985;
 };
 
-// In how many round robins each team's interval contained its true rating.
+// The number of round robins in which each team's interval contained its true rating.
 struct Held {
   std::vector<int> times;  // by team
-  int open = 0;            // intervals with only one end
+  int open = 0;            // one-sided intervals
   int missing = 0;         // teams without an interval
 };
 
@@ -82,7 +83,7 @@ Measured measure_strengths(const League& league, int pairs, int trials, const Bo
                  bounds);
 }
 
-// With five pairs, percentiles of the bootstrap are too narrow.
+// With five pairs, the percentiles of the bootstrap are too narrow.
 Measured measure_goals(const League& league, int pairs, int trials) {
   const Bounds bounds{pairs == static_cast<int>(experiments::kFewestResampled) ? 0.84 : 0.90,
                       0.985};
@@ -107,12 +108,12 @@ std::vector<Measured> rating_coverage(int trials) {
       all.push_back(measure_strengths(league, pairs, trials));
     }
   }
-  // Many draws, which the dispersion overrates for teams that almost always win or lose.
+  // Many draws. For teams that almost always win or lose, the dispersion overestimates them.
   const League drawn = model_league("half drawn, 8 teams, large", kLarge, kHalf);
   for (const int pairs : {5, 30}) {
     all.push_back(measure_strengths(drawn, pairs, trials, {.least = 0.86}));
   }
-  // Few games have few possible results.
+  // Few games have only a few possible results.
   const League two = model_league("model, 2 equal teams", {0, 0}, kQuarter);
   for (const int pairs : {1, 5}) all.push_back(measure_strengths(two, pairs, trials, {.most = 1}));
   for (const League& league : poisson) {

@@ -20,9 +20,10 @@ using experiments::Verdict;
 constexpr double kLeads[] = {0.05, 0.1, 0.2, 0.5, 1};  // d1, in goals per game; d0 is 0
 constexpr double kSpreads[] = {0.2, 0.5, 1, 2, 4};     // standard deviations of a game's difference
 constexpr int kMostPairs = 9999;
-// The errors may exceed what is promised by a factor, and by the standard errors of the share.
+// The errors may exceed the promised rates by this factor, plus the standard errors of the
+// proportion.
 constexpr double kAllowance = 1.2;
-// Goals that come in bursts make differences lopsided.
+// Goals that come in bursts skew the differences.
 constexpr double kUnevenAllowance = 1.4;
 constexpr double kVeryUnevenAllowance = 2;
 constexpr double kStandardErrors = 2;
@@ -56,9 +57,8 @@ Pairs poisson_pairs(double mean, double sd) {
   return [means = means_of(mean, sd * sd)](RandomStream& random) { return pair_of(means, random); };
 }
 
-// Pairs that differ in how much is scored: both teams' expected goals have a common factor with the
-// mean 1 and the variance `uneven`, which adds that share of the lead's square to a game's
-// variance.
+// Pairs that differ in the number of goals: both teams' expected goals have a common factor with
+// mean 1 and variance `uneven`, which adds that fraction of the lead's square to a game's variance.
 Pairs uneven_pairs(double mean, double sd, double uneven) {
   const Means means = means_of(mean, sd * sd - uneven * mean * mean);
   return [=](RandomStream& random) {
@@ -95,8 +95,8 @@ SequentialState run_until_decided(const SequentialTest& test, const Pairs& next,
   return state;
 }
 
-// About as many as the test needs if the spread is known: twice the bounds by the information that
-// a pair gives.
+// About as many pairs as the test needs if the spread is known: twice the bounds divided by the
+// information from one pair.
 double pairs_needed(const Trial& trial) {
   const double lead = trial.test.d1 - trial.test.d0;
   return 2 * experiments::bound_of_d1(trial.test) * trial.sd * trial.sd / 2 / (lead * lead);
@@ -153,7 +153,8 @@ std::vector<Trial> leads_and_spreads() {
       all.push_back({test, sd, kNormal});
       all.push_back({test, sd, kPoisson});
     }
-    // As few goals as the lead needs, and little more: where the differences are most lopsided.
+    // As few goals as the lead allows, or a little more: this is where the differences are most
+    // skewed.
     for (const double more : {1.0, 1.5, 2.0}) {
       all.push_back({test, more * std::sqrt(lead), kPoisson});
     }

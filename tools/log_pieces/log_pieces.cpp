@@ -1,11 +1,11 @@
-// Games of ours, written as logs, read back and cut into pieces that begin anywhere: are AutoRef's
-// calls beside the recorded referee those of the whole game?
+// Writes games as logs, reads them back, and cuts them into pieces that begin anywhere. Are
+// AutoRef's calls alongside the recorded referee the same as in the whole game?
 //
 //   log_pieces FOLDER [GAMES]     GAMES per rule book and camera preset (default 3); logs go to
 //   FOLDER
 //
-// Prints the Markdown tables of results/reference/log-pieces.md, and on stderr every call that
-// differs. Exits with 1 if fewer than 99 % agree, or a call was made in a stop without a signal.
+// Prints the Markdown tables of results/reference/log-pieces.md and, on stderr, every call that
+// differs. Exits with 1 if fewer than 99 % agree, or if a call was made in a stop without a signal.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ constexpr double kHalf_s = 120;
 const std::vector<std::string> kBooks = {"paper", "2014", "2026-b"};
 const std::vector<std::string> kTeams = {"cobalt1", "counter", "possession", "zone", "shadow"};
 
-// Writes a game's log and keeps its calls.
+// Writes a game's log and stores its calls.
 class Recorder final : public game::Observer {
  public:
   Recorder(const std::string& path, const game::GameConfiguration& game) : log_(open(path, game)) {}
@@ -97,7 +97,7 @@ CallList judged(const std::string& log, const std::string& book, const std::stri
   return calls;
 }
 
-// Judges a game's log whole and in pieces.
+// Judges a game's log as a whole and in pieces.
 void judge_game(const std::string& folder, const std::string& book, const std::string& camera,
                 int number, Tally& whole, Tally& pieces) {
   const game::GameSettings game = settings_of(book, camera, number);
@@ -111,7 +111,7 @@ void judge_game(const std::string& folder, const std::string& book, const std::s
   double from_s = chance.uniform() * kShortest_s;
   while (from_s + kShortest_s < record.sim_s) {
     const double length_s = kShortest_s + chance.uniform() * (kLongest_s - kShortest_s);
-    // A frame's number is its time, so a piece begins with a frame.
+    // A frame's number determines its time, so a piece begins with a frame.
     const double first_s =
         std::ceil(from_s * configuration.sim.frame_rate_hz) / configuration.sim.frame_rate_hz;
     const std::string piece = folder + "/piece.log";

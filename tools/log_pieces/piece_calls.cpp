@@ -15,11 +15,12 @@ using referee::Event;
 using referee::State;
 
 constexpr double kSameTime_s = 0.1;
-constexpr double kSignal_s = 0.15;  // a log's first referee packet comes within that time
-constexpr double kWarmUp_s = 0.5;   // for the filters; evidence so early may or may not suffice
+constexpr double kSignal_s = 0.15;  // a log's first referee packet comes within this time
+constexpr double kWarmUp_s = 0.5;   // time for the filters; evidence this early may or may not
+                                    // suffice
 
-// The time from which a call's evidence comes. Restarts: since the play began. Contacts: an upper
-// bound of how long they last.
+// The time from which a call's evidence comes. For restarts, it starts with the play; for contacts,
+// it is limited by an upper bound of how long they last.
 double evidence_from_s(const referee::Decision& d, double phase_from_s) {
   const auto before = [&d](double seconds) { return d.time_s - seconds; };
   switch (d.finding.event) {

@@ -1,4 +1,4 @@
-// A game's calls with the time from which their evidence comes, and the comparison of a piece's
+// A game's calls, each with the time from which its evidence comes, and the comparison of a piece's
 // calls with those of the whole game.
 #pragma once
 
@@ -12,7 +12,7 @@ namespace autoref::tools {
 
 struct PieceCall {
   referee::Event event = referee::Event::kBegin;
-  std::optional<Side> side;  // gets the restart, or is at fault if play goes on
+  std::optional<Side> side;  // gets the restart, or is at fault if play continues
   std::optional<RobotId> robot;
   double time_s = 0;
   double evidence_from_s = 0;  // earlier frames do not matter
@@ -23,10 +23,10 @@ struct PieceCall {
 class CallList {
  public:
   void add(const referee::Decision& decision);
-  // The same calls, `by_s` later.
+  // The same calls, shifted by `by_s`.
   CallList later(double by_s) const;
   const std::vector<PieceCall>& calls() const { return calls_; }
-  // Whether play was stopped by a command within 0.1 s of that time.
+  // Whether a command stopped play within 0.1 s of that time.
   bool is_stopped_at(double time_s) const;
 
  private:
@@ -42,15 +42,15 @@ struct Piece {
 };
 
 struct Tally {
-  std::string name;  // of the piece, for messages on stderr
+  std::string name;  // name of the piece, for messages on stderr
   int pieces = 0;
-  int calls = 0;        // of the whole game, with all evidence within the piece
-  int agreed = 0;       // the piece has the same call
-  int extra = 0;        // calls of the piece that the whole game lacks
+  int calls = 0;        // calls of the whole game with all evidence within the piece
+  int agreed = 0;       // those that the piece also has
+  int extra = 0;        // calls of the piece that the whole game does not have
   int unknown_due = 0;  // calls whose evidence lies before the piece
-  int unknown = 0;      // for these, the piece says unknown or nothing
-  int same = 0;         // for these, the piece has the same call
-  int repeated = 0;     // extra, but made by the whole game earlier in the same stop or restart
+  int unknown = 0;      // those for which the piece says unknown or nothing
+  int same = 0;         // those for which the piece has the same call
+  int repeated = 0;     // extra calls that the whole game made earlier in the same stop or restart
   int unsignalled = 0;  // calls in a stop that was not signalled
 
   void add(const CallList& whole, const CallList& judged, const Piece& piece);

@@ -1,10 +1,10 @@
-// A ball whose top has been above 150 mm since the attackers' last touch scores no goal, unless it
-// has rolled since (Laws 2014, law 12). The restart is an indirect free kick from the position of
-// that touch.
+// A goal does not count if the ball's top has been above 150 mm since the attackers' last touch,
+// unless the ball has rolled since (Laws 2014, law 12). The restart is an indirect free kick from
+// the position of that touch.
 //
-// A ball of unknown height counts as on the ground, because most balls are. If an unknown robot has
-// touched the ball since, it may have been a team-mate, and the goal stands. A ball that a defender
-// lifts into its own goal after it has rolled is a goal, too.
+// A ball of unknown height counts as being on the ground, because most balls are. If an unknown
+// robot has touched the ball since, it may have been a team-mate, and the goal stands. If the ball
+// has rolled and a defender then lifts it into its own goal, the goal also stands.
 #include <fmt/format.h>
 #include <algorithm>
 
@@ -17,7 +17,7 @@ namespace {
 
 struct Chip {
   const BallTouch* touch = nullptr;  // touch by the attackers; null if it was not a chip
-  double top_m = 0;                  // greatest height of the ball's top since
+  double top_m = 0;                  // greatest height of the ball's top since then
 };
 
 // The attackers' last touch and the ball's greatest height since, if it has not rolled.

@@ -1,7 +1,7 @@
 // "When the ball enters one of the goals, a goal is awarded to the appropriate team, the ball is
-// placed in the center of the field, and a kickoff is signaled" (paper, section 4.2), here the
-// kick-off is for the team that conceded. A ball in a goal counts for that goal's opponents,
-// whoever touched it last.
+// placed in the center of the field, and a kickoff is signaled" (paper, section 4.2). Here, the
+// kick-off is for the team that conceded. A ball in a goal counts for that goal's opponents, no
+// matter who touched it last.
 #include <fmt/format.h>
 #include <cmath>
 

@@ -1,5 +1,5 @@
-// A ball in a goal: whose goal it is, the restart if the goal does not count, and the goal that is
-// awarded for a foul by the defenders at a penalty kick (2026, Penalty Kick).
+// A ball in a goal: whose goal it is, the restart if the goal does not count, and the goal awarded
+// for a foul by the defenders at a penalty kick (2026, Penalty Kick).
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ Finding awarded_goal(const RefereeState& state, const RefereeInput& input);
 // The side whose goal contains the ball, if any.
 std::optional<Side> conceding_side(const RefereeInput& input);
 
-// Sets kicker and position of the free kick that follows the finding's event: a goal kick for
+// Sets the kicker and position of the free kick that follows the finding's event: a goal kick for
 // `defender`, or a corner kick at the defender's end.
 void restart_with_goal_kick(Finding& finding, const RefereeInput& input, Side defender);
 void restart_with_corner_kick(Finding& finding, const RefereeInput& input, Side defender);

@@ -1,4 +1,4 @@
-// When a penalty kick has failed (penalty_outcome.hpp), it is over, and the defenders get a goal
+// Once a penalty kick has failed (penalty_outcome.hpp), it is over, and the defenders get a goal
 // kick. If the defenders commit a foul, a goal is awarded (2026, Penalty Kick).
 #include "referee/geometry/restarts.hpp"
 #include "referee/machine/penalty_outcome.hpp"

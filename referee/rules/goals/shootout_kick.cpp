@@ -1,10 +1,10 @@
 // The kicks of a shoot-out (Laws 2014, appendix A; 2026). They replace the rules on goals, exits
 // and waiting; fouls are judged as in play (RuleEntry::in_shootout).
 //
-// A kick ends with a goal or when it has failed (penalty_outcome.hpp). Only a goal at the target
-// end scores. Each kick is a penalty kick: a foul by the kicker's side ends it without a goal, and
-// in 2026 a foul by the defenders is a goal. Under the Laws it only counts, since neither a free
-// kick nor another penalty kick can follow within a shoot-out.
+// A kick ends when it has scored or failed (penalty_outcome.hpp). Only a goal at the target end
+// scores. Each kick is a penalty kick: a foul by the kicker's side ends it without a goal, and in
+// 2026 a foul by the defenders is a goal. Under the Laws, such a foul is only counted, since
+// neither a free kick nor another penalty kick can follow within a shoot-out.
 #include <fmt/format.h>
 
 #include "referee/machine/penalty_outcome.hpp"
@@ -28,7 +28,7 @@ std::optional<Finding> find_goal_of_kick(RefereeState& state, const RefereeInput
   return goal;
 }
 
-// Why the kick has failed, as the part of a sentence; empty while it continues.
+// Why the kick has failed, as part of a sentence; empty while it continues.
 std::string failure_of(RefereeState& state, const RefereeInput& input) {
   if (const std::optional<PenaltyFailure> failure = penalty_failure(state, input))
     return failure->evidence;
@@ -39,7 +39,7 @@ std::string failure_of(RefereeState& state, const RefereeInput& input) {
 
 // kGoal or kPenaltyFailed in RUN.
 std::optional<Finding> find_kick_over(RefereeState& state, const RefereeInput& input) {
-  if (!state.play.kicker) return std::nullopt;  // joined in the middle
+  if (!state.play.kicker) return std::nullopt;  // joined midway
   const Side kicker = *state.play.kicker;
   const int number = state.shootout.kicks[kicker] + 1;
   const std::string failure = failure_of(state, input);

@@ -67,7 +67,7 @@ std::optional<Finding> find_attacker_too_close_to_defense_area(RefereeState& sta
 }
 
 // Kick-offs and penalty kicks have their own position rules. Before a kick-off, all robots return
-// to their own half; after half-time, from the far end of the field.
+// to their own half; after half-time, they come from the far end of the field.
 bool is_in_force(const RefereeState& state) {
   if (state.machine_state == State::kWaitStop) {
     const std::optional<Command>& next = state.signal.next_command;

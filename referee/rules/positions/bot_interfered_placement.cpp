@@ -1,9 +1,9 @@
 // During ball placement, robots of the side that does not take the restart keep 0.5 m away from the
 // line between the ball and its target, after a grace period of 2 s (2026). Only one foul per
 // placement counts; it extends the placement by 10 s. While a team places the ball, further robots
-// extend the placement, too, but are not counted.
+// also extend the placement, but are not counted.
 //
-// Before kick-offs, and so after goals, and before penalty kicks nobody can interfere: the foul is
+// No team can interfere before penalty kicks or kick-offs, and therefore after goals: the foul is
 // one of "the non-placing team", and "the referee has to place the ball for all kickoffs and all
 // penalty kicks" (Rules of the RoboCup Small Size League, Ball Placement, Usage).
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ struct PlacementSegment {
   Side kept_away = Side::kWest;  // the side that does not take the restart
 };
 
-// The side whose robots place the ball. If the simulator does in their place, the side that takes
+// The side whose robots place the ball, or, if the simulator places it instead, the side that takes
 // the free kick.
 std::optional<Side> placing_side(const RefereeState& state) {
   if (state.machine_state == State::kPlacement) return state.placing.side;

@@ -1,11 +1,12 @@
-// At a penalty kick the keeper must touch its goal line between the posts, and all other robots
+// At a penalty kick, the keeper must touch its goal line between the posts, and all other robots
 // except the kicker must be 400 mm behind the penalty mark (Laws 14) or 1 m behind the ball (2026,
 // Penalty Kick). Positions are judged in the last frame before the ball is in play.
 //
-// Laws 2014: the kick proceeds, and its outcome decides about a retake. After a breach by the
-// kicker's side, it is retaken if there was a goal, which does not count; after a breach by the
-// defenders' side, if there was no goal; after breaches by both sides, in either case. A kick is
-// complete when it is a goal or a failure in the sense of penalty_outcome.hpp.
+// Laws 2014: the kick proceeds, and its outcome decides whether it is retaken. After a breach by
+// the kicker's side, it is retaken if there was a goal, which does not count; after a breach by the
+// defenders' side, it is retaken if there was no goal; after breaches by both sides, it is retaken
+// in either case. A kick is complete when it is a goal or a failure in the sense of
+// penalty_outcome.hpp.
 //
 // 2026: there are no retakes. A breach counts like a foul: it decides the kick as soon as the ball
 // is in play (rule penalty_kick_failed), unless both sides are at fault.
@@ -32,14 +33,14 @@ std::optional<int> kicker_of(const SeenRobots& robots, const Vec2& ball_m) {
   return nearest == robots.end() ? std::nullopt : std::optional(nearest->number);
 }
 
-// How far the whole hull is behind the ball, seen from the goal of side `goal`.
+// How far the whole hull is behind the ball, as seen from the goal of side `goal`.
 double behind_ball_m(Side goal, const RobotObservation& robot, const Vec2& ball_m) {
   const Vec2 towards_goal(goal_sign(goal), 0);
   return (ball_m - robot.position_m).dot(towards_goal) -
          reach_of_hull_m(robot.heading, towards_goal);
 }
 
-// The robots of `side` that are too near, except robot `may_be`, which may be near.
+// The robots of `side` that are too near, except robot `may_be`, which is allowed to be near.
 PositionViolation too_near(Side side, std::optional<int> may_be, const RefereeState& state,
                            const RefereeInput& input) {
   const Configuration& c = input.configuration;
@@ -110,7 +111,7 @@ Finding breach_of(const RefereeState& state, const RefereeInput& input, Side sid
   const bool is_keepers = !watch.others[side].any();
   const PositionViolation& worst = is_keepers ? watch.keeper : watch.others[side];
   finding.value = worst.worst_m;
-  if (is_keepers) finding.threshold = 0;  // measured from its line
+  if (is_keepers) finding.threshold = 0;  // measured from the keeper's own line
   finding.robots.push_back(worst.robots.front());
   if (!both) finding.offender = side;
   finding.position_m = state.play.ball_from_m;

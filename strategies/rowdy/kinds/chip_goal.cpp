@@ -20,7 +20,7 @@ std::optional<ActiveFoul> find_chance(const RowdyView& view) {
   return foul_by(nearest_mate(view, ball_m, kNear_m), ball_m);
 }
 
-// A 45-degree chip with speed v has a range of v^2 / g.
+// A 45-degree chip at speed v has a range of v^2 / g.
 bool go_on(const RowdyView& view, ActiveFoul& foul, TeamOutput& output) {
   const Vec2 goal_m = view.field.goal_centre_m(Side::kEast);
   const double range_m = (goal_m - view.now.ball.position_m).norm() - kLandsBefore_m;

@@ -3,7 +3,7 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-constexpr double kBeside_m = 500_mm;  // beside the mark
+constexpr double kBeside_m = 500_mm;  // from the mark, to the side
 
 bool is_penalty(const RowdyView& view) {
   return view.now.play == Play::kPreparePenalty || view.now.play == Play::kPenalty;

@@ -33,8 +33,8 @@ std::optional<ActiveFoul> find_chance(const RowdyView& view) {
   return foul_by(nearest_mate(view, ball_m, kReach_m), ball_m);
 }
 
-// If the ball is inside the area, the robot pushes it slightly towards its own goal, coming from
-// outside; if the ball is outside, the robot kicks it away, standing inside.
+// If the ball is inside the area, the robot comes from outside and pushes it slightly towards its
+// own goal; if the ball is outside, the robot stands inside and kicks it away.
 RobotCommand touch(const RowdyView& view, const TrackedRobot& robot, ActiveFoul& foul) {
   const Vec2& ball_m = view.now.ball.position_m;
   const Vec2 outwards = direction_of(ball_m - view.field.goal_centre_m(Side::kWest), Vec2(1, 0));
