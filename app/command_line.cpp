@@ -32,7 +32,7 @@ std::vector<CLI::App*> all_verbs(CLI::App& app) {
   return app.get_subcommands([](const CLI::App*) { return true; });
 }
 
-// Parses the words after the program's name, which chooses the work to do, and does it.
+// Parses the words after the program's name and does the work that they choose.
 int run_parsed(CLI::App& app, std::vector<std::string> words, const Chosen& chosen) {
   try {
     std::reverse(words.begin(), words.end());  // as CLI11 expects them
@@ -115,7 +115,8 @@ int run_command_line(int argc, const char* const* argv) {
   Chosen chosen;
   add_verbs(app, chosen);
   const std::vector<std::string> given(argv + std::min(argc, 1), argv + argc);
-  // For the scripts of `autoref show completion`, which pass any words: not a verb like the others.
+  // `complete` is not a normal verb: the scripts of `autoref show completion` call it with
+  // arbitrary words.
   if (!given.empty() && given.front() == "complete") {
     return exit_code_of([&] {
       return complete_verb(described(app), {given.begin() + 1, given.end()});

@@ -6,11 +6,11 @@
 
 namespace autoref::app {
 
-// Runs the verb that the arguments name, and returns the program's exit code (io/errors.hpp).
+// Runs the verb named by the arguments and returns the program's exit code (io/errors.hpp).
 int run_command_line(int argc, const char* const* argv);
 
-// Runs `work`; turns an exception into a message on stderr, which begins with the program's name,
-// and an exit code.
+// Runs `work`; on an exception, prints a message that begins with the program's name on stderr and
+// returns the matching exit code.
 int exit_code_of(const std::function<int()>& work, std::string_view program = "autoref");
 
 }  // namespace autoref::app

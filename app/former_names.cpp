@@ -18,14 +18,15 @@ bool has_option(const Words& words, const std::string& option) {
 
 // The name that replaces the first word; empty if that is not a former name.
 std::string_view present_name_of(const Words& words) {
-  // `draw` also drew situations.
+  // `draw` used to draw situations too.
   if (words.front() == "draw" && has_option(words, "--situation")) return "show situation";
   for (const FormerName& name : former_names())
     if (name.former == words.front()) return name.present;
   return {};
 }
 
-// Whether the word cannot be meant as a verb: an option other than those of a group, or a file.
+// Returns whether the word cannot be meant as a verb because it is a file or an option other than a
+// group's.
 bool is_option_or_file(const std::string& word) {
   if (word == "-h" || word == "--help") return false;
   std::error_code none;  // a name that cannot be looked up is not a file
@@ -33,7 +34,7 @@ bool is_option_or_file(const std::string& word) {
          std::filesystem::exists(word, none);
 }
 
-// `referee` had a log and the flag --live instead of verbs.
+// `referee` used to take a log or the flag --live instead of having verbs.
 Words with_verb_of_referee(Words words) {
   const bool has_verb = words[1] == "log" || words[1] == "live";
   if (has_verb || !is_option_or_file(words[1])) return words;

@@ -1,4 +1,4 @@
-// Names that verbs had before they were in groups. They keep working, but help does not list them.
+// The names that verbs had before they were grouped. They still work, but help does not list them.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct FormerName {
 
 const std::vector<FormerName>& former_names();
 
-// Replaces a former name that comes first, or follows `help`, in the words after the program's
+// Replaces a former name that comes first or follows `help`. `words` are those after the program's
 // name: "results status DIR" for "status DIR".
 std::vector<std::string> with_present_names(std::vector<std::string> words);
 

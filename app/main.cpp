@@ -20,7 +20,7 @@ bool fill_standard_streams() {
 
 int main(int argc, char** argv) {
   if (!fill_standard_streams()) return 74;
-  // Report reaching the file size limit as an error instead of being killed by the signal.
+  // Report reaching the file size limit as an error instead of letting the signal kill the program.
   std::signal(SIGXFSZ, SIG_IGN);
   return autoref::app::run_command_line(argc, argv);
 }

@@ -27,7 +27,7 @@ std::vector<std::string> long_options(const CLI::App& verb) {
   return names;
 }
 
-// "; did you mean '--seed'?", or empty if none of the verb's options is close.
+// "; did you mean '--seed'?", or empty if no option of the verb is close.
 std::string option_suggestion(const CLI::App& verb, const std::string& word) {
   const std::string name = option_name(word);
   if (name.size() < 2) return {};
@@ -53,7 +53,7 @@ std::string extras_message(const CLI::App& verb, const std::vector<std::string>&
   return message;
 }
 
-// The punctuation that separates `message` from the next clause.
+// Punctuation to put between `message` and the next clause.
 std::string_view end_of(std::string_view message) { return message.ends_with('?') ? "" : ";"; }
 
 // The verbs that help lists.
@@ -76,10 +76,10 @@ std::string words_to(const CLI::App& verb) {
   return before.empty() ? verb.get_name() : before + " " + verb.get_name();
 }
 
-// The words that call a verb, by its name: "results replay" by "replay".
+// The words that call a verb, by its name: "replay" maps to "results replay".
 using CallsByName = std::map<std::string, std::string>;
 
-// Also those of verbs in groups and of former names.
+// Includes verbs in groups and former names.
 CallsByName all_calls(const CLI::App& program) {
   CallsByName calls;
   for (const CLI::App* verb : nested_verbs(program)) calls[verb->get_name()] = verb->get_name();
@@ -91,7 +91,8 @@ CallsByName all_calls(const CLI::App& program) {
   return calls;
 }
 
-// A verb of the program or the group that may be meant; or a verb elsewhere, if that is its name.
+// A verb of the program or group that may have been meant, or a verb of exactly this name
+// elsewhere.
 std::string verb_suggestion(const std::string& word, const CLI::App& app) {
   const CLI::App* program = &app;
   while (program->get_parent() != nullptr) program = program->get_parent();
@@ -106,7 +107,7 @@ std::string verb_suggestion(const std::string& word, const CLI::App& app) {
   return io::suggestion_text(meant);
 }
 
-// The verb that an error is about: the first one on the line with unexpected words, otherwise the
+// The verb that caused an error: the first one on the line with unexpected words, otherwise the
 // last one. CLI11 reports unexpected words before a verb as extras of the program itself.
 const CLI::App& blamed_verb(const CLI::App& app) {
   const CLI::App* verb = &app;
@@ -115,7 +116,7 @@ const CLI::App& blamed_verb(const CLI::App& app) {
   return *verb;
 }
 
-// CLI11 begins with the name that an argument without dashes has in help, such as "BOOK: ".
+// CLI11 begins the message with the argument's name in help, such as "BOOK: ".
 std::string without_argument_name(const CLI::App& verb, const std::string& message) {
   for (const CLI::Option* option : verb.get_options()) {
     const std::string front = option->get_name(true) + ": ";
@@ -124,7 +125,7 @@ std::string without_argument_name(const CLI::App& verb, const std::string& messa
   return message;
 }
 
-// Replaces CLI11's message if something is missing; empty if nothing is.
+// Replaces CLI11's message if an argument is missing; empty otherwise.
 std::string missing_message(const CLI::App& verb, const CLI::ParseError& error) {
   if (error.get_name() != "RequiredError") return {};
   const std::vector<std::string> verbs = names_of_verbs(nested_verbs(verb));
@@ -138,8 +139,8 @@ std::string missing_message(const CLI::App& verb, const CLI::ParseError& error) 
   return {};
 }
 
-// Replaces CLI11's message about a number that is too small or too large, or any other word,
-// "--seconds: Value x not in range 0.000000 to 1000.000000".
+// Replaces CLI11's message about a value that is out of range or not a number, "--seconds: Value x
+// not in range 0.000000 to 1000.000000".
 std::string out_of_range_message(const std::string& message) {
   constexpr std::string_view kValue = ": Value ";
   constexpr std::string_view kRange = " not in range ";

@@ -6,11 +6,11 @@
 
 namespace autoref::app {
 
-// Returns whether the program, or a verb with verbs of its own, has a verb of this name.
+// Returns whether the program, or a verb that itself has verbs, has a verb of this name.
 bool is_verb(const CLI::App& app, const std::string& word);
 
-// "unknown verb 'plya'; did you mean 'play'? `autoref help` lists them". `app` may be a verb, with
-// or without verbs of its own.
+// "unknown verb 'plya'; did you mean 'play'? `autoref help` lists them". `app` can be a verb, with
+// or without verbs below it.
 std::string unknown_verb_message(const CLI::App& app, const std::string& word);
 
 // Explains an error thrown by parse(): the verb, such as "team new", what is wrong with its

@@ -1,4 +1,5 @@
-// Options that say where on the network something is shown, sent or commanded.
+// Options for network addresses: where games are shown, where packets are sent and which game
+// controller is in command.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -21,10 +22,10 @@ void add_web_flags(CLI::App& verb, WebFlags& flags, const std::string& help);
 // Throws InputError naming --web.
 live::WebOptions web_options_of(const WebFlags& flags);
 
-// The address of --broadcast. Throws InputError if the interface has none.
+// The broadcast address of the interface given by --broadcast. Throws InputError if it has none.
 std::string broadcast_of(const std::string& interface);
 
-// The game controller at "HOST" or "HOST:PORT", with `port` unless the text has one. Throws
+// The game controller at "HOST" or "HOST:PORT", with `port` unless the text contains one. Throws
 // InputError naming --game-controller.
 live::Address controller_address(const std::string& text, int port);
 

@@ -24,8 +24,8 @@ bool is_device(const std::string& path) {
   return fs::is_character_file(path, none);
 }
 
-// Whether writing `output` would overwrite `other`. Output goes to a temporary ".part" file first,
-// so that name must be free, too.
+// Returns whether writing `output` would overwrite `other`. Output first goes to a temporary
+// ".part" file, so that name must be free as well.
 bool meets(const std::string& output, const std::string& other) {
   return io::is_same_file(output, other) || io::is_same_file(output + ".part", other);
 }

@@ -1,4 +1,4 @@
-// Output files that are named by command-line flags.
+// Output files named by command-line flags.
 #pragma once
 
 #include <cstddef>
@@ -17,31 +17,31 @@ struct NamedFile {
   std::string path;
 };
 
-// Throws InputError naming both flags if two outputs are the same file (however their paths are
-// spelt), or if an output is one of `inputs` or the file to which a standard stream is redirected,
-// since one of the two would be lost. Call this function before doing any work. Several outputs may
-// share a terminal or /dev/null.
+// Throws InputError naming both flags if two outputs are the same file (even if their paths are
+// written differently), or if an output is one of `inputs` or the file to which a standard stream
+// is redirected, since one of the two would be lost. Call this function before doing any work.
+// Several outputs may share a terminal or /dev/null.
 void check_outputs(const std::vector<NamedFile>& outputs, const std::vector<std::string>& inputs);
 
-// Opens the file before any work is done, so that a wrong name is reported at once. Leaves `file`
-// empty if the path is empty. Throws InputError naming `flag`.
+// Opens the file before any work is done, so that a wrong name is reported immediately. Leaves
+// `file` empty if the path is empty. Throws InputError naming `flag`.
 std::optional<io::PendingFile>& open_output(std::optional<io::PendingFile>& file, const char* flag,
                                             const std::string& path);
 
-// An output file that grows line by line. Lines go to the disk in pieces, so that a long game needs
-// no more memory than a short one; the file appears under its name at commit(). What is not a
-// regular file (a pipe, for example) gets all lines at commit(), since its reader must not delay
+// An output file that grows line by line. Lines are written to disk in batches, so a long game
+// needs no more memory than a short one; the file appears under its name at commit(). Anything but
+// a regular file (a pipe, for example) gets all lines at commit(), since its reader must not delay
 // the game.
 class LineOutput {
  public:
   static constexpr std::size_t kMostWaiting_bytes = 64 * 1024;  // of a regular file
 
-  // Opens nothing if the path is empty. Throws InputError naming `flag`.
+  // Opens no file if the path is empty. Throws InputError naming `flag`.
   LineOutput(const char* flag, const std::string& path);
 
   bool is_open() const { return file_.has_value(); }
 
-  // Adds a line, given without its end. The file must be open. Throws InputOutputError.
+  // Adds a line, given without its line break. The file must be open. Throws InputOutputError.
   void add(std::string_view line);
 
   // Does nothing if no file is open. Throws InputOutputError.

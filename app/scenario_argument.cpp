@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 constexpr const char* kScenarios = "scenarios";
 constexpr int kMostEntries = 1000;  // of a folder
 
-// Adds the names of the files *.yaml of a folder, as `shown` / name, and lists its folders.
+// Adds the names of a folder's *.yaml files as `shown` / name, and returns its subfolders.
 std::vector<fs::path> add_scenarios(const fs::path& folder, const fs::path& shown,
                                     std::set<std::string>& names) {
   std::vector<fs::path> folders;
@@ -28,7 +28,7 @@ std::vector<fs::path> add_scenarios(const fs::path& folder, const fs::path& show
        entry.increment(error)) {
     if (++entries > kMostEntries) break;
     const fs::path name = entry->path().filename();
-    std::error_code none;  // an entry that is unreadable is neither
+    std::error_code none;  // an unreadable entry is neither
     if (entry->is_directory(none)) folders.push_back(name);
     if (name.extension() == ".yaml" && entry->is_regular_file(none))
       names.insert((shown / name).string());
@@ -36,7 +36,7 @@ std::vector<fs::path> add_scenarios(const fs::path& folder, const fs::path& show
   return folders;
 }
 
-// The same with those of its folders.
+// Does the same for the folder and its subfolders.
 void add_all_scenarios(const fs::path& folder, std::set<std::string>& names) {
   for (const fs::path& inner : add_scenarios(folder, kScenarios, names))
     add_scenarios(folder / inner, kScenarios / inner, names);
@@ -46,7 +46,7 @@ fs::path installed_scenarios(const fs::path& program) {
   return program.parent_path().parent_path() / "share" / "autoref" / kScenarios;
 }
 
-// Those of `known` whose file names may have been meant.
+// The entries of `known` with file names that may have been meant.
 std::vector<std::string> similar_scenarios(const std::string& file,
                                            const std::vector<std::string>& known) {
   std::vector<std::string> names;
@@ -103,7 +103,8 @@ std::string scenario_to_read(const std::string& given) {
 }
 
 CLI::Option* add_scenario_argument(CLI::App& verb, std::string& file, const std::string& about) {
-  // Not when the argument is read: `--help` after it has priority over a missing file.
+  // Checked only after parsing, because a `--help` after the argument has priority over a missing
+  // file.
   verb.parse_complete_callback([&file] {
     if (!file.empty()) file = scenario_to_read(file);
   });

@@ -1,4 +1,4 @@
-// The argument SCENARIO of verbs that read a scenario or a scene.
+// The SCENARIO argument of verbs that read a scenario or a scene.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -8,21 +8,22 @@
 
 namespace autoref::app {
 
-// Adds the argument, which is required unless the caller changes that. `file` gets its value by
-// scenario_to_read().
+// Adds the argument, which is required unless the caller changes that. `file` is set to the result
+// of scenario_to_read().
 CLI::Option* add_scenario_argument(CLI::App& verb, std::string& file, const std::string& about);
 
-// found_scenario() of the running program; if it is another file than `given`, a message on stderr
-// names it. Throws InputError if only a file with a similar name exists.
+// found_scenario() for the running program. If the result is not `given`, a message on stderr names
+// it. Throws InputError if only a file with a similar name exists.
 std::string scenario_to_read(const std::string& given);
 
-// `file` if it exists; otherwise the file of that name that was installed with `program`
-// (io/files.hpp), or that is in the folder scenarios here, or in the installed
-// one; if there is none, `file`.
+// `file` if it exists; otherwise the file of that name installed with `program` (io/files.hpp), in
+// the folder scenarios here, or in the installed folder scenarios. If there is none, returns
+// `file`.
 std::string found_scenario(const std::string& file, const std::filesystem::path& program);
 
 // The names of scenarios that found_scenario() would find: the files *.yaml here, in `folder`, and
-// in the folder scenarios here or installed, and its folders; at most a few thousand, sorted.
+// in the local or installed folder scenarios and its folders. Returns at most a few thousand,
+// sorted.
 std::vector<std::string> known_scenarios(const std::filesystem::path& folder,
                                          const std::filesystem::path& program);
 

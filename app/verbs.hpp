@@ -7,17 +7,18 @@
 
 namespace autoref::app {
 
-// What the command line asks for; returns the exit code. Errors are thrown (io/errors.hpp).
+// The work that the command line asks for; returns the exit code. Errors are thrown
+// (io/errors.hpp).
 using Chosen = std::function<int()>;
 
-// Parsing `verb`, which fills in the arguments, sets `chosen` to `work` with them.
+// Makes parsing `verb`, which fills in the arguments, set `chosen` to `work` with them.
 template <typename Arguments>
 void choose(CLI::App& verb, Chosen& chosen, const std::shared_ptr<Arguments>& arguments,
             int (*work)(const Arguments&)) {
   verb.callback([=, &chosen] { chosen = [=] { return work(*arguments); }; });
 }
 
-// Each adds a verb to the program or to a group. Parsing the verb sets `chosen` to its work.
+// Each adds a verb to the program or to a group. Parsing the verb sets `chosen` to the verb's work.
 #define AUTOREF_GROUP(heading, name, about)
 #define AUTOREF_VERB(group, add) void add(CLI::App& app, Chosen& chosen);
 #include "app/verbs.def"

@@ -1,6 +1,6 @@
 # Generates the source of autoref::io::build_id() at build time:
 #   cmake -DSOURCE_DIR=... "-DROOMS=soccer sim ..." -DVERSION=... -DOUTPUT=... -P build_id.cmake
-# The file is not touched if its content would stay the same.
+# The file is left alone if its content would not change.
 set(sources CMakeLists.txt)
 string(REPLACE " " ";" rooms "${ROOMS}")
 foreach(room IN LISTS rooms)

@@ -1,4 +1,5 @@
-# Compresses a file like Debian's documentation, at configuration. The output contains no time and no name.
+# Compresses a file the way Debian compresses documentation, at configure time. The output contains neither time nor
+# name.
 #   autoref_compress(FILE OUTPUT)
 function(autoref_compress file output)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})

@@ -1,6 +1,7 @@
 # Turns CHANGELOG.md into Debian's format:
 #   autoref_debian_changelog(CHANGELOG_MD PACKAGE REVISION MAINTAINER OUTPUT)
-# A version begins with "## [1.0.0] - 2026-11-25"; its entries are the lines that begin with "- ", and those indented below.
+# A version begins with "## [1.0.0] - 2026-11-25"; its entries are the lines that begin with "- " and the indented lines
+# below them.
 function(autoref_debian_changelog changelog package revision maintainer output)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${changelog})
   file(STRINGS ${changelog} lines)

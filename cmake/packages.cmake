@@ -1,8 +1,8 @@
-# What other projects need to link rooms (autoref_export), and Debian packages: scripts/package writes
+# The files that other projects need to link rooms (autoref_export), and Debian packages; scripts/package writes
 #   autoref          the program, its man page, completion for shells, the scenarios
 #   python3-autoref  the Python package
 #   libautoref-dev   libraries and headers
-# Three packages, because each needs others: the program neither Python nor headers.
+# There are three packages because their dependencies differ: the program needs neither Python nor headers.
 include(CMakePackageConfigHelpers)
 set(packages ${CMAKE_CURRENT_SOURCE_DIR}/cmake/packages)
 set(config ${CMAKE_CURRENT_BINARY_DIR}/autoref-config.cmake)
@@ -14,7 +14,7 @@ install(EXPORT autoref FILE autoref-targets.cmake NAMESPACE autoref:: DESTINATIO
 install(FILES ${config} ${config_version} DESTINATION lib/cmake/autoref COMPONENT development)
 install(DIRECTORY tests/outside_project/ DESTINATION share/doc/libautoref-dev/examples COMPONENT development
         PATTERN install_and_build EXCLUDE)
-# CMake does not strip libraries.
+# CMake does not strip static libraries.
 install(CODE [[
   file(GLOB libraries "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/lib/libautoref_*.a")
   execute_process(COMMAND strip --strip-debug ${libraries} COMMAND_ERROR_IS_FATAL ANY)
@@ -24,7 +24,7 @@ include(cmake/debian_changelog.cmake)
 set(maintainer "AutoRef developers <autoref@example.org>")
 set(revision 1)
 
-# Installs a package's copyright and changelog, as Debian wants them.
+# Installs a package's copyright and changelog as Debian requires.
 function(autoref_package_documents package component)
   set(documents ${CMAKE_CURRENT_BINARY_DIR}/documents/${package})
   autoref_debian_changelog(${CMAKE_CURRENT_SOURCE_DIR}/CHANGELOG.md ${package} ${revision} "${maintainer}" ${documents}/changelog)
@@ -33,7 +33,7 @@ function(autoref_package_documents package component)
 endfunction()
 autoref_package_documents(autoref program)
 autoref_package_documents(libautoref-dev development)
-# The pages keep their places to each other.
+# The pages keep their relative locations.
 foreach(folder IN ITEMS . ${AUTOREF_ROOMS} benchmarks python tools)
   install(FILES ${folder}/README.md DESTINATION share/doc/autoref/${folder} COMPONENT program)
 endforeach()
@@ -79,7 +79,7 @@ if(TARGET autoref_python)
   autoref_package_documents(python3-autoref python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-autoref)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
-  # The compiled half is for one version of Python, such as 3.11.
+  # The compiled part works only with one version of Python, such as 3.11.
   get_target_property(python autoref_python AUTOREF_PYTHON_VERSION)
   string(REGEX MATCH "[0-9]+$" minor ${python})
   math(EXPR next_minor "${minor} + 1")

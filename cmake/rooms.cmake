@@ -1,7 +1,8 @@
-# Adds the library autoref_ROOM of all sources below the current folder. The folders are globbed at each build, so new files
-# need not be listed. With AUTOREF_UNITY 28 sources at a time are compiled as one, which compiles their common headers and
-# templates only once; names in unnamed namespaces must therefore be unique within a room. LESS_OPTIMISED is for a room whose
-# code does little in a frame of a game: it is compiled with less optimisation, which takes two thirds of the time.
+# Adds the library autoref_ROOM with all sources below the current folder. The folders are globbed at each build, so new
+# files need not be listed. With AUTOREF_UNITY, 28 sources at a time are compiled as one, so their common headers and
+# templates are compiled only once; names in unnamed namespaces must therefore be unique within a room. LESS_OPTIMISED
+# is for rooms that do little work in a frame of a game: compiling them with less optimisation takes two thirds of the
+# time.
 #   autoref_room(ROOM [LESS_OPTIMISED])
 function(autoref_room room)
   cmake_parse_arguments(PARSE_ARGV 1 with "LESS_OPTIMISED" "" "")

@@ -10,7 +10,7 @@ namespace autoref::io {
 // Formats the hash as 16 hexadecimal digits.
 std::string hash_text(std::uint64_t hash);
 
-// A hash of bytes that is the same on every machine and in every build: FNV-1a, followed by a bit
+// A hash of bytes that is the same on all machines and in all builds: FNV-1a, followed by a bit
 // mixer.
 class ByteHash {
  public:

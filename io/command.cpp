@@ -37,14 +37,14 @@ int start(const std::vector<std::string>& words, int out, pid_t& pid) {
   return error;
 }
 
-// Time that is left, for poll(): -1 if it is unlimited.
+// The time left, for poll(): -1 if it is unlimited.
 int left_ms(Clock::time_point start, double longest_s) {
   if (std::isinf(longest_s)) return -1;
   const double left_s = longest_s - std::chrono::duration<double>(Clock::now() - start).count();
   return static_cast<int>(std::clamp(1000 * left_s, 0.0, 1e9));
 }
 
-// Returns false if the time was up before the other end closed.
+// Returns false if the time runs out before the other end is closed.
 bool read_to_end(int descriptor, Clock::time_point start, double longest_s, std::string& text) {
   std::array<char, 4096> buffer{};
   while (true) {
@@ -58,8 +58,8 @@ bool read_to_end(int descriptor, Clock::time_point start, double longest_s, std:
   }
 }
 
-// Waits for the end of a process, which may have closed its output before. Returns false if the
-// time was up.
+// Waits for the end of a process, which may already have closed its output. Returns false if the
+// time runs out.
 bool wait_for_end(pid_t pid, Clock::time_point start, double longest_s, int& status,
                   rusage& usage) {
   const int options = std::isinf(longest_s) ? 0 : WNOHANG;

@@ -13,7 +13,7 @@ namespace autoref::io {
 using Cells = std::vector<std::string>;
 void append(Cells& cells, const Cells& more);
 
-// Formats one row, without the line end. Cells with commas or quotes are quoted; line breaks in
+// Formats one row, without the line break. Cells with commas or quotes are quoted; line breaks in
 // cells become spaces so that each row is a single line.
 std::string csv_line(const Cells& cells);
 
@@ -23,20 +23,20 @@ std::optional<Cells> csv_cells(std::string_view line);
 // Returns the first cell of a line; empty if its quotes do not match.
 std::string first_cell(std::string_view line);
 
-// Returns the complete lines of a text; anything after the last line end is dropped.
+// Returns the complete lines of a text; anything after the last line break is dropped.
 std::vector<std::string_view> complete_lines(std::string_view text);
 
-// The same, of a file that an editor or a spreadsheet may have rewritten: without a byte order
-// mark, and without the carriage returns of lines that end in CR LF.
+// The same for a file that an editor or a spreadsheet may have rewritten: removes a byte order mark
+// and the carriage returns of lines that end in CR LF.
 std::vector<std::string_view> lines_as_written(std::string_view text);
 
-// The same lines of a text that comes in pieces, one after the other.
+// Gives the same lines for a text that arrives in pieces.
 class LinesAsWritten {
  public:
   using TakeLine = std::function<void(std::string_view line)>;
   explicit LinesAsWritten(TakeLine take) : take_(std::move(take)) {}
 
-  // Passes on the lines that the piece completes.
+  // Passes on the lines completed by this piece.
   void add(std::string_view piece);
 
  private:

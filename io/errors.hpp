@@ -52,7 +52,7 @@ class InputOutputError : public std::runtime_error {
 // "cannot write results.csv: No space left on device": `what` and the reason for `error_number`.
 InputOutputError io_error(std::string_view what, int error_number);
 
-// Whether the error number means that space, memory, processes or descriptors have run out.
+// Whether the error number means that the system is out of space, memory, processes or descriptors.
 bool is_shortage(int error_number);
 
 // The message if the exception is a failure of the environment: an InputOutputError, or an

@@ -33,7 +33,7 @@ InputOutputError not_a_file(const std::filesystem::path& path, mode_t mode) {
                                       kind_of_file(mode)));
 }
 
-// Before a device is opened, since that alone may have effects.
+// Must be called before a device is opened, since opening alone can have effects.
 void refuse_other_kinds(const std::filesystem::path& path, int flags) {
   struct stat named {};
   const bool is_followed = (flags & O_NOFOLLOW) == 0;
@@ -111,7 +111,7 @@ int open_regular_file(const std::filesystem::path& path, int flags) {
   struct stat opened {};
   if (descriptor < 0 || (fstat(descriptor, &opened) == 0 && S_ISREG(opened.st_mode)))
     return descriptor;
-  // It has been replaced since the first look.
+  // The file has been replaced since the first check.
   close(descriptor);
   throw not_a_file(path, opened.st_mode);
 }
@@ -227,8 +227,8 @@ PendingFile::~PendingFile() {
 void PendingFile::commit(std::string_view text) {
   write_all(descriptor_, text, path_);
   if (is_direct()) return;
-  // rename() replaces the file atomically: readers see either the old or the new content, never a
-  // part of it. Without fsync(), a power failure could leave an empty file under that name.
+  // rename() replaces the file atomically: readers see either the old or the new content, never
+  // parts of it. Without fsync(), a power failure could leave an empty file under that name.
   if (fsync(descriptor_) != 0 || rename(part_.c_str(), path_.c_str()) != 0) {
     throw cannot_write(path_);
   }

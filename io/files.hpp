@@ -1,5 +1,5 @@
-// Files that are read as a whole or appear complete or not at all, opening and comparing files
-// safely, temporary folders, and files installed with the program.
+// Reads whole files, writes files that appear complete or not at all, opens and compares files
+// safely, and provides temporary folders and files installed with the program.
 #pragma once
 
 #include <stdlib.h>
@@ -38,16 +38,15 @@ class WorkingFolder {
   std::filesystem::path path_;
 };
 
-// Opens a file whose name another program can have given to something else: as open(2) does, with
-// O_CLOEXEC, but without ever waiting for another program or touching a terminal or a device.
-// `flags` are those of open(2); new files may be read and written by everybody whom the umask
-// allows. Returns the descriptor, or -1 with errno if the file cannot be opened. Throws
-// InputOutputError if the name leads to a FIFO, a device, a socket or a folder, or with O_NOFOLLOW
-// to a symbolic link.
+// Opens a file even though another program may have put something else under its name. Works like
+// open(2) with O_CLOEXEC, but never waits for another program and never touches a terminal or a
+// device. `flags` are those of open(2); the umask determines who may read and write new files.
+// Returns the descriptor, or -1 with errno if the file cannot be opened. Throws InputOutputError if
+// the name leads to a FIFO, a device, a socket or a folder, or with O_NOFOLLOW to a symbolic link.
 int open_regular_file(const std::filesystem::path& path, int flags);
 
-// Returns whether both paths lead to the same file, whatever their links and spellings, even if the
-// file does not exist yet.
+// Returns whether both paths lead to the same file, regardless of links and spellings, and even if
+// the file does not exist yet.
 bool is_same_file(const std::filesystem::path& one, const std::filesystem::path& other);
 
 // Returns whether `descriptor` is open on this file; always false for terminals and pipes.
@@ -66,22 +65,23 @@ std::optional<std::filesystem::path> installed_file(const std::filesystem::path&
 std::string read_user_file(const std::filesystem::path& path);
 
 // Returns the content of one of AutoRef's own files, or nullopt if it does not exist. Throws
-// InputOutputError on other failures, as if another program has replaced it by a FIFO.
+// InputOutputError on other failures, for example if another program has replaced the file with a
+// FIFO.
 std::optional<std::string> read_file(const std::filesystem::path& path);
 
 // Receives a part of a file's content.
 using TakePiece = std::function<void(std::string_view piece)>;
 
-// As read_file(), but passes the content on in pieces. Returns false if the file does not exist.
+// Like read_file(), but passes the content on in pieces. Returns false if the file does not exist.
 bool read_pieces(const std::filesystem::path& path, const TakePiece& take);
 
 // Writes all of `text` to a descriptor. Throws InputOutputError naming `path`.
 void write_all(int descriptor, std::string_view text, const std::filesystem::path& path);
 
-// What may have a file's name.
+// What a file name may refer to.
 enum class FileKind {
   kFile,        // in one of AutoRef's folders
-  kFileOrPipe,  // named by the user: also a pipe, or a device such as /dev/stdout
+  kFileOrPipe,  // named by the user: can also be a pipe or a device such as /dev/stdout
 };
 
 // New content for a file, which appears under its final name only at commit(). If the user names
@@ -97,7 +97,7 @@ class PendingFile {
   PendingFile(const PendingFile&) = delete;
   PendingFile& operator=(const PendingFile&) = delete;
 
-  // For content that is not written at once. Valid until commit().
+  // For content that is written in parts. Valid until commit().
   int descriptor() const { return descriptor_; }
 
   void commit(std::string_view text = {});

@@ -19,7 +19,7 @@ std::string json_text(const Json& value);
 // The number, or null if it is missing.
 Json json_number(std::optional<double> number);
 
-// Rounds `number` to `decimals` decimals, for shorter JSON.
+// Rounds `number` to `decimals` decimal places, for shorter JSON.
 double rounded(double number, int decimals);
 
 }  // namespace autoref::io

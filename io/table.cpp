@@ -8,7 +8,7 @@ namespace autoref::io {
 namespace {
 
 constexpr std::size_t kGap = 3;            // between columns
-constexpr std::size_t kNarrowGap = 2;      // likewise, if the table is too wide
+constexpr std::size_t kNarrowGap = 2;      // between columns if the table is too wide
 constexpr std::size_t kMostFitted = 2000;  // rows; longer tables keep their width
 constexpr std::size_t kNarrowestCell = 8;  // words are not broken into shorter pieces
 
@@ -36,7 +36,7 @@ bool binds(std::string_view text, std::size_t i, Breaks breaks) {
 std::vector<std::string> broken(std::string_view text, std::size_t width, Breaks breaks) {
   std::vector<std::string> lines;
   std::size_t begin = 0;
-  std::size_t space = std::string::npos;  // the last one of the line that may become a break
+  std::size_t space = std::string::npos;  // the last one in the line that may become a break
   std::size_t count = 0;                  // characters of the line
   int depth = 0;
   bool has_word = false;  // on the line; spaces before it are its indentation
@@ -83,7 +83,7 @@ struct ColumnLayout {
   Breaks breaks = Breaks::kBetweenWords;
 };
 
-// One line of cells that fit their columns.
+// Formats one line of cells that fit their columns.
 std::string line_in_columns(const std::vector<std::string>& cells,
                             const std::vector<Align>& columns, const ColumnLayout& layout) {
   std::string line;
@@ -103,7 +103,7 @@ bool fits_in_columns(const std::vector<std::string>& row, const ColumnLayout& la
   return true;
 }
 
-// One row, of as many lines as its highest cell.
+// Formats one row, with as many lines as its tallest cell.
 std::string row_in_columns(const std::vector<std::string>& row, const std::vector<Align>& columns,
                            const ColumnLayout& layout) {
   if (fits_in_columns(row, layout)) return line_in_columns(row, columns, layout);
@@ -127,7 +127,7 @@ std::string rows_in_columns(const TextTable& table, const ColumnLayout& layout) 
   return text;
 }
 
-// The next smaller width of a column: with it, some cell has more lines.
+// The next smaller width of a column at which some cell needs more lines.
 std::size_t narrower(const TextRows& rows, std::size_t column, std::size_t width, Breaks breaks) {
   std::size_t widest = 0;
   for (const std::vector<std::string>& row : rows) {
@@ -137,14 +137,13 @@ std::size_t narrower(const TextRows& rows, std::size_t column, std::size_t width
   return std::min(widest, width);
 }
 
-// Chooses the columns whose cells are broken so that the table fits and gets as few lines as
-// possible.
+// Chooses the columns with cells to break, so that the table fits and has as few lines as possible.
 class ColumnFitter {
  public:
   ColumnFitter(const TextRows& rows, Breaks breaks)
       : rows_(rows), breaks_(breaks), widths_(widths_of(rows)), heights_(rows.size(), 1) {}
 
-  // Returns whether the columns fit now.
+  // Returns whether the columns now fit.
   bool fit(std::size_t width) {
     while (total_of(widths_, kNarrowGap) > width) {
       if (!narrow_one()) return false;
@@ -155,7 +154,7 @@ class ColumnFitter {
 
  private:
   // Narrows the column that costs the fewest lines per character. Each call makes some column
-  // narrower, so calls are limited.
+  // narrower, so the number of calls is limited.
   bool narrow_one() {
     std::size_t best = widths_.size();
     std::size_t best_width = 0;
@@ -212,7 +211,7 @@ TextTable columns_between(const TextTable& table, std::size_t keys, std::size_t 
   return part;
 }
 
-// Breaks even words, where they are longest.
+// Breaks even words, in the widest columns first.
 std::string with_broken_words(const TextTable& table, std::vector<std::size_t> widths,
                               std::size_t width) {
   while (total_of(widths, kNarrowGap) > width) {
@@ -223,7 +222,7 @@ std::string with_broken_words(const TextTable& table, std::vector<std::size_t> w
   return rows_in_columns(table, {std::move(widths), kNarrowGap, Breaks::kWithinWords});
 }
 
-// How many columns, from the first, fit at most.
+// The largest number of leading columns that fit.
 std::size_t fitting_columns(const TextTable& table, std::size_t keys, std::size_t width) {
   std::size_t count = table.rows.front().size() - 1;
   const auto fits = [&](std::size_t columns) {

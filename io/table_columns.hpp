@@ -1,6 +1,5 @@
-// Columns of a table, each a name beside the function that gives its value in a row. One list
-// serves for the head and the rows of a CSV file, of a text table, and for the members of JSON
-// objects.
+// Columns of a table, each with a name and a function that gives its value in a row. The same list
+// defines the header and rows of a CSV file or text table, and the members of JSON objects.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +18,7 @@ namespace autoref::io {
 // A text, a whole number, or a number that may be missing.
 using ColumnValue = std::variant<std::string, int, std::optional<double>>;
 
-// `Row` is what a row of the table is about.
+// `Row` is the type of object that a row describes.
 template <typename Row>
 struct TableColumn {
   std::string name;
@@ -41,13 +40,13 @@ TableColumns<Row> joined(TableColumns<Row> columns, const Others&... others) {
 // A number as a CSV cell, with four decimals; "inf" and "-inf" for infinity, empty if nullopt.
 std::string number_cell(std::optional<double> number);
 
-// The value as a cell: a number that may be missing as number_cell().
+// The value as a cell; optional numbers are formatted by number_cell().
 std::string cell_of(const ColumnValue& value);
 
 // Adds the value to a JSON object, unrounded; a missing number is null.
 void add_member(Json& object, const std::string& name, const ColumnValue& value);
 
-// The columns' names, the head of a table.
+// The columns' names: the header of a table.
 template <typename Row>
 Cells heads_of(const TableColumns<Row>& columns) {
   Cells names;
@@ -63,9 +62,8 @@ Cells cells_of(const TableColumns<Row>& columns, const Row& row) {
   return texts;
 }
 
-// Appends the columns to a table: their names to its head, which is the first of `rows`, and a cell
-// about each of `items` to the rows below, one for each. Throws std::out_of_range if there are
-// fewer rows.
+// Appends the columns to a table: their names to its header, the first of `rows`, and the cells for
+// each of `items` to one of the rows below. Throws std::out_of_range if there are fewer rows.
 template <typename Row>
 void append_columns(std::vector<Cells>& rows, const TableColumns<Row>& columns,
                     const std::vector<Row>& items) {
@@ -74,7 +72,7 @@ void append_columns(std::vector<Cells>& rows, const TableColumns<Row>& columns,
     append(rows.at(i + 1), cells_of(columns, items[i]));
 }
 
-// The table of these columns: its head, then a row for each of `items`.
+// The table of these columns: its header, then a row for each of `items`.
 template <typename Row>
 std::vector<Cells> table_rows(const TableColumns<Row>& columns, const std::vector<Row>& items) {
   std::vector<Cells> rows(items.size() + 1);
@@ -82,17 +80,18 @@ std::vector<Cells> table_rows(const TableColumns<Row>& columns, const std::vecto
   return rows;
 }
 
-// Adds the row's values in the columns that JSON has.
+// Adds the row's values in the columns that are included in JSON.
 template <typename Row>
 void add_members(Json& object, const TableColumns<Row>& columns, const Row& row) {
   for (const TableColumn<Row>& column : columns)
     if (column.is_in_json) add_member(object, column.name, column.value(row));
 }
 
-// The position of the column with this head. Throws std::logic_error if the table does not have it.
+// The position of the column with this name. Throws std::logic_error if the table has no such
+// column.
 std::size_t column_named(const Cells& heads, std::string_view name);
 
-// The positions of several columns, in the order of `names`. Throws likewise.
+// The positions of several columns, in the order of `names`. Throws like column_named().
 std::vector<std::size_t> columns_named(const Cells& heads, const Cells& names);
 
 // Formats one line per row as CSV.

@@ -8,9 +8,9 @@ namespace autoref::io {
 
 bool is_terminal(std::FILE* stream);
 
-// Width of text written to the stream, in characters: of a terminal the environment's COLUMNS, else
-// its own width, else 80, and at least 40; of anything else kTextWidth, so that files are the same
-// on every machine.
+// Width of text written to the stream, in characters. For a terminal, this is the environment's
+// COLUMNS, or else the terminal's width, or else 80, and at least 40. For anything else it is
+// kTextWidth, so that files are the same on every machine.
 std::size_t text_width(std::FILE* stream);
 
 }  // namespace autoref::io

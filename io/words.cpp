@@ -23,7 +23,7 @@ std::optional<Number> parsed(std::string_view text) {
   return number;
 }
 
-// Levenshtein distance in which two exchanged neighbours count as one mistake (optimal string
+// Levenshtein distance in which two swapped neighbours count as one mistake (optimal string
 // alignment), computed one table row at a time.
 std::size_t edit_distance(std::string_view from, std::string_view to) {
   std::vector<std::size_t> row(to.size() + 1);
@@ -42,7 +42,7 @@ std::size_t edit_distance(std::string_view from, std::string_view to) {
   return row.back();
 }
 
-// The words that begin with `word` and have at most `most` letters more; up to kMostSuggested.
+// Up to kMostSuggested words that begin with `word` and have at most `most` additional letters.
 std::vector<std::string> words_longer_by(std::string_view word, std::size_t most,
                                          const std::vector<std::string>& words) {
   std::vector<std::string> longer;

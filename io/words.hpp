@@ -28,26 +28,26 @@ std::string text_of(double number);
 std::string nearest_word(std::string_view word, const std::vector<std::string>& words);
 
 // The known words that may have been meant, at most three, in the order of `words`: those that
-// begin with `word` (if some of them have only one letter more, these), otherwise the nearest one
-// if it is close.
+// begin with `word` (only those with a single additional letter, if there are any), otherwise the
+// nearest one if it is close.
 std::vector<std::string> suggested_words(std::string_view word,
                                          const std::vector<std::string>& words);
 
-// "; did you mean 'robots'?" for words that may have been meant, such as those that
-// suggested_words() returns; empty if there are none.
+// "; did you mean 'robots'?" for words that may have been meant, such as the result of
+// suggested_words(); empty if there are none.
 std::string suggestion_text(const std::vector<std::string>& words);
 
 // suggestion_text() of the suggested words.
 std::string suggestion(std::string_view word, const std::vector<std::string>& words);
 
-// A foreign name, safe for display: at most 64 bytes, with question marks for anything but
-// printable ASCII.
+// A name from outside, made safe for display: at most 64 bytes, with question marks for anything
+// but printable ASCII.
 std::string printable(std::string_view name);
 
-// Without spaces and tabs at both ends.
+// The text without spaces and tabs at either end.
 std::string_view trimmed(std::string_view text);
 
-// With 'a' to 'z' in place of 'A' to 'Z'.
+// The text with 'a' to 'z' in place of 'A' to 'Z'.
 std::string lower_case(std::string text);
 
 // "a, b, c".

@@ -1,4 +1,4 @@
-// Writes text as a YAML scalar, and checks that YAML input is within limits of its size.
+// Writes text as a YAML scalar, and checks that YAML input is within size limits.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace autoref::io {
 
-// Returns `text` as a double-quoted scalar, which reads back unchanged, whatever characters the
-// text contains.
+// Returns `text` as a double-quoted scalar, which reads back unchanged regardless of the characters
+// in the text.
 std::string quoted_scalar(const std::string& text);
 
 // Limits on the size of a YAML document once its aliases are expanded.
@@ -20,7 +20,7 @@ struct YamlBounds {
   std::size_t depth = 32;        // nesting depth of lists and mappings
 };
 
-// Where a text exceeds its bounds, and what to do about it. Line and column count from 1.
+// The place where a text exceeds its bounds, and the remedy. Line and column count from 1.
 struct BeyondBounds {
   int line = 0;
   int column = 0;

@@ -13,7 +13,8 @@ using referee::Event;
 // Three frames: the time it takes to confirm a fast kick.
 constexpr double kAssociationSameTime_s = 0.05;
 
-// Returns whether a call may be right for an event; a call with unknown last touch fits several.
+// Returns whether a call may be right for an event; a call with an unknown last touch fits several
+// events.
 bool may_be(std::string_view call, const TrueEvent& event) {
   if (call == "touch_line_unknown") return event.name == "throw_in";
   if (call == "goal_line_unknown") {
@@ -68,7 +69,7 @@ class Matcher {
   }
 
  private:
-  // A call with unknown last touch only claims that the ball left over this line, so the event
+  // A call with an unknown last touch only claims that the ball left over this line, so the event
   // itself still counts as missed.
   void evaluate(const JudgedCall& call) {
     for (const Standing standing : {Standing::kTrue, Standing::kPrevented}) {
@@ -98,7 +99,7 @@ class Matcher {
     return call.robot && call.robot == event.robot;
   }
 
-  // Lower is better: first the same robot, then the nearest in time.
+  // Lower is better: the same robot comes first, then the nearest in time.
   static std::pair<bool, double> rank(const JudgedCall& call, const TrueEvent& event) {
     return {!is_same_robot(call, event), std::abs(call.time_s - event.time_s)};
   }
@@ -131,15 +132,15 @@ class Matcher {
     verdict.confidence = call.confidence;
     verdict.is_borderline = nearest(call, Standing::kNearMiss, false).has_value();
     const std::optional<std::size_t> answered = nearest(call, Standing::kTrue, true);
-    // A call that fits an event already answered is a second call for it, not a false alarm.
+    // A call that fits an event already called is a second call for it, not a false alarm.
     verdict.is_second = answered && (!call.robot || !true_events_[*answered].robot ||
                                      is_same_robot(call, true_events_[*answered]));
     verdicts_.push_back(verdict);
   }
 
   void miss(const TrueEvent& event) {
-    // An event at the moment when a right call ended play for another reason could not be called
-    // any more.
+    // An event that happened just when a right call stopped play for another reason could no longer
+    // be called.
     const bool is_overtaken = std::any_of(
         right_ends_s_.begin(), right_ends_s_.end(),
         [&](double end_s) { return std::abs(end_s - event.time_s) <= kAssociationSameTime_s; });

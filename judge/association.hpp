@@ -17,8 +17,9 @@
 
 namespace autoref::judge::ground_truth {
 
-// The league's evaluation of 2016 let the referee be up to 2 s early; with an exact ground truth,
-// less is enough. Vision at 60 Hz and a touch confirmed after four frames explain a delay of 0.1 s.
+// The league's evaluation of 2016 let the referee be up to 2 s early; with an exact ground truth, a
+// shorter lead is enough. Vision at 60 Hz and a touch confirmed after four frames explain a delay
+// of 0.1 s.
 struct Window {
   double lead_s = 0.25;
   double lag_s = 1.0;

@@ -47,12 +47,12 @@ class CallEvaluator final : public game::Observer {
     touches_.see(world.touches(), now_s_);
     const bool is_in_air = world.state().ball.height_m > 0;
     for (; judged_ < calls_.size(); ++judged_) calls_[judged_].is_in_air = is_in_air;
-    // Decisions arrive before the true state of their frame, so they were kept until now.
+    // Decisions arrive before the true state of their frame, so they have been stored until now.
     for (const std::optional<Side>& said : exits_) evaluate_last_touch(said);
     exits_.clear();
   }
 
-  // After the game.
+  // To be called after the game.
   experiments::CallEvaluation evaluation() {
     evaluation_.verdicts = ground_truth::associate(observer_.true_events(), calls_);
     return std::move(evaluation_);

@@ -1,4 +1,5 @@
-// Plays games and judges their referee by ground truth, and tells which last touches are contested.
+// Plays games and judges their referee by ground truth, and determines which last touches are
+// contested.
 #pragma once
 
 #include <span>
@@ -18,7 +19,7 @@ inline constexpr double kContested_s = 0.1;
 // Remembers when each side last touched the ball.
 class SideTouches {
  public:
-  // Call once per frame. `time_s` is the frame's.
+  // Call once per frame. `time_s` is the frame's time.
   void see(std::span<const sim::Touch> touches, double time_s);
 
   // Whether the last touch before the ball left the field at `exit_s` was contested.
@@ -30,7 +31,8 @@ class SideTouches {
 };
 
 // When the ball left the field over a line, according to a call at `call_s`: the time of the latest
-// true exit, also of one that play's end prevented. Without one in the last second, the call's.
+// true exit, including one prevented by the end of play. If there was none in the last second, the
+// time of the call.
 double exit_time_s(const ground_truth::TrueEvents& true_events, double call_s);
 
 struct EvaluatedGame {
@@ -38,8 +40,8 @@ struct EvaluatedGame {
   experiments::CallEvaluation evaluation;
 };
 
-// Plays a game and compares its referee's calls with the true events. `observers` watch it, too.
-// Throws as play() does.
+// Plays a game and compares its referee's calls with the true events. `observers` observe the same
+// game. Throws like play().
 EvaluatedGame evaluate_calls(const game::GameConfiguration& configuration,
                              const game::TeamMaker& make_team = game::make_registered_team,
                              game::Observers observers = {});

@@ -1,5 +1,5 @@
-// The judge's report as a document, and as Markdown and for terminals, declared in
-// judge_report.hpp.
+// The judge's report as a document, as Markdown and for terminals (the latter two declared in
+// judge_report.hpp).
 #include "judge/judge_document.hpp"
 
 #include <fmt/format.h>

@@ -7,8 +7,9 @@
 
 namespace autoref::judge {
 
-// What was judged, F1 of all events, last touches, calls to inspect, and all measures by rule book.
-// `direction` is the path from the report to the results folder: "." or "..".
+// Contains the scope of the evaluation, F1 of all events, last touches, calls to inspect, and all
+// measures by rule book. `direction` is the path from the report to the results folder: "." or
+// "..".
 experiments::Document judge_document(const experiments::ResultFolder& folder,
                                      const JudgeReport& report, const std::string& direction);
 

@@ -62,7 +62,7 @@ io::Json seeds_json(const std::vector<experiments::NamedSeed>& seeds) {
   return list;
 }
 
-// The events of one tally's rows in judge.csv, by name.
+// The events in a tally's rows of judge.csv, by name.
 std::vector<std::pair<std::string, EventTally>> csv_events(const JudgeReport& report,
                                                            const CameraTally& tally) {
   std::vector<std::pair<std::string, EventTally>> events;

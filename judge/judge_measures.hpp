@@ -13,10 +13,11 @@ namespace autoref::judge {
 struct Measure {
   const char* head;  // heading of the table's column
   const char* name;
-  // nullopt if there is nothing to measure.
+  // Returns nullopt if there is nothing to measure.
   std::optional<double> (*value)(const EventTally& tally);
   int decimals = 0;  // shown
-  // The 95 % confidence interval, nullopt if there is nothing to measure; nullptr if it has none.
+  // The 95 % confidence interval, nullopt if there is nothing to measure. nullptr if the measure
+  // has no interval.
   std::optional<experiments::Interval> (*interval)(const EventTally& tally) = nullptr;
 };
 
@@ -27,9 +28,9 @@ const std::vector<Measure>& measures();
 // is no value.
 std::string text_of(const Measure& measure, const EventTally& tally);
 
-// A number that is written to a file.
+// A number as written to a file.
 struct MeasuredNumber {
-  std::string name;  // "recall"; of the interval's ends, "recall_low95" and "recall_high95"
+  std::string name;  // "recall"; for the interval, "recall_low95" and "recall_high95"
   std::optional<double> value;
   int decimals = 0;
 };

@@ -16,18 +16,18 @@ namespace autoref::judge {
 struct JudgeReport {
   std::vector<experiments::NamedSeed> seeds;  // the master seeds of the schedule
   std::vector<CameraTally> tallies;  // by rule book, camera and seed, in the order of the schedule
-  // The same with the games of all rule books; empty if there is only one rule book.
+  // The same, pooled over all rule books; empty if there is only one rule book.
   std::vector<CameraTally> pooled;
   // Events seen under several rule books that are rare in some tally.
   std::set<std::string> rare_events;
   // One line each, with the game's id.
-  std::vector<std::string> second_calls;         // wrong because the event had already been called
+  std::vector<std::string> second_calls;         // wrong since the event had already been called
   std::vector<std::string> calls_in_stop;        // made in a stop, but only possible during play
   std::vector<std::string> calls_before_events;  // right calls of events that happened later
   std::vector<std::string> void_games;
   std::vector<std::string> transitions_never_used;
   std::vector<std::string>
-      rules_never_seen;    // events that neither happened nor were called in any game
+      rules_never_seen;    // events that neither occurred nor were called in any game
   std::string faults_csv;  // one row per missed event or wrong call
 };
 
@@ -39,7 +39,7 @@ std::vector<const experiments::CallVerdict*> faults_in(
     const experiments::CallEvaluation& evaluation);
 
 // The report on the scheduled games with rows, in the order of the schedule. Equal rows give the
-// same report, in whatever order they were played.
+// same report, regardless of the order in which the games were played.
 JudgeReport report_of(const experiments::JudgeSchedule& schedule,
                       const experiments::RowsById& rows);
 
@@ -47,7 +47,7 @@ JudgeReport report_of(const experiments::JudgeSchedule& schedule,
 // and a table of all measures for each rule book.
 std::string markdown_of(const JudgeReport& report);
 
-// The same for a terminal, where rows of Markdown would be far too wide.
+// The same for a terminal, where Markdown rows would be far too wide.
 io::TextBlocks blocks_of(const JudgeReport& report);
 
 // Only the table of F1 by rule book.
@@ -55,8 +55,8 @@ std::string scores_markdown_of(const JudgeReport& report);
 io::TextBlocks scores_text_of(const JudgeReport& report);
 
 // judge.csv: seeds, rules, camera, event, whether it is rare, and measures with their intervals;
-// cells without a value are empty. Last touches are events, too. Rows with the rule book kAllRules
-// pool events that are rare under some rule book.
+// cells without a value are empty. Last touches are included as an event. Rows with the rule book
+// kAllRules pool events that are rare under some rule book.
 std::string csv_of(const JudgeReport& report);
 
 // The report as one JSON object.

@@ -58,7 +58,7 @@ std::string score_cell(const EventTally& tally, ScoreCells cells) {
                      tally.happened(), rarity(tally));
 }
 
-// One cell for each tally with the seeds and the rule book of `of`, that is for each camera.
+// One cell for each tally with the same seeds and rule book as `of`, that is, for each camera.
 template <typename CellOf>
 io::Cells by_camera(const Tallies& tallies, const CameraTally& of, const CellOf& cell_of) {
   io::Cells cells;
@@ -149,7 +149,7 @@ void add_reliability(const JudgeReport& report, const std::string& seeds, TableR
   }
 }
 
-// Delays by camera need no rule books: those of a single book are in its own table.
+// Delays by camera are pooled over rule books: those of a single book are in its own table.
 const Tallies& widest_tallies(const JudgeReport& report) {
   return report.pooled.empty() ? report.tallies : report.pooled;
 }
@@ -186,7 +186,6 @@ std::vector<std::string> books_in(const JudgeReport& report) {
   return books;
 }
 
-// The events of a rule book in the referee's order, with one row per camera and seed.
 JudgeTable reliability_table(const JudgeReport& report) {
   JudgeTable table = table_of(report, {"confidence"}, {"calls", "mean confidence", "right"});
   for (const std::string& seeds : names_in(report.tallies, &CameraTally::seeds))
@@ -194,6 +193,7 @@ JudgeTable reliability_table(const JudgeReport& report) {
   return table;
 }
 
+// The events of a rule book in the referee's order, with one row per camera and seed.
 JudgeTable events_table(const JudgeReport& report, const std::string& rules) {
   io::Cells heads;
   for (const Measure& measure : measures()) heads.emplace_back(measure.head);

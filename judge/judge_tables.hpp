@@ -13,7 +13,7 @@ using TableRows = std::vector<std::vector<std::string>>;
 
 struct JudgeTable {
   TableRows rows;
-  std::size_t names = 1;  // the first columns, which are names
+  std::size_t names = 1;  // number of leading columns that are names
 };
 
 // Texts below the tables.
@@ -31,24 +31,24 @@ enum class ScoreCells : std::uint8_t {
 };
 
 // One row for last touches, one for contested ones, and one for F1 of each event; one column per
-// camera. Of the last-named seed only, with the games of all rule books.
+// camera. Covers only the last-named seed, with the games of all rule books.
 JudgeTable summary_table(const JudgeReport& report);
 
-// F1 of every event by rule book, one column per camera. The games of both master seeds are in
-// rows below each other.
+// F1 of every event by rule book, one column per camera. Each master seed has its own rows, one
+// below the other.
 JudgeTable scores_table(const JudgeReport& report, ScoreCells cells);
 
-// How often the last touch was right when the ball left the field, at all exits and at contested
-// ones.
+// How often the referee named the right last touch when the ball left the field, for all exits and
+// for contested ones.
 JudgeTable last_touch_table(const JudgeReport& report);
 
 // Delays of all right calls by camera.
 JudgeTable delays_table(const JudgeReport& report);
 
-// How many calls were right, by the referee's confidence, with all rule books and cameras.
+// The share of right calls by the referee's confidence, over all rule books and cameras.
 JudgeTable reliability_table(const JudgeReport& report);
 
-// All measures of a rule book's events; of kAllRules, those of pooled events.
+// All measures of a rule book's events; for kAllRules, those of pooled events.
 JudgeTable events_table(const JudgeReport& report, const std::string& rules);
 
 }  // namespace autoref::judge

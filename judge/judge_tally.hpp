@@ -1,4 +1,4 @@
-// Totals of a referee's evaluation over many games, and how far its confidence can be relied on.
+// Totals of a referee's evaluation over many games, and the reliability of its confidence.
 #pragma once
 
 #include <array>
@@ -22,7 +22,8 @@ struct ReliabilityBand {
   double confidence_sum = 0;
 };
 
-// How far the referee's confidence can be relied on: among calls of 0.9, 90 % should be right.
+// The reliability of the referee's confidence: among calls with a confidence of 0.9, 90 % should be
+// right.
 class Reliability {
  public:
   // Lower ends of the bands; each ends where the next one begins, and the last at 1.
@@ -38,7 +39,7 @@ class Reliability {
   std::array<ReliabilityBand, kFrom.size()> bands_;
 };
 
-// An event that happened less often is rare: its measures are uncertain by several hundredths.
+// Events that happened less often are rare: their measures are uncertain by several hundredths.
 inline constexpr int kRareEvents = 100;
 
 // One event with one rule book and one camera. An early call counts as happened, called and right.
@@ -50,7 +51,7 @@ struct EventTally {
   int before = 0;  // right calls that came before an event that did happen
   int borderline_missed = 0;
   int borderline_wrong = 0;
-  int overtaken = 0;  // happened when another right call ended play; not counted elsewhere
+  int overtaken = 0;  // happened when another right call stopped play; not counted elsewhere
   int in_air = 0;     // events and wrong calls with the ball in the air
   std::vector<double> delays_s;
   std::vector<double> errors_m;
@@ -62,7 +63,7 @@ struct EventTally {
   std::optional<double> precision() const;
   std::optional<double> recall() const;
   std::optional<double> f1() const;
-  // Their 95 % confidence intervals: Wilson's, and that of interval.hpp.
+  // Their 95 % confidence intervals: Wilson's, and f1_interval() (interval.hpp) for F1.
   std::optional<experiments::Interval> precision_interval() const;
   std::optional<experiments::Interval> recall_interval() const;
   std::optional<experiments::Interval> f1_interval() const;
@@ -73,11 +74,12 @@ struct EventTally {
   void add(const EventTally& other);
 };
 
-// Whether a right call came before its event. Events foreseen when play was stopped do not count.
+// Whether a right call came before its event. Events that were only prevented because play was
+// stopped do not count.
 bool is_before_event(const experiments::CallVerdict& verdict);
 
-// The smallest value that at least the fraction `share` of the sample does not exceed; nullopt if
-// the sample is empty.
+// The smallest value that is not exceeded by at least the fraction `share` of the sample; nullopt
+// if the sample is empty.
 std::optional<double> quantile(std::vector<double> sample, double share);
 
 // The name of the rule book in tallies pooled over all rule books.
@@ -91,7 +93,7 @@ struct CameraTally {
   int games = 0;
   int void_games = 0;
   std::map<std::string, EventTally> events;  // by name
-  // By the team that truly touched the ball: at all exits, and at contested ones.
+  // By the team that actually touched the ball: for all exits, and for contested ones.
   std::array<experiments::LastTouchTally, 2> last_touch;
   std::array<experiments::LastTouchTally, 2> contested_touch;
   Reliability reliability;

@@ -18,13 +18,13 @@ namespace autoref::judge {
 // Fills the row of a judged game. The game is void if its evaluation is too long for a row.
 void keep(EvaluatedGame judged, experiments::GameRow& row);
 
-// Plays a game, evaluates its referee and fills its row. Throws what play() and the programs' files
-// throw.
+// Plays a game, evaluates its referee and fills its row. Throws whatever play() and the programs'
+// files throw.
 void play_judged(const game::GameConfiguration& game, game::GamePrograms& programs,
                  experiments::GameRow& row);
 
-// How `autoref judge` plays its games, and the table that it shows meanwhile. `folder` takes what
-// programs leave.
+// How `autoref judge` plays its games, and the table that it shows while doing so. The programs'
+// files go into `folder`.
 experiments::Outcomes judged_outcomes(const experiments::JudgeSchedule& schedule,
                                       const std::filesystem::path& folder);
 

@@ -16,7 +16,7 @@ constexpr std::chrono::milliseconds kLongestSleep{50};
 
 constexpr std::uint64_t kTurn_ns = 100'000;  // the shortest that Linux grants
 
-// The kernel's struct sched_attr, whose header contradicts <sched.h>.
+// The kernel's struct sched_attr, redefined because its header conflicts with <sched.h>.
 struct SchedulingAttributes {
   std::uint32_t size;
   std::uint32_t policy;
@@ -30,7 +30,7 @@ struct SchedulingAttributes {
 
 }  // namespace
 
-// An absolute time: an interrupted sleep goes on without drift.
+// With an absolute time, an interrupted sleep continues without drift.
 void SteadyFrameClock::sleep_until(Time time) {
   const auto since_epoch =
       std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch()).count();

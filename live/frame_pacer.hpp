@@ -1,4 +1,4 @@
-// Paces a game by the clock, in a thread that the system wakes promptly although others compute.
+// Paces a game by the clock, in a thread that the system wakes promptly even under load.
 #pragma once
 
 #include <array>
@@ -8,17 +8,17 @@
 
 namespace autoref::live {
 
-// How punctual a loop was.
+// The punctuality of a loop.
 struct Punctuality {
   std::int64_t frames = 0;
   std::int64_t late = 0;  // frames that began more than kLate after their time
   double worst_ms = 0;
-  std::int64_t restarts = 0;  // of the schedule, after long delays
+  std::int64_t restarts = 0;  // restarts of the schedule after long delays
 };
 
 inline constexpr std::chrono::milliseconds kLate{2};
 
-// A clock that can sleep; tests use one of their own.
+// A clock that can sleep; tests use their own.
 class FrameClock {
  public:
   using Time = std::chrono::steady_clock::time_point;
@@ -34,17 +34,18 @@ class SteadyFrameClock final : public FrameClock {
   void sleep_until(Time time) override;
 };
 
-// Frames are due at equal distances. No frame is skipped: after a delay, the next frames follow at
-// once until the schedule is met again, or, after more than a second, the schedule restarts.
+// Frames are due at equal intervals. No frame is skipped: after a delay, the next frames follow
+// immediately until the schedule is met again; after a delay of more than a second, the schedule
+// restarts.
 class FramePacer {
  public:
   FramePacer(FrameClock& clock, double frames_per_s);
 
-  // Other frames per second from now on; the next frame is due at once.
+  // Changes the frame rate; the next frame is due immediately.
   void set_rate(double frames_per_s);
 
-  // Sleeps until the next frame is due. Calls `meanwhile`, if any, at least every 50 ms; it may set
-  // the rate.
+  // Sleeps until the next frame is due. Calls `meanwhile`, if given, at least every 50 ms; it may
+  // change the rate.
   void wait(const std::function<void()>& meanwhile = {});
 
   const Punctuality& punctuality() const { return punctuality_; }
@@ -59,10 +60,10 @@ class FramePacer {
   Punctuality punctuality_;
 };
 
-// Asks the system to let the calling thread begin soon when it wakes, in exchange for shorter turns
-// on the processor, and not to delay its timers. No privileges are needed. Systems that know
-// nothing of it, such as Linux before 6.12, go on as before; so does a thread with a real-time
-// policy. Threads and processes that the calling thread starts later inherit the short turns.
+// Asks the system to run the calling thread promptly when it wakes, in exchange for shorter time
+// slices, and not to delay its timers. No privileges are needed. This has no effect on systems that
+// do not support it, such as Linux before 6.12, or on a thread with a real-time policy. Threads and
+// processes that the calling thread starts later inherit the short slices.
 void be_prompt();
 
 }  // namespace autoref::live

@@ -1,4 +1,4 @@
-// How a live game uses the network.
+// Network options of a live game.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace autoref::live {
 
-// What sets the pace of a live game: the clock, the network teams' packets (as fast as they
-// answer), or their SimulationSyncRequests.
+// The pace of a live game is set by the clock, by the network teams' packets (as fast as they
+// answer), or by their SimulationSyncRequests.
 enum class Pace : std::uint8_t { kClock, kPackets, kLockStep };
 
 struct LiveSpeed {
@@ -17,7 +17,7 @@ struct LiveSpeed {
   double factor = 1;  // of real time, with Pace::kClock
 };
 
-// Ports as the league uses them. Port 0: closed.
+// The league's default ports. Port 0 means closed.
 struct LivePorts {
   int vision = 10006;
   int referee = 10003;
@@ -35,8 +35,8 @@ struct LiveOptions {
   std::string interface = kLoopback;  // address of the interface
   std::string unicast;                // host to send to instead of the multicast groups
   LivePorts ports;
-  double lapse_s = 0.1;  // after this time without an update, a robot stands still
-  double answer_s = 10;  // with unlimited speed: the longest wait for a team
+  double lapse_s = 0.1;  // after this time without an update, a robot stops
+  double answer_s = 10;  // longest wait for a team at unlimited speed
 };
 
 inline constexpr const char* kVisionGroup = "224.5.23.2";

@@ -1,4 +1,4 @@
-// What senders of tracker packets have in common.
+// Functions shared by senders of tracker packets.
 #pragma once
 
 #include <string>

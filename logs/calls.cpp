@@ -184,7 +184,7 @@ Agreement agreement_with_annotations(std::span<const Call> annotated,
 }
 
 std::vector<Call> annotations_in(std::string_view text, const std::string& file) {
-  // The last line may lack its line end.
+  // The last line may lack a line break.
   const std::string ended = fmt::format("{}\n", text);
   const std::vector<std::string_view> lines = io::lines_as_written(ended);
   if (lines[0] != kHead) refuse(file, 1, fmt::format("the first line must be {}", kHead));

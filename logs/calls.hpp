@@ -18,12 +18,11 @@ struct Call {
   double stop_s = 0;
   double restart_s = 0;
   Command restart;
-  std::string_view event{};  // the reason (referee/events.def); empty if only commands are known
-  std::optional<Side>
-      side{};  // the team that the event names: of a goal the scorer, else the offender
+  std::string_view event{};    // the reason (referee/events.def); empty if only commands are known
+  std::optional<Side> side{};  // the event's team: the scorer of a goal, otherwise the offender
 };
 
-// The event and its team, such as "goal (yellow)"; of a call without an event the restart.
+// The event and its team, such as "goal (yellow)"; for a call without an event, the restart.
 std::string title_of(const Call& call);
 
 // Derives calls from a stream of commands: a STOP and the restart after it. Halts, timeouts and
@@ -45,7 +44,7 @@ struct CallPair {
   bool is_right() const { return recorded && refereed; }
 };
 
-// When play stopped for the call.
+// The time at which play stopped for the call.
 double time_of(const CallPair& pair);
 
 struct Agreement {
@@ -62,24 +61,26 @@ struct Agreement {
   int challenge_score() const { return right - 2 * (refereed - right); }
 };
 
-// For a call that only one referee made: what the other one did, and when. Empty for a right call.
+// For a call that only one referee made: the other referee's action and its time. Empty for a right
+// call.
 std::string other_referee_text(const CallPair& pair, const Agreement& agreement);
 
 // Matches AutoRef's calls with the recorded ones. A call is right if a recorded call has the same
 // restart and they overlap in time; AutoRef may be up to `lead_s` early. Both lists must be in
-// order of time; each call is matched once, with the first that fits.
+// order of time; each call is matched once, with the first one that fits.
 Agreement agreement_of(std::span<const Call> recorded, std::span<const Call> refereed,
                        double lead_s = 2.0);
 
-// Matches AutoRef's calls with those of a person's annotations. A call is right if event and, where
-// the annotation names one, side are the same and at most `tolerance_s` lies between them.
+// Matches AutoRef's calls with those of a person's annotations. A call is right if the event and
+// (if the annotation names one) the side are the same and the times differ by at most
+// `tolerance_s`.
 Agreement agreement_with_annotations(std::span<const Call> annotated,
                                      std::span<const Call> refereed, double tolerance_s = 2.0);
 
-// Reads a person's own list of calls in a recorded game: CSV with the head "time,call,side", rows
+// Reads a person's own list of calls in a recorded game: CSV with the header "time,call,side", rows
 // in any order; the result is in order of time.
 //   time  seconds from the start of the log, or minutes and seconds: 83.2 or 1:23.2
-//   call  an event that AutoRef may call (docs/reference/rules.md), such as throw_in
+//   call  an event that AutoRef can call (docs/reference/rules.md), such as throw_in
 //   side  yellow or blue: the team that scored or, for other calls, the offender; empty if unknown
 // Throws InputError with `file` and line.
 std::vector<Call> annotations_in(std::string_view text, const std::string& file);

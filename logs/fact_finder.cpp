@@ -10,7 +10,7 @@
 namespace autoref::logs {
 namespace {
 
-// Equal for the same event in different packets.
+// A key that is equal for the same event in different packets.
 std::string key_of(GameEvent event) {
   if (!event.id.empty()) return event.id;
   event.origin.clear();  // grows when another automatic referee reports the event
@@ -21,9 +21,9 @@ bool is_identified(const GameEvent& event) { return !event.id.empty() || event.c
 
 constexpr std::size_t kEnoughDifferences = 200;
 constexpr std::size_t kMostDifferences = 200'000;
-constexpr double kMostUneven = 0.25;  // of the interval between two frames
+constexpr double kMostUneven = 0.25;  // as a fraction of the interval between two frames
 constexpr double kLongestInterval_s = 0.1;
-constexpr double kNormalMedian = 0.6745;  // of the absolute value, in standard deviations
+constexpr double kNormalMedian = 0.6745;  // median absolute value, in standard deviations
 constexpr double kLeastNoise_m = 0.00015;
 constexpr double kLeastNoise_rad = 0.0005;
 constexpr double kMostNoise_m = 0.02;
@@ -98,7 +98,7 @@ void LoggedNoise::add(const RobotObservation& robot, Side side, double time_s) {
     note(difference_m->x(), robot_m_);
     note(difference_m->y(), robot_m_);
   }
-  // For small angles, the heading's components differ across it by the angle.
+  // For small angles, the change of the heading vector across itself is the angle.
   if (const auto difference = headings_[side][number].add(time_s, robot.heading))
     note(cross(robot.heading, *difference), robot_rad_);
 }

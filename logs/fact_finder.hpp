@@ -1,5 +1,5 @@
-// Collects the facts about a game (recorded_facts.hpp) from its frames and packets, with its game
-// events and the noise of its vision.
+// Collects the facts about a game (recorded_facts.hpp) from its frames and packets, including its
+// game events and the noise of its vision.
 #pragma once
 
 #include <cstdint>
@@ -17,18 +17,18 @@
 
 namespace autoref::logs {
 
-// The game events in a log's referee packets, each once. A packet repeats its events for as long as
-// the game controller keeps them. Each counts from the packet that has it first. Events are the
-// same if their ids are or, without ids, all else but their origins. An event without id and time
-// of creation that comes back later is another one. Events of the log's first packet happened
-// before and are left out; so are proposals, which the game controller has not accepted.
+// Collects the game events in a log's referee packets, each once. Packets repeat an event for as
+// long as the game controller keeps it; it is dated by the first of them. Two events are the same
+// if their ids are equal or, without ids, if everything except their origins is equal. An event
+// without id and creation time that reappears later is a new one. Events in the log's first packet
+// happened earlier and are left out, as are proposals, which the game controller has not accepted.
 class RecordedGameEvents {
  public:
   static constexpr std::size_t kMostEvents = 10'000;
 
   void add(double time_s, const league::RefereePacket& packet);
 
-  // In order of time, at most kMostEvents.
+  // The events in order of time, at most kMostEvents.
   const std::vector<game::TimedGameEvent>& events() const { return events_; }
 
  private:
@@ -41,24 +41,24 @@ class RecordedGameEvents {
   std::vector<game::TimedGameEvent> events_;
 };
 
-// Measures the noise of the vision that recorded a log, by differences of the third order of four
-// successive positions: nearly free of motion, since accelerations change slowly compared with
-// frames, and sqrt(20) times as noisy as a position. The median absolute value ignores kicks and
-// false detections.
+// Measures the noise of the vision that recorded a log from third-order differences of four
+// successive positions. These are nearly free of motion, since accelerations change slowly compared
+// with the frame rate, and sqrt(20) times as noisy as a position. The median absolute value ignores
+// kicks and false detections.
 class LoggedNoise {
  public:
   // Frames must be in order of time.
   void add(const Frame& frame);
 
-  // Standard deviations. Zero where there is hardly any noise, as in the logs of a simulator
-  // without it. nullopt if the log is too short or its frames are too irregular to tell.
+  // Standard deviations. Zero if there is hardly any noise, as in logs of a simulator without
+  // noise. nullopt if the log is too short or its frames are too irregular for an estimate.
   std::optional<tracking::VisionNoise> noise() const;
 
  private:
   // The latest positions of one body.
   class Track {
    public:
-    // Returns the third difference if there have been four evenly spaced positions.
+    // Returns the third difference if the last four positions are evenly spaced.
     std::optional<Vec2> add(double time_s, const Vec2& position);
 
    private:
@@ -85,7 +85,7 @@ class FactsCollector final : public league::LogVisitor {
   void on_vision(double time_s, const league::VisionPacket& packet) override;
   void on_referee(double time_s, const league::RefereePacket& packet) override;
 
-  // The facts so far, with what is known of the messages themselves.
+  // The facts so far, together with the summary of the messages themselves.
   RecordedFacts facts(const league::LogSummary& log) const;
 
  private:

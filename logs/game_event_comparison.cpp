@@ -22,7 +22,7 @@ bool is_same(const GameEvent& a, const GameEvent& b) {
   return a.type == b.type && a.by_team == b.by_team;
 }
 
-// Decided by whoever commands the game.
+// Events decided by whoever commands the game.
 bool is_persons(GameEventType type) {
   return type == GameEventType::kPlacementSucceeded || type == GameEventType::kPlacementFailed ||
          type == GameEventType::kMultipleFouls || type == GameEventType::kMultipleCards;

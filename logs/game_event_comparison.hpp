@@ -15,8 +15,8 @@
 
 namespace autoref::logs {
 
-// Whether AutoRef has decisions that become events of this type (referee/events.def). Beside a
-// person, it neither judges placements nor shows cards.
+// Whether AutoRef has decisions that become events of this type (referee/events.def). When it
+// assists a human referee, it neither judges placements nor shows cards.
 bool is_judged(GameEventType type, referee::Control control);
 
 // A recorded event and the matching one of AutoRef; one of the two is missing without a match.

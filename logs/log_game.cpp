@@ -16,7 +16,8 @@ namespace {
 constexpr std::int64_t kYear2000_s = 946'684'800;
 constexpr std::int64_t kYear2018_s = 1'514'764'800;
 constexpr std::int64_t kYear2100_s = 4'102'444'800;
-// Between single and double size (6.05 m, 8.09 m), and between Divisions B and A (9 m, 12 m).
+// Limits between single and double size (6.05 m, 8.09 m), and between Divisions B and A (9 m, 12
+// m).
 constexpr double kDoubleSize_m = 7;
 constexpr double kLongestOfB_m = 10.5;
 
@@ -39,8 +40,8 @@ std::string book_of(const league::LogSummary& log, const std::optional<std::int6
   return date_s ? "2014" : "paper";
 }
 
-// The first command in the log, if it shows that play is on or that a restart is pending at the
-// start of the log.
+// The first command in the log if it shows that, at the start of the log, play is on or a restart
+// is pending.
 std::optional<Command> play_begun(const RecordedFacts& facts) {
   if (facts.commands.empty()) return std::nullopt;
   const Command first = facts.commands.front().command;
@@ -73,7 +74,7 @@ Field field_in(const league::LogSummary& log, const Field& of_book) {
   Field field = *log.field;
   if (log.field_gaps.penalty_mark) field.penalty_mark_m = of_book.penalty_mark_m;
   if (log.field_gaps.defence_area) field.defence_area = of_book.defence_area;
-  // Vision does not say so; a field with the book's walls has its goals.
+  // Vision does not report this; a field with the rule book's walls is assumed to have its goals.
   constexpr double kSameWall_m = 1_mm;
   const bool has_its_walls =
       std::abs(field.run_off_m - of_book.run_off_m) < kSameWall_m &&

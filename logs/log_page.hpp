@@ -1,4 +1,4 @@
-// The page of a recorded game with the calls of both referees, and the log's contents that it
+// The page of a recorded game with the calls of both referees, and the parts of the log that it
 // shows.
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace autoref::logs {
 
-// The part of a log from one time to another, both included, in seconds on the frames' clock.
+// The part of a log between two times (inclusive), in seconds on the frames' clock.
 struct LogPart {
   double from_s = -std::numeric_limits<double>::infinity();
   double to_s = std::numeric_limits<double>::infinity();
@@ -46,13 +46,13 @@ class LogRecorder final : public league::LogVisitor {
 // The calls of both referees in order of time.
 std::vector<view::ComparedCall> compared_calls(const Agreement& agreement);
 
-// `decisions` are AutoRef's, and `name` is what the user calls the log. Throws league::LogError.
+// `decisions` are AutoRef's, and `name` is the user's name for the log. Throws league::LogError.
 std::string log_page(const std::filesystem::path& log, const std::string& name, const Field& field,
                      const std::vector<view::RecordedDecision>& decisions,
                      const Agreement& agreement,
                      league::FrameSource source = league::FrameSource::kFirst);
 
-// The address of a moment in that page, such as "game.html#t=83.20".
+// The address of a moment on that page, such as "game.html#t=83.20".
 std::string moment_in(const std::string& page, double time_s);
 
 }  // namespace autoref::logs

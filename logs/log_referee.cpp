@@ -20,7 +20,8 @@ Call call_of(const referee::Decision& decision) {
           name_of(decision.finding.event), event ? event->by_team : decision.finding.offender};
 }
 
-// AutoRef's own calls beside a person: each lasts from its STOP until play goes on.
+// AutoRef's own calls when a human referee is in command: each lasts from its STOP until play
+// continues.
 class OwnCalls {
  public:
   void add(const referee::Decision& decision) {
@@ -43,7 +44,7 @@ class OwnCalls {
   std::vector<Call> calls_;
 };
 
-// What AutoRef decides in a log.
+// Collects AutoRef's decisions in a log.
 class DecisionCollector {
  public:
   DecisionCollector(const RecordedFacts& facts, const DecisionWatch& watch)
@@ -85,8 +86,8 @@ class DecisionCollector {
   int decisions_ = 0;
 };
 
-// A STOP before a half, such as before the first kick-off, is no call that a referee beside the
-// recorded one could make.
+// A STOP before a half, such as before the first kick-off, is not a call that a second referee
+// could make.
 bool may_be_call(const RecordedCommand& recorded) {
   const bool is_between_halves =
       recorded.stage == Stage::kFirstHalfPre || recorded.stage == Stage::kHalfTime ||
@@ -113,8 +114,8 @@ LogReferee::LogReferee(std::vector<referee::Configuration> configurations,
 
 void LogReferee::on_frame(const Frame& frame) {
   if (!referee_.is_over()) judge(frame);
-  // A referee packet comes before the frame it belongs to, so this frame was still part of the
-  // previous game.
+  // A referee packet precedes the frame it belongs to, so this frame was still part of the previous
+  // game.
   if (is_next_game_) {
     referee_ = referee::AutoRef(configurations_[++game_]);
     set_ends();
@@ -143,7 +144,7 @@ void LogReferee::note_keepers(const RefereeSignal& signal) {
   }
 }
 
-// Decisions have the coordinates of the field, even if nobody commands.
+// Decisions use the field's coordinates, even if nobody is in command.
 void LogReferee::set_ends() {
   if (configuration().control == referee::Control::kHuman) return;
   RefereeSignal ends;

@@ -1,5 +1,5 @@
-// Lets AutoRef judge the frames of a real game, recorded or live: alone, or beside the referee
-// whose packets come with them.
+// Lets AutoRef judge the frames of a real game, recorded or live, either alone or alongside the
+// referee whose packets come with them.
 #pragma once
 
 #include <deque>
@@ -22,8 +22,8 @@ namespace autoref::logs {
 // Called with each decision.
 using DecisionWatch = std::function<void(const referee::Decision&)>;
 
-// When a referee packet takes effect: after the last frame captured before it, by the times in a
-// log, or after the frame that is being received as it arrives.
+// When a referee packet takes effect: in a log, after the last frame captured before it; live,
+// after the frame being received when the packet arrives.
 enum class SignalOrder : std::uint8_t { kByTime, kByArrival };
 
 // Under Control::kHuman, AutoRef follows the other referee's signals. Each game has its own
@@ -42,7 +42,7 @@ class LogReferee final : public league::LogVisitor {
 
   const referee::Configuration& configuration() const { return configurations_[game_]; }
   const referee::AutoRef& referee() const { return referee_; }
-  // The signal now in force, AutoRef's own or the one that it follows. Like the tracks, it counts
+  // The signal now in force: AutoRef's own or the one that it follows. Like the tracks, it treats
   // yellow as west.
   const RefereeSignal& signal() const { return signal_; }
   // Whether frames are rotated.
@@ -75,7 +75,7 @@ class LogReferee final : public league::LogVisitor {
 
 struct LogRefereeResult {
   Agreement agreement;      // between AutoRef's calls and those of the recorded referee
-  std::vector<Call> calls;  // each of AutoRef's calls, with its event; also those that stop nothing
+  std::vector<Call> calls;  // AutoRef's calls with their events, including those that stop nothing
   PerSide<int> goals;       // goals counted by AutoRef
   std::vector<game::TimedGameEvent> game_events;  // of AutoRef's decisions
   std::string events;  // AutoRef's decisions, one JSON object per line (event_log.hpp)

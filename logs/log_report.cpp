@@ -95,8 +95,8 @@ std::string commands_text(const RecordedFacts& facts, bool lists_commands) {
   return io::aligned(rows, {io::Align::kRight, io::Align::kLeft});
 }
 
-// The restart, which is what is compared with recorded commands, and AutoRef's reason; or what is
-// compared with annotations.
+// The restart and AutoRef's reason, of which the restart is compared with recorded commands; or the
+// event and side that are compared with annotations.
 std::string name_of(const std::optional<Call>& call) {
   if (!call) return "-";
   const bool has_restart = call->restart.kind != CommandKind::kHalt;

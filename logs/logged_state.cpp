@@ -34,7 +34,7 @@ bool is_restart(const Command& command) {
   }
 }
 
-// Reads the log up to a time, and beyond it only the next restart. In the coordinates of the log.
+// Reads the log up to a time and, beyond it, only the next restart. Uses the log's coordinates.
 class StateReader final : public league::LogVisitor {
  public:
   StateReader(double at_s, const RecordedTeams& teams)
@@ -66,7 +66,7 @@ class StateReader final : public league::LogVisitor {
   const Tracks& tracks() const { return tracks_; }
   bool is_yellow_west() const { return ends_.yellow() == Side::kWest; }
 
-  // In the program's coordinates; `ball_m` is the ball's position.
+  // The referee's part of the state, in the program's coordinates; `ball_m` is the ball's position.
   referee::MidwayStart midway_start(const Vec2& ball_m, const Field& field) const {
     if (!signal_) return {};
     const Command& command = signal_->command;
@@ -125,8 +125,8 @@ class StateReader final : public league::LogVisitor {
   Tracks tracks_;
   std::optional<double> first_s_;
   double last_s_ = 0;
-  std::optional<RefereeSignal> signal_;  // the last one until then
-  std::optional<Command> prepared_;      // what NORMAL_START started
+  std::optional<RefereeSignal> signal_;  // the last one up to that time
+  std::optional<Command> prepared_;      // the restart that NORMAL_START started
   std::optional<Command> next_;          // the first restart afterwards
   std::optional<Vec2> ball_m_;
   std::optional<Vec2> ball_from_m_;  // when the command was given

@@ -1,4 +1,4 @@
-// The state of a recorded game at one time, for games that begin there.
+// The state of a recorded game at one time, for games that begin with it.
 #pragma once
 
 #include <filesystem>
@@ -10,10 +10,10 @@
 namespace autoref::logs {
 
 struct LoggedState {
-  // Yellow is in the west, whichever end it defends in the log. Positions and velocities are the
-  // tracker's (tracking/tracker.hpp); the ball's vertical velocity is unknown and taken to be 0.
-  // The restart is the one that was pending; after HALT, STOP and the like it is the one that
-  // the packet announces or, if it does not, the next one in the log, or else a force start.
+  // Yellow is in the west, whichever end it defends in the log. Positions and velocities come from
+  // the tracker (tracking/tracker.hpp); the ball's vertical velocity is unknown and assumed to be
+  // 0. The restart is the one that was pending. After HALT, STOP and the like, it is the restart
+  // that the packet announces, or else the next one in the log, or else a force start.
   game::StartState start;
   league::LogSummary log;
 };
@@ -22,11 +22,11 @@ struct LoggedState {
 // std::invalid_argument if the file is not a log, or does not cover that time, or has no ball then.
 LoggedState logged_state(const std::filesystem::path& log, double at_s);
 
-// Gives the robots numbers below `count`, in the same order, unless they have such numbers already.
-// Throws std::invalid_argument if there are more robots than that.
+// Gives the robots numbers below `count`, in the same order, unless they already have such numbers.
+// Throws std::invalid_argument if there are more than `count` robots.
 void renumber(game::StartingRobots& robots, int count);
 
-// Throws std::invalid_argument if the log's field is not that of the game.
+// Throws std::invalid_argument if the log's field is not the game's.
 void check_same_field(const LoggedState& logged, const Field& field);
 
 }  // namespace autoref::logs

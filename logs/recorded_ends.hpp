@@ -1,4 +1,5 @@
-// Finds out which end of the field the yellow team of a recorded game defends, and follows it.
+// Finds out which end of the field the yellow team of a recorded game defends, and keeps track of
+// it.
 #pragma once
 
 #include <optional>
@@ -13,13 +14,13 @@
 
 namespace autoref::logs {
 
-// The end that yellow defends by where a keeper stands; nullopt if it is not near a goal. `team` is
-// the keeper's.
+// The end that yellow defends, judged by a keeper's position; nullopt if the keeper is not near a
+// goal. `team` is the keeper's team.
 std::optional<Side> yellow_end_by(const Field& field, Side team, const Vec2& keeper_m);
 
 // Evidence from the beginning of a game, before the teams change ends. Sources, in order of
-// preference: the referee's packets, if they say so; the keepers that they name, near a goal in the
-// first minute; the mean position of each team's robots in the first ten seconds.
+// preference: the referee's packets, if they give the ends; the keepers they name, if near a goal
+// in the first minute; the mean position of each team's robots in the first ten seconds.
 class YellowEnd {
  public:
   explicit YellowEnd(const Field& field) : field_(field) {}
@@ -38,16 +39,17 @@ class YellowEnd {
   std::optional<double> first_s_;
   std::optional<Side> said_;  // by the referee
   PerSide<std::optional<int>> keepers_;
-  PerSide<int> votes_;  // for each end, frames in which a keeper says that it is yellow's
+  PerSide<int> votes_;  // for each end, frames in which a keeper makes it yellow's
   double apart_m_ = 0;  // blue's mean x minus yellow's, summed over frames
   int frames_apart_ = 0;
 };
 
-// Stages in which the referee's packets name the wrong ends, as when nobody has switched them.
+// Stages in which the referee's packets name the wrong ends, for example because nobody switched
+// them.
 using TurnedStages = std::set<Stage>;
 
-// The referee's packets say it or, if they do not, the teams change ends before every half after
-// the first where the rule book demands it.
+// Follows the ends given in the referee's packets. If packets do not give them, the teams change
+// ends before every half after the first if the rule book demands it.
 class RecordedEnds {
  public:
   // `at_first` holds until a packet says otherwise; west is -x.

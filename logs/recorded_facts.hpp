@@ -41,7 +41,7 @@ struct RecordedGame {
   double begins_s = 0;
   std::optional<double> half_s = {};  // from the clock of the first half
   int halves = 0;                     // number of halves that were started, without extra time
-  bool is_knockout = false;           // it went to extra time or a shoot-out
+  bool is_knockout = false;           // the game went to extra time or a shoot-out
   std::optional<double> extra_half_s = {};  // from the clock of extra time's first half
   std::optional<Side> first_kickoff = {};
 };

@@ -47,7 +47,7 @@ class DutyCounter final : public league::LogVisitor {
 
   RecordedTeams teams() const {
     RecordedTeams teams{end_.end(), {}, turned_stages()};
-    // Before the first packet, the ends are those of its stage.
+    // Before the first packet, the ends are those of that packet's stage.
     if (said_ && first_stage_ && teams.turned.contains(*first_stage_))
       teams.yellow_end = opponent_of(*said_);
     const Side end = end_.end().value_or(Side::kWest);
@@ -83,7 +83,7 @@ class DutyCounter final : public league::LogVisitor {
 
   bool has_changed() const { return ends_.yellow() != said_.value_or(Side::kWest); }
 
-  // `end` is the one that yellow defended at first.
+  // `end` is the one that yellow defended initially.
   void count(Side team, Side end, const SeenRobots& robots) {
     if (robots.empty()) return;
     const bool is_there = (team == Side::kWest) != has_changed();
@@ -100,7 +100,7 @@ class DutyCounter final : public league::LogVisitor {
 
   YellowEnd end_;
   Field field_;
-  std::optional<Side> said_;  // the end of yellow at first, by the referee
+  std::optional<Side> said_;  // yellow's initial end according to the referee
   RecordedEnds ends_;
   PerSide<PerSide<GoalDuty>> duties_;  // by the end of yellow, then by team
   PerSide<int> announced_;

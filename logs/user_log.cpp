@@ -63,7 +63,7 @@ class Descriptor {
   int number_;
 };
 
-// Reads up to a whole buffer, less only at the end.
+// Fills the whole buffer; reads less only at the end of the file.
 std::size_t fill(int from, std::vector<char>& buffer) {
   std::size_t filled = 0;
   while (filled < buffer.size()) {

@@ -9,27 +9,27 @@
 
 namespace autoref::logs {
 
-// A path at which the log can be read several times: `path` itself or, if that is a pipe, a copy
-// without a name that vanishes when the program ends. Throws InputError if the log cannot be
+// A path from which the log can be read several times: `path` itself or, if that is a pipe, an
+// unnamed copy that disappears when the program ends. Throws InputError if the log cannot be
 // opened, and InputOutputError if it cannot be copied.
 std::string seekable_log(const std::string& path);
 
-// Reads all of the log from such a copy. Throws InputError if the file is not a log.
+// Reads the whole log from such a copy. Throws InputError if the file is not a log.
 RecordedFacts read_facts(const std::string& path, const std::string& copy,
                          league::FrameSource source = league::FrameSource::kFirst);
 
-// The message of an error in such a copy, with the name that the user gave.
+// The message of an error in such a copy, with the name given by the user.
 std::string text_of(const league::LogError& error, const std::string& copy,
                     const std::string& path);
 
-// What is wrong with the messages of a game, recorded or live; without line ends.
+// Descriptions of the faults in the messages of a game, recorded or live; without line breaks.
 std::vector<std::string> texts_of(const league::MessageFaults& faults);
 
 // Lines for stderr: where the log is damaged, how many of its messages are ignored, and other
 // oddities. Empty if everything is fine.
 std::string damage_text(const std::string& path, const league::LogSummary& log);
 
-// The same lines, and further ones for oddities of the games in the log.
+// The same lines, plus lines about oddities of the games in the log.
 std::string damage_text(const std::string& path, const RecordedFacts& facts);
 
 // Feeds the log to `visitor`. Reports damage and ignored messages on stderr. Throws InputError if

@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# A bare Debian 12 in a folder, and commands in it: a file for other scripts to source.
+# Sets up a bare Debian 12 in a folder and runs commands in it. Other scripts source this file.
 # Needs root, debootstrap and Debian's mirror ($DEBIAN_MIRROR).
 
 fail() {
@@ -18,7 +18,7 @@ make_bare_system() { # WORKPLACE ROOT
     rm -rf "$1/bare"
     debootstrap --variant=minbase --include=git,ca-certificates bookworm "$1/bare" \
       "${DEBIAN_MIRROR:-http://deb.debian.org/debian}" >"$1/debootstrap.log" || { tail "$1/debootstrap.log" >&2; fail "debootstrap failed"; }
-    # The mirrors that this machine uses.
+    # The mirrors used by this machine.
     [[ -z ${DEBIAN_MIRROR:-} ]] || echo "deb $DEBIAN_MIRROR bookworm main" >"$1/bare/etc/apt/sources.list"
     tar -C "$1/bare" -cf "$1/bare.part" .
     mv "$1/bare.part" "$1/bare.tar"
@@ -29,8 +29,8 @@ make_bare_system() { # WORKPLACE ROOT
   tar -C "$2" -xf "$1/bare.tar"
 }
 
-# Runs a shell command in the system of the folder ROOT, as root, with process ids and mounts of its own. Everything
-# that it has started ends with it. (Under a mere chroot there would be no user namespaces.)
+# Runs a shell command in the system in the folder ROOT, as root, with its own process ids and mounts. Everything that
+# it has started ends with it. (A plain chroot would provide no user namespaces.)
 in_bare_system() { # ROOT COMMAND
   unshare --mount --pid --fork --kill-child sh -ec '
     mount --bind "$0" "$0"

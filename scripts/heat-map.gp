@@ -1,5 +1,6 @@
-# Heat maps of sweeps over two factors with as many, equally spaced values each; the panel of each summary.csv below
-# the one before. In each cell: the mean of "a minus b" and its 95 % interval. Blue: team a is ahead; orange: team b.
+# Heat maps of sweeps over two factors, both with the same number of equally spaced values. The panels of the
+# summary.csv files are stacked in order. Each cell shows the mean of "a minus b" and its 95 % interval. Blue: team a is
+# ahead; orange: team b.
 #
 #   gnuplot -c scripts/heat-map.gp OUT.svg "LABEL OF THE FIRST FACTOR" "LABEL OF THE SECOND" TITLE SUMMARY.csv ...
 set datafile separator ","
@@ -7,7 +8,7 @@ panels = (ARGC - 3) / 2
 title_of(panel) = value(sprintf("ARG%d", 2 * panel + 2))
 file_of(panel) = value(sprintf("ARG%d", 2 * panel + 3))
 
-# The largest lead of all panels is the end of the colours; without one, any number will do.
+# The colour range ends at the largest lead of all panels; without one, any number will do.
 reach = 0
 do for [panel=1:panels] {
   stats file_of(panel) using (abs(column("mean_diff"))) name "lead" nooutput
@@ -19,7 +20,7 @@ set terminal svg size 680, 540 * panels font "Helvetica,13" background "white"
 set output ARG1
 set multiplot layout panels,1
 set palette defined (-1 '#f1a25f', 0 '#ffffff', 1 '#6fb1dc')
-colour(lead) = sgn(lead) * sqrt(abs(lead))  # so that small leads can be told apart
+colour(lead) = sgn(lead) * sqrt(abs(lead))  # so that small leads can be distinguished
 set cbrange [colour(-reach):colour(reach)]
 unset colorbox
 unset key

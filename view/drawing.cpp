@@ -21,8 +21,8 @@ namespace {
 // element, such as `fill="red"`.
 class Svg {
  public:
-  // Shows everything within `half_size_m` of the field's centre, and a white band of this height
-  // above it.
+  // Shows everything within `half_size_m` of the field's centre, with a white band of height
+  // `band_m` above it.
   Svg(const Vec2& half_size_m, double band_m);
 
   void line(std::span<const Vec2> points_m, std::string_view look);
@@ -50,7 +50,7 @@ constexpr double kFullTurn_rad =
 long mm(double metres) { return std::lround(metres * 1000); }
 
 std::string point(const Vec2& position_m) {
-  // SVG's y axis points down. With whole millimetres, the text is short and the same with every
+  // SVG's y axis points down. Whole millimetres keep the text short and the same with every
   // compiler.
   return fmt::format("{} {}", mm(position_m.x()), mm(-position_m.y()));
 }

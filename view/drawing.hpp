@@ -1,4 +1,4 @@
-// Draws an instant of a game, or the paths over some seconds, as a figure for documents.
+// Draws an instant of a game, or the paths over a few seconds, as a figure for documents.
 #pragma once
 
 #include <optional>

@@ -27,14 +27,14 @@ struct Outline {
   std::vector<MarkArc> arcs;
 };
 
-// The centre lines of the field's lines, as in the league's vision geometry.
+// The centre lines of the field markings, as in the league's vision geometry.
 Outline field_lines(const Field& field);
 
 // The points on the field at a distance of `distance_m` from the defence area of `side`.
 Outline around_defence_area(const Field& field, Side side, double distance_m);
 
-// The goal's inner walls: from post to post along the back, and, if its side walls reach the
-// field's wall, to the wall and back on either side.
+// The goal's inner walls: from post to post along the back and, if the side walls reach the field's
+// wall, to the wall and back on either side.
 std::vector<Vec2> goal_walls_m(const Field& field, Side side);
 
 }  // namespace autoref::view

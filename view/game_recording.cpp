@@ -21,7 +21,7 @@ struct ShownText {
   std::string RecordedDecision::*text;
 };
 
-// What a page shows besides time, event and position.
+// The texts that a page shows in addition to time, event and position.
 constexpr ShownText kShownTexts[] = {
     {"rule", "rule", &RecordedDecision::rule},
     {"reason", "evidence", &RecordedDecision::reason},
@@ -76,7 +76,7 @@ Triple unseen_for(std::size_t frames) {
   return columns;
 }
 
-// Signals arrive with every frame, but only a few change what a page shows.
+// Signals arrive with every frame, but only a few change the page.
 bool show_the_same(const RefereeSignal& one, const RefereeSignal& other) {
   const auto target = [](const RefereeSignal& signal) {
     return signal.placement ? std::optional(signal.placement->target_m) : std::nullopt;

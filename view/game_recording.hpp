@@ -37,7 +37,8 @@ struct RecordedDecision {
 // restart.
 bool is_shown(const std::string& event);
 
-// What a page shows of a line of an event log. Throws Json::exception if it is not a decision.
+// The part of an event log's line that a page shows. Throws Json::exception if it is not a
+// decision.
 RecordedDecision recorded(const io::Json& line);
 
 // The decisions of an event log, as written by `autoref play --events`: `lines`, one JSON object
@@ -58,7 +59,7 @@ struct ClockMark {
   int left_s = 0;
 };
 
-// Takes published positions (soccer/referee_signal.hpp).
+// Takes positions as published (soccer/referee_signal.hpp).
 class GameRecording {
  public:
   // Frames, signals and decisions beyond these limits are left out. No game of the league reaches
@@ -77,7 +78,8 @@ class GameRecording {
   // Stores the decision if pages show it.
   void add(RecordedDecision decision);
 
-  // Returns the recording so far and begins an empty one, whose signals continue those before.
+  // Returns the recording so far and begins an empty one, which continues from the previous
+  // signals.
   GameRecording take_recording();
 
   std::size_t frames() const { return frames_; }
@@ -88,7 +90,7 @@ class GameRecording {
   const std::vector<RecordedDecision>& decisions() const { return decisions_; }
   bool is_full() const { return is_full_; }  // whether something was left out
 
-  // All robots that were ever seen, in the order of their columns.
+  // All robots seen so far, in the order of their columns.
   std::vector<RobotId> robots() const;
 
   // Each frame's time in units of 0.1 ms as a little-endian uint32, then columns

@@ -22,7 +22,7 @@ io::Json json_of(const std::vector<ListedGame>& games) {
   return list;
 }
 
-// Only one of the lists of `part`, and no frames.
+// A message with only one of the lists of `part` and no frames.
 CountedMessage list_message(io::Json& part, const char* list) {
   io::Json json = {{"type", "part"}, {"bytes", ""}};
   fill_recording({}, json);

@@ -12,22 +12,23 @@
 
 namespace autoref::view {
 
-// How much of a game a live page keeps at most; it forgets the oldest. At least the last 7 hours of
-// a game fit in: one has about 640 signals, 3600 marks of the clock and 310 decisions per hour.
+// The maximum amount of a game that a live page keeps; the oldest entries are dropped. At least the
+// last 7 hours of a game fit in, since a game has about 640 signals, 3600 clock marks and 310
+// decisions per hour.
 struct LiveLimits {
   std::size_t signals = 5'000;
   std::size_t clock_marks = 40'000;
   std::size_t decisions = 4'000;
 };
 
-// A message, and how many frames, signals, marks of the clock or decisions it contains.
+// A message, and the number of frames, signals, clock marks or decisions in it.
 struct CountedMessage {
   std::string text;
   std::size_t entries = 0;
 };
 
 // The first message: teams, field, facts and LiveLimits, as on the page of a recorded game. A page
-// that connects again keeps what it has received if `id` is the same; otherwise it starts over.
+// that reconnects keeps what it has received if `id` is the same; otherwise it starts over.
 std::string start_message(const PageContent& content, std::string_view id);
 
 // A part of the game: frames, signals, clock and decisions. Parts may contain any of these.
@@ -37,16 +38,16 @@ std::string part_message(const GameRecording& part);
 // decisions.
 std::array<CountedMessage, 3> call_messages(const GameRecording& part);
 
-// The page has now got everything up to the present.
+// Says that the page has now received everything up to the present.
 std::string present_message();
 
-// What is shown is over; `text` is a sentence that says so.
+// Says that the game or run is over; `text` is a sentence to that effect.
 std::string over_message(std::string_view text);
 
-// The first message to the page of a run. A page with another title is loaded again.
+// The first message to the page of a run. A page with another title reloads.
 std::string run_start_message(std::string_view title);
 
-// How many games of a run are done, as a sentence too, and a remark below it; may be empty.
+// How many games of a run are done, as numbers and as a sentence, with an optional remark below it.
 struct RunProgress {
   int done = 0;
   int total = 0;
@@ -65,7 +66,7 @@ struct ListedGame {
   bool has_page = false;  // whether the server has a page with this id
 };
 
-// The games that are being played, and those that ended last, the newest first.
+// The games being played and the latest ones to end, the newest first.
 std::string games_message(const std::vector<ListedGame>& running,
                           const std::vector<ListedGame>& ended);
 

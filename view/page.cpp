@@ -40,7 +40,7 @@ std::string_view text_before(std::string_view mark, std::string_view& rest) {
   return before;
 }
 
-// What differs between the pages.
+// The parts that differ between pages.
 struct PageText {
   std::string game;    // JSON
   std::string frames;  // base64
@@ -63,7 +63,7 @@ std::string joined(std::string_view first, std::string_view second) {
   return std::string(first).append(second);
 }
 
-// Distances checked by the rules, the same in the Laws of 2014 and in the 2026 rules.
+// Distances checked by the rules, the same under the Laws of 2014 and the 2026 rules.
 constexpr double kToBallAtRestarts_m = 0.5;
 constexpr double kAttackerToArea_m = 0.2;
 

@@ -18,13 +18,13 @@ struct PageFact {
   std::string value;
 };
 
-// A call of a recorded game, made by the recorded referee, by AutoRef, or by both.
+// A call in a recorded game, made by the recorded referee, by AutoRef, or by both.
 struct ComparedCall {
   double time_s = 0;     // when the recorded referee called; AutoRef's time if only it called
-  std::string recorded;  // what the recorded referee called; empty: nothing
-  std::string autoref;   // what AutoRef called; empty: nothing
-  std::string other;     // if only one called: what the other referee did instead
-  std::optional<double> autoref_s{};  // when AutoRef called; nullopt: it did not
+  std::string recorded;  // the recorded referee's call; empty: none
+  std::string autoref;   // AutoRef's call; empty: none
+  std::string other;     // if only one called: the other referee's action instead
+  std::optional<double> autoref_s{};  // when AutoRef called; nullopt: it made no call
   bool operator==(const ComparedCall&) const = default;
 };
 
@@ -33,8 +33,7 @@ struct PageContent {
   Field field;
   PerSide<std::string> names;     // of the teams; empty if unknown
   std::vector<PageFact> facts{};  // shown below the game, such as {"build", "1.0.0-..."}
-  std::optional<std::vector<ComparedCall>>
-      compared{};  // in order of time; nullopt: nobody compared
+  std::optional<std::vector<ComparedCall>> compared{};  // in order of time; nullopt: no comparison
 };
 
 // The page: HTML with style, script (view/page/) and the game's data.
@@ -43,18 +42,18 @@ std::string page_of(const PageContent& content);
 // A page without a game, which shows the game that its server sends (live_messages.hpp).
 std::string live_page();
 
-// A page that shows the results of an experiment and its games, which its server sends while they
+// A page that shows the results of an experiment and its games, as sent by its server while they
 // are played. `title` is text, not HTML.
 std::string run_page(std::string_view title);
 
-// The text with the characters replaced that HTML would interpret.
+// The text with characters escaped that HTML would interpret.
 std::string html_text(std::string_view text);
 
 // A game as JSON, as the page's script reads it (view/page/recording.js): everything but the packed
 // frames (GameRecording::bytes()).
 io::Json game_json(const PageContent& content);
 
-// Adds what the recording contains: the number of frames, robots, signals, clock and decisions.
+// Adds the content of the recording: the number of frames, robots, signals, clock and decisions.
 void fill_recording(const GameRecording& recording, io::Json& json);
 
 }  // namespace autoref::view

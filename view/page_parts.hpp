@@ -6,20 +6,21 @@
 namespace autoref::view {
 
 // The HTML of a page. @ALLOWED@ (further sources of the content security policy), @STYLE@, @GAME@,
-// @FRAMES@ and @SCRIPT@ are to be replaced.
+// @FRAMES@ and @SCRIPT@ must be replaced.
 std::string_view page_frame();
 std::string_view page_style();
 std::string_view page_script();
 std::string_view page_start();  // the end of a recorded game's script
 
-// What a live page has besides: the end of its style, and of its script instead of page_start().
+// Additions for a live page: the end of its style, and the end of its script in place of
+// page_start().
 std::string_view page_live_style();
 std::string_view page_live_script();
 
-std::string_view page_bracket_style();  // of experiments/report/bracket_drawing.hpp
+std::string_view page_bracket_style();  // for experiments/report/bracket_drawing.hpp
 
-// The HTML of the page of a run, in which @TITLE@ (twice), @STYLE@ and @SCRIPT@ are to be replaced,
-// the end of its style, and its script.
+// The page of a run: its HTML, in which @TITLE@ (twice), @STYLE@ and @SCRIPT@ must be replaced, the
+// end of its style, and its script.
 std::string_view page_run();
 std::string_view page_run_style();
 std::string_view page_run_script();

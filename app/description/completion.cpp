@@ -27,7 +27,7 @@ const DescribedOption* find_option(const DescribedVerb& verb, const std::string&
   return found == verb.options.end() ? nullptr : &*found;
 }
 
-// A command line as far as it is typed.
+// A partly typed command line.
 struct BegunLine {
   const DescribedVerb* verb = nullptr;
   const DescribedOption* awaits_value = nullptr;  // the last word is the value of this option
@@ -55,7 +55,7 @@ BegunLine begun_line(const DescribedVerb& program, const std::vector<std::string
   return line;
 }
 
-// With a former name of a verb replaced, unless it is still being typed.
+// The words with a verb's former name replaced, unless it is still being typed.
 std::vector<std::string> present_words(const std::vector<std::string>& words) {
   if (words.empty()) return words;
   std::vector<std::string> present = with_present_names({words.begin(), words.end() - 1});

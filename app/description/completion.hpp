@@ -1,4 +1,4 @@
-// What may follow on a command line, for completion in shells.
+// Proposes how a command line can continue, for completion in shells.
 #pragma once
 
 #include <filesystem>
@@ -14,26 +14,26 @@ struct Proposal {
   std::string about;  // may be empty
 };
 
-// What may stand for the last of `words`, the words after the program's name: verbs, options, or
-// values, as far as they are known. At most 200; empty where any file may be meant.
+// Proposals for the last of `words` (the words after the program's name): verbs, options, or values
+// if they are known. Returns at most 200, or none where any file is allowed.
 std::vector<Proposal> proposals_for(const DescribedVerb& program,
                                     const std::vector<std::string>& words);
 
-// A value that is completed.
+// A value to be completed.
 struct ValuePlace {
   std::string kind;                      // as in help: "BOOK", "KEY=VALUE", "GAME_ID"
-  std::string begun;                     // what is typed of it
-  std::vector<std::string> positionals;  // the arguments without dashes before it
+  std::string begun;                     // the part typed so far
+  std::vector<std::string> positionals;  // the preceding arguments without dashes
 };
 
-// Values of that kind that begin so; empty for an unknown kind.
+// Values of that kind that begin with `begun`; empty for an unknown kind.
 std::vector<Proposal> values_at(const ValuePlace& place);
 
-// Ids of games that have rows in a results folder and begin so, sorted. At most 200, and only those
-// in the first megabytes of its files.
+// Sorted ids of the games in a results folder that begin with `begun`. Returns at most 200, and
+// reads only the first megabytes of the folder's files.
 std::vector<std::string> stored_ids(const std::filesystem::path& folder, const std::string& begun);
 
-// Prints the proposals for `autoref complete WORD ...`, one a line: the word, a tab, the
+// Prints the proposals for `autoref complete WORD ...`, one per line: the word, a tab and the
 // description.
 int complete_verb(const DescribedVerb& program, const std::vector<std::string>& words);
 

@@ -1,4 +1,4 @@
-// Values that completion knows. Declared in completion.hpp.
+// The values that completion can propose. Declared in completion.hpp.
 #include <algorithm>
 #include <cstdint>
 #include <fstream>
@@ -71,7 +71,8 @@ std::vector<Proposal> teams_begun(const ValuePlace& place) {
   return proposals;
 }
 
-// Names of files as they are found; if none begins so, names without their folder.
+// Names of scenarios that begin as typed; if there are none, the names are compared without their
+// folder.
 std::vector<Proposal> scenarios_begun(const ValuePlace& place) {
   const std::vector<std::string> known =
       known_scenarios(fs::path(place.begun).parent_path(), io::running_program());
@@ -83,7 +84,7 @@ std::vector<Proposal> scenarios_begun(const ValuePlace& place) {
   return words_begun(shorter, place.begun);
 }
 
-// All settings of a game that has the robot of `key`, such as "b.players.3.handicap".
+// All settings of a game that includes the robot named in `key`, such as "b.players.3.handicap".
 std::vector<game::Setting> settings_for(game::GameSettings& game, const std::string& key) {
   try {
     return game::settings_with(game, key);
@@ -104,7 +105,7 @@ std::vector<Proposal> values_of_key(const std::vector<game::Setting>& settings,
   }
 }
 
-// Keys up to their next dot: "match." for "ma", "match.half_s=" for "match.h".
+// Keys completed up to the next dot: "match." for "ma", "match.half_s=" for "match.h".
 std::vector<Proposal> keys_begun(const std::vector<game::Setting>& settings,
                                  const std::string& begun) {
   std::vector<Proposal> proposals;

@@ -10,8 +10,8 @@
 namespace autoref::app {
 namespace {
 
-// The scripts ask the program itself (completion.hpp). bash splits words at '=',
-// ':' and '@', and completes only what follows the last of these; the program gets whole words.
+// The scripts ask the program itself (completion.hpp). bash splits words at '=', ':' and '@' and
+// completes only the part after the last of these; the program gets whole words.
 std::string bash_completion() {
   return R"(# Completion of autoref in bash, printed by `autoref show completion bash`.
 _autoref() {

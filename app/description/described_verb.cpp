@@ -15,7 +15,7 @@ std::vector<std::string> dashed_names_of(const CLI::Option& option) {
   return names;
 }
 
-// As an argument without dashes, as an option, or as both.
+// Adds it as an argument without dashes, as an option, or as both.
 void add_described(const CLI::Option& option, std::vector<DescribedOption>& options) {
   DescribedOption described;
   described.description = option.get_description();

@@ -1,4 +1,5 @@
-// The program's verbs and options as data: for its man page, the reference page and completion.
+// The program's verbs and options as data: used for the man page, the reference page and
+// completion.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -8,11 +9,11 @@
 namespace autoref::app {
 
 struct DescribedOption {
-  std::vector<std::string> names;  // "-o", "--output"; of an argument without dashes, its name only
+  std::vector<std::string> names;  // "-o", "--output"; an argument has one name
   std::string value;               // what follows, such as "FILE"; empty for a flag
   std::string description;
   bool is_positional = false;
-  std::vector<std::string> allowed_words = {};  // if they are listed
+  std::vector<std::string> allowed_words = {};  // if help lists them
 };
 
 // The program itself, a group of verbs, or a verb.

@@ -9,7 +9,7 @@
 namespace autoref::app {
 namespace {
 
-// A text that roff shows as it is.
+// Escapes a text so that roff shows it unchanged.
 std::string roff(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
@@ -40,7 +40,7 @@ std::string options_text(const DescribedVerb& verb) {
   return text;
 }
 
-// The lines as they are, indented.
+// The lines unchanged but indented.
 std::string verbatim(const std::string& lines) {
   return lines.empty() ? "" : ".PP\n.nf\n" + roff(lines) + "\n.fi\n";
 }

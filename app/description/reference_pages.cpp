@@ -15,7 +15,7 @@
 namespace autoref::app {
 namespace {
 
-// A cell on one line, without what Markdown or HTML would read as markup.
+// A cell on one line, with everything escaped that Markdown or HTML would read as markup.
 std::string cell_text(const std::string& text) {
   std::string cell;
   bool is_code = false;

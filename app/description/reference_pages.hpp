@@ -12,22 +12,22 @@ namespace autoref::app {
 // Names of the pages: docs/reference/NAME.md.
 std::vector<std::string> reference_page_names();
 
-// The page of that name. `program` is described for the page of verbs. Throws std::invalid_argument
-// for an unknown name.
+// The page of that name. The page of verbs describes `program`. Throws std::invalid_argument for an
+// unknown name.
 std::string reference_page(const std::string& name, const DescribedVerb& program);
 
-// The single pages.
+// The individual pages.
 std::string settings_page();
 std::string verbs_page(const DescribedVerb& program);
 std::string rules_page();
 std::string team_parameters_page();
 std::string scenario_files_page();
 
-// A page's first lines: its title, and which command prints it.
+// A page's first lines: its title and the command that prints it.
 std::string reference_head(const std::string& title, const std::string& name);
 
-// A table whose first row is the head. Cells are text, except that what is between backticks is
-// left as it is. An empty table if there is only a head.
+// A Markdown table; the first row is the header. Cells are escaped except between backticks.
+// Returns an empty table if there is only a header.
 std::string reference_table(const std::vector<std::vector<std::string>>& rows);
 
 // `text` as a code span.

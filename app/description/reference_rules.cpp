@@ -1,5 +1,5 @@
-// The reference page of rules: which rule books have them in force, thresholds, numbers, sections,
-// and the calls that they lead to.
+// The reference page of rules: the rule books in which they are in force, their thresholds, numbers
+// and sections, and the calls that they lead to.
 #include <fmt/format.h>
 
 #include <array>
@@ -56,7 +56,7 @@ std::string sections_section() {
   return "## Meanings and sections\n\n" + reference_table(rows);
 }
 
-// In each book; yes or no is 1 or 0.
+// The number's value in each book; yes or no is 1 or 0.
 std::vector<std::string> numbers_called(std::string_view name) {
   std::vector<std::string> values;
   for (const RuleBook& book : rule_books()) {

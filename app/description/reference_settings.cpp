@@ -35,7 +35,7 @@ std::string section(const std::string& title, std::string_view about,
                      reference_table(rows));
 }
 
-// A link to a section of this page, whose anchor has no colon.
+// A link to a section of this page; anchors contain no colon.
 std::string link_to(const std::string& title) {
   std::string anchor;
   for (const char c : title) {
@@ -69,10 +69,10 @@ constexpr const char* kIntroduction =
     "the rule book `paper`; `[]` is an empty list of words. [scenarios.md](../scenarios.md) "
     "explains the sections and the keys of experiments.\n\n";
 
-// Any number stands for all of a team's robots.
+// Any one robot can represent all of a team's robots.
 constexpr int kAnyPlayer = 3;
 
-// "teams.a.players.3.type" as it is shown: "teams.a.players.N.type".
+// "teams.a.players.3.type" as shown on the page: "teams.a.players.N.type".
 std::string shown_path(std::string path) {
   const std::string numbered = fmt::format(".players.{}", kAnyPlayer);
   const std::size_t found = path.find(numbered);
@@ -115,7 +115,7 @@ std::string heading_of(const std::string& branch) {
   return code_span(branch);
 }
 
-// The values of all settings once the preset at `path` is `word`, in the order of settings_of().
+// The values of all settings when the preset at `path` is `word`, in the order of settings_of().
 std::vector<std::string> values_with(const std::string& path, const std::string& word) {
   game::GameSettings game;
   game::set_by_path(game, path, word);
@@ -130,7 +130,7 @@ bool is_shown_for_presets(const game::Setting& setting) {
          !setting.path.starts_with("match.switch.");
 }
 
-// A row for each key whose value depends on the preset, a column for each of its words.
+// A table with a row for each key that depends on the preset and a column for each preset.
 std::string preset_section(const std::string& path) {
   game::GameSettings game;
   const std::vector<game::Setting> settings = game::settings_of(game);

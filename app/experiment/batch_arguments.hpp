@@ -21,7 +21,7 @@ struct BatchArguments {
   std::filesystem::path results_folder() const;
 };
 
-// Adds the scenario of a kind that `verb_name` plays.
+// Adds the argument for a scenario that `verb_name` can play.
 void add_experiment_argument(CLI::App& verb, BatchArguments& arguments,
                              const std::string& verb_name);
 

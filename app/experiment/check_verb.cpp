@@ -42,7 +42,7 @@ std::string table_of(const std::vector<experiments::Trial>& trials) {
       io::text_width(stdout));
 }
 
-// In the order of summary.csv.
+// Sorts the trials in the order of summary.csv.
 std::vector<experiments::Trial> sorted(std::vector<experiments::Trial> trials) {
   std::stable_sort(trials.begin(), trials.end(),
                    [](const experiments::Trial& one, const experiments::Trial& other) {

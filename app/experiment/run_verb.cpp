@@ -27,7 +27,7 @@ struct RunArguments : BatchArguments {
   bool quiet = false;
   std::string progress;          // "plain", "json" or "none"; empty: depends on the stream
   WebFlags web;                  // where to show the standings on the network
-  std::optional<double> wait_s;  // for other shards' games that the next ones depend on
+  std::optional<double> wait_s;  // maximum wait for games of other shards
 };
 
 namespace fs = std::filesystem;
@@ -107,7 +107,7 @@ void print_end(const experiments::Scenario& scenario, const experiments::Experim
 }
 
 // Handles an existing report, which may cover fewer games: a complete run updates it; an incomplete
-// run only states what it lacks. Returns the line to print, if any.
+// run only lists what is missing. Returns the line to print, if any.
 std::string mended_report(const experiments::ExperimentReport& report,
                           const experiments::ExperimentOptions& options) {
   if (report.done == 0 || !fs::exists(options.folder / experiments::kMarkdownReport)) return {};

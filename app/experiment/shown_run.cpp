@@ -51,7 +51,7 @@ std::optional<std::string> StartedGames::page(const std::string& id) const {
     const game::GameRecord record = game::play(configuration, &recorder);
     return recorder.page(configuration, record);
   } catch (const std::exception&) {
-    return std::nullopt;  // the run tells why: its game is void for the same reason
+    return std::nullopt;  // the run reports why: its game is void for the same reason
   }
 }
 

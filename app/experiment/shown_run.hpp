@@ -1,4 +1,4 @@
-// A run shown in the browser, with the games that it has started.
+// Shows a run in the browser, including the games that it has started.
 #pragma once
 
 #include <map>
@@ -13,18 +13,17 @@
 
 namespace autoref::app {
 
-// The games that the run has started. Workers play them in processes of their own. Since a game
-// repeats bit by bit, its page comes from playing it once more here. May be used by several
-// threads.
+// The games that the run has started. Workers play them in their own processes. Since games are
+// reproducible bit for bit, a game's page is made by playing it once more here. Thread-safe.
 class StartedGames {
  public:
-  // Takes the game. Games of programs and the network are not taken, since those need not repeat;
-  // returns whether it was taken.
+  // Adds the game and returns true. Returns false for games with programs or the network, which are
+  // not necessarily reproducible.
   bool add(const experiments::ScheduledGame& game);
   void forget(const std::string& id);
 
   // Plays the game to its end, which takes about a second per 20 minutes, and returns its page;
-  // nullopt if it was not taken or has been forgotten, or if it cannot be played.
+  // nullopt if it was not added, has been forgotten or cannot be played.
   std::optional<std::string> page(const std::string& id) const;
 
  private:
@@ -36,15 +35,15 @@ class StartedGames {
 
 class ShownRun {
  public:
-  // Shows the experiment at `web`, and says so on stderr; nowhere if its address is empty. Sets the
-  // callbacks of `options`, which must not be called after this object's end. `name` is the title
-  // of a scenario that says nothing about itself. Throws InputError naming --web or --web-host.
+  // Shows the experiment at `web` and says so on stderr; does neither if the address is empty. Sets
+  // the callbacks of `options`, which must not be called after this object is destroyed. `name` is
+  // the title if the scenario has no description. Throws InputError naming --web or --web-host.
   ShownRun(const experiments::Scenario& scenario, const std::string& name, const WebFlags& web,
            experiments::ExperimentOptions& options);
   ShownRun(const ShownRun&) = delete;
   ShownRun& operator=(const ShownRun&) = delete;
 
-  // Says that the run is over, and leaves some time for the message to arrive.
+  // Announces that the run is over and gives the message some time to arrive.
   void end();
 
  private:

@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 
 constexpr int kMostTasks = 10000;  // the maximum number of shards
 constexpr int kDefaultTasks = 8;
-constexpr int kLeastTime_s = 300;  // minimum per task; games end in the last minute
+constexpr int kLeastTime_s = 300;  // minimum per task; games stop in the last minute
 
 // Throws InputError if the path contains a line break, which would break a line of the script.
 fs::path plain_path(const std::string& flag, const fs::path& path) {
@@ -84,7 +84,7 @@ experiments::SlurmArray array_of(const SubmitArguments& arguments,
                                  const experiments::Scenario& scenario, std::size_t games) {
   check_time(arguments.time);
   experiments::SlurmArray array;
-  // Tasks must run this very build, whatever PATH finds on their machine.
+  // Tasks must run exactly this build, not whatever PATH finds on their machine.
   array.program = plain_path("autoref", fs::read_symlink("/proc/self/exe"));
   array.file = plain_path("the scenario", arguments.file);
   array.folder = plain_path("-o", arguments.results_folder());

@@ -25,7 +25,7 @@ struct LiveArguments {
   std::vector<std::string> sets;  // "key=value"
   std::string speed = "1";        // a factor, "max" or "lockstep"
   live::LiveOptions options;      // without the speed
-  bool broadcasts = false;        // instead of sending to the groups
+  bool broadcasts = false;        // instead of sending to multicast groups
   GameOutput output;
 };
 

@@ -15,7 +15,7 @@
 
 namespace autoref::app {
 
-// What a page shows of a decision.
+// The part of a decision that a page shows.
 view::RecordedDecision recorded(const referee::Decision& decision);
 
 class PageRecorder final : public game::Observer {
@@ -30,7 +30,7 @@ class PageRecorder final : public game::Observer {
   view::GameRecording recording_;
 };
 
-// Which game and which program a page shows.
+// Facts that identify the game and the program on a page.
 std::vector<view::PageFact> facts_of(const game::GameConfiguration& game);
 
 // Shows a simulated game.
@@ -47,14 +47,14 @@ class WebObserver final : public game::Observer {
 
 class GameOnWeb {
  public:
-  // Shows the game at `web`, and says so on stderr; nowhere if its address is empty. Throws
+  // Shows the game at `web` and says so on stderr; does neither if the address is empty. Throws
   // InputError naming --web or --web-host.
   GameOnWeb(const game::GameConfiguration& game, const WebFlags& web);
 
-  // Null if the game is shown nowhere.
+  // Null if the game is not shown.
   game::Observer* observer() { return web_ ? &*web_ : nullptr; }
 
-  // Says that the game is over, and leaves some time for the message to arrive.
+  // Announces that the game is over and gives the message some time to arrive.
   void end();
 
  private:

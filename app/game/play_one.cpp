@@ -45,8 +45,7 @@ void end_soon(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
-// Writes the game's files as it is played, and ends it at its next frame once the user has pressed
-// Ctrl-C.
+// Writes the game's files while it is played. After Ctrl-C, ends the game at its next frame.
 class GameOutputs final : public game::Observer {
  public:
   GameOutputs(GameFiles& files, const PerSide<game::EventTeam>& teams, league::GameLog* log)
@@ -120,7 +119,7 @@ game::GamePrograms programs_of(const game::GameConfiguration& game, const GameOu
   return game::GamePrograms::live(game, files, player.make_network_team);
 }
 
-// Frames per second of the clock; nullopt: as many as possible.
+// Frames per second of wall-clock time; nullopt for as many as possible.
 std::optional<double> pace_of(const game::GameConfiguration& game, const GameOutput& output) {
   const bool is_paced = !output.speed.empty() || !output.web.address.empty();
   if (!is_paced || output.speed == "max") return std::nullopt;
@@ -154,8 +153,8 @@ double speed_factor_in(const std::string& text, std::string_view others) {
                   league::kFastestSimulation, separator, others, text));
 }
 
-// A signal handler may do very little, so it only sets a flag, which is read here. The exception
-// unwinds the stack, which removes pending files.
+// A signal handler may do very little, so it only sets a flag, which check_interrupt() reads. The
+// exception unwinds the stack, which removes pending files.
 void note_interrupts() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, end_soon);
 }

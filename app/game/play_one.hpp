@@ -14,37 +14,38 @@
 
 namespace autoref::app {
 
-// The factor of real time in `text`, from 0.01 to 1000. Throws InputError otherwise, which also
-// names the other values that --speed takes, such as "max or lockstep".
+// Parses a speed relative to real time, from 0.01 to 1000. Otherwise throws InputError; its message
+// also names the other values that --speed accepts, such as "max or lockstep".
 double speed_factor_in(const std::string& text, std::string_view others);
 
 // Outputs of a game, as chosen by flags.
 struct GameOutput {
   std::string events;       // output file for the referee's decisions; empty: none
-  std::string game_events;  // output file for them as game events; empty: none
+  std::string game_events;  // output file for the decisions as game events; empty: none
   std::string
       log;  // output file for vision and referee packets (league/game_packets.hpp); empty: none
   std::string view;    // output file for the page that shows the game (view/page.hpp); empty: none
-  std::string record;  // output file for the commands of teams that are programs; empty: none
+  std::string record;  // output file for the commands of team programs; empty: none
   WebFlags web;        // where to show the game on the network
-  std::string speed;  // of a game that is played here: a factor or "max"; empty: real time if shown
+  std::string speed;   // of a game played here: a factor or "max"; empty: real time if shown
   bool json = false;
 };
 
-// How to play a game, if not by play() (game.hpp).
+// How to play a game other than by play() (game.hpp).
 struct GamePlayer {
   game::TeamMaker make_network_team;
   std::function<game::GameRecord(const game::Observers& observers, game::GamePrograms& programs)>
       play;
 };
 
-// Recorded commands to play instead of the programs. An empty path: the programs play.
+// Recorded commands to play instead of the programs. If the path is empty, the programs play.
 struct RecordedCommands {
   std::filesystem::path file = {};
   io::FileKind kind = io::FileKind::kFileOrPipe;
 };
 
-// From now on, Ctrl-C is noted; a second one ends the program at once, since the game may hang.
+// From now on, Ctrl-C only sets a flag. A second Ctrl-C ends the program immediately, in case the
+// game hangs.
 void note_interrupts();
 
 // Throws Interrupted if the user has pressed Ctrl-C since note_interrupts(), which play_one()
@@ -59,11 +60,11 @@ void add_speed_option(CLI::App& verb, GameOutput& output);
 
 // Plays the game, prints its report, and writes its decisions, its log and its page as requested.
 // After Ctrl-C it throws Interrupted and writes neither decisions nor page; the log then contains
-// the game so far. `inputs` are the files the game was read from, which must not be overwritten.
-// Throws InputError before the game if an output is one of `inputs` or the same file as another
-// output.
+// the game so far. `inputs` are the files from which the game was read; they must not be
+// overwritten. Throws InputError before the game if an output is one of `inputs` or the same file
+// as another output.
 //
-// Throws InputError if `commands` belong to another game.
+// Throws InputError if `commands` were recorded in another game.
 game::GameRecord play_one(const game::GameConfiguration& game, const GameOutput& output,
                           const std::vector<std::string>& inputs,
                           const RecordedCommands& commands = {}, const GamePlayer& player = {});

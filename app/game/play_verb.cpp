@@ -31,11 +31,11 @@ struct PlayArguments {
   std::string seed;               // empty: the scenario's seed
   std::vector<std::string> sets;  // "key=value"
   std::string commands;           // file of recorded commands; empty: the programs play
-  std::string game_controller;    // HOST[:PORT] of the one that commands; empty: the default
+  std::string game_controller;    // HOST[:PORT] of the controller in command; empty: the default
   GameOutput output;
 };
 
-// Games that begin where a log is at some time.
+// A point in a log at which games begin.
 struct PlayedInstant {
   std::string log;
   double at_s = 0;  // from the start of the log
@@ -45,7 +45,7 @@ game::TeamSettings& team_in(game::GameSettings& game, Side side) {
   return side == game.match.a_plays ? game.a : game.b;
 }
 
-// What the user does not set is the log's.
+// Settings that the user does not set are taken from the log.
 void take_defaults(const logs::LoggedState& logged, game::GameSettings& game) {
   const auto is_given = [&game](std::string_view path) {
     return std::any_of(game.given.begin(), game.given.end(),
@@ -95,8 +95,8 @@ PlayedInstant instant_in(const std::string& from) {
   return {from.substr(0, at), *seconds};
 }
 
-// The game of `arguments.file`, beginning where the log is at that time. Without a scenario, field
-// and numbers of robots are the log's, unless they are set. Throws InputError.
+// The game of `arguments.file`, beginning with the log's state at that time. Without a scenario,
+// the field and the numbers of robots come from the log unless they are set. Throws InputError.
 game::GameSettings game_from_log(const PlayArguments& arguments,
                                  const game::Assignments& assignments) {
   const PlayedInstant instant = instant_in(arguments.from);
@@ -137,7 +137,7 @@ void print_outcome(const live::ControlledGameReport& report) {
   io::write_message(stderr, report.differences);
 }
 
-// As play_one(); says on stderr what the controller decided otherwise than AutoRef.
+// Like play_one(), but reports on stderr where the controller's decisions differed from AutoRef's.
 game::GameRecord play_controlled(const game::GameConfiguration& game,
                                  const PlayArguments& arguments,
                                  const std::vector<std::string>& inputs) {

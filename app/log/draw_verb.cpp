@@ -24,10 +24,10 @@ struct DrawArguments {
   std::string rules = "paper";
 };
 
-constexpr double kLongestTrace_s = 120;  // the paths of longer traces would cover the whole field
+constexpr double kLongestTrace_s = 120;  // longer traces would cover the whole field
 constexpr double kDensest_s = 0.01;      // minimum interval between the frames of a trace
 
-// A time interval; for a single instant, `from_s` equals `to_s`.
+// A time interval; `from_s` equals `to_s` for a single instant.
 struct TimeSpan {
   double from_s = 0;
   double to_s = 0;
@@ -70,7 +70,7 @@ class Collector final : public league::LogVisitor {
   explicit Collector(const TimeSpan& interval) : interval_(interval) {}
 
   void on_referee(double time_s, const league::RefereePacket& packet) override {
-    // Ignores signals after the interval, unless there was none before its end.
+    // Ignore signals after the interval, unless there was none before its end.
     if (time_s > interval_.to_s && game.signal) return;
     if (const auto signal = league::signal_of(packet)) game.signal = *signal;
     game.names = {{packet.yellow().name(), packet.blue().name()}};

@@ -1,4 +1,5 @@
-// The game that `autoref referee` judges, from a log or from the network, and the options of both.
+// The game that `autoref referee` judges, from a log or from the network, and the options shared by
+// both verbs.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -27,22 +28,22 @@ struct RefereeArguments {
 void add_referee_options(CLI::App& verb, RefereeArguments& arguments,
                          const std::string& default_control, const std::string& default_source);
 
-// The rule book must be chosen first: it provides field, robots and lengths, which the facts then
-// override. Throws InputError if an assignment chooses it.
+// The rule book must be chosen first because it sets field, robots and durations, which the facts
+// then override. Throws InputError if an assignment chooses the rule book.
 void refuse_book_among(const game::Assignments& assignments);
 
-// The rule book of --rules, otherwise a guess, which a message on stderr names. `source` is the log
-// or the network.
+// The rule book of --rules, or else a guess, which is reported on stderr. `source` is the log or
+// the network.
 std::string book_of(const RefereeArguments& arguments, const logs::RecordedFacts& facts,
                     const std::string& source);
 
-// The game under that book, with the facts and the user's settings. Throws InputError if it cannot
-// be refereed.
+// The game under that book, with the facts and the user's settings applied. Throws InputError if
+// AutoRef cannot referee it.
 game::GameSettings game_of(const RefereeArguments& arguments, const std::string& book,
                            const game::Assignments& assignments, const logs::RecordedFacts& facts,
                            const logs::RecordedGame& recorded, const std::string& source);
 
-// Says on stderr which settings the facts lack.
+// Lists on stderr the settings that the facts do not provide.
 void print_gaps(const RefereeArguments& arguments, const game::Assignments& assignments,
                 const logs::RecordedFacts& facts, const game::GameSettings& game,
                 const std::string& source);

@@ -28,7 +28,7 @@ namespace {
 
 struct RefereeLiveArguments : RefereeArguments {
   live::LiveRefereeOptions live;  // without the controller
-  bool broadcasts = false;        // instead of sending to the groups
+  bool broadcasts = false;        // instead of sending to multicast groups
   std::string game_controller;    // auto or HOST[:PORT]; empty: none
   WebFlags web;                   // where to show the game on the network
 };
@@ -36,7 +36,7 @@ struct RefereeLiveArguments : RefereeArguments {
 constexpr std::size_t kShownCalls = 8;
 constexpr double kLongest_s = 1e9;
 constexpr std::chrono::milliseconds kRedrawEvery{500};
-constexpr const char* kNetwork = "network";  // where settings come from, in messages
+constexpr const char* kNetwork = "network";  // names the source of settings in messages
 
 // "auto", "HOST" or "HOST:PORT".
 std::optional<live::Address> controller_of(const std::string& text) {
@@ -45,7 +45,7 @@ std::optional<live::Address> controller_of(const std::string& text) {
   return controller_address(text, live::kControllerPort);
 }
 
-// A file that grows line by line, so that nothing is lost whatever happens.
+// A file written line by line, so that nothing is lost if the program ends abnormally.
 class LineFile {
  public:
   LineFile(const char* flag, const std::string& path) : flag_(flag), path_(path) {
@@ -69,7 +69,7 @@ class LineFile {
   std::ofstream file_;
 };
 
-// Shows the referee's work: on a terminal a view that is redrawn, otherwise a line per call.
+// Shows the referee's work: a continuously redrawn view on a terminal, otherwise one line per call.
 class RefereeScreen {
  public:
   explicit RefereeScreen(std::string prefix) : prefix_(std::move(prefix)) {}
@@ -118,7 +118,7 @@ class RefereeScreen {
   live::LiveRefereeStatus latest_;
 };
 
-// The page on which the game can be watched; `names` and `field` are what is known at first.
+// Opens the page for watching the game. `names` and `field` are the initial values.
 void open_page(std::optional<live::WebView>& page, const WebFlags& web, const Field& field,
                const PerSide<std::string>& names, const std::string& book) {
   if (web.address.empty()) return;
@@ -128,7 +128,7 @@ void open_page(std::optional<live::WebView>& page, const WebFlags& web, const Fi
   io::write_message(stderr, fmt::format("autoref: watch at {}\n", page->url()));
 }
 
-// Says every few seconds that nothing arrives.
+// Reports every few seconds that no packets are arriving.
 class WaitingNote {
  public:
   explicit WaitingNote(const live::LiveRefereeOptions& options) : options_(options) {}
@@ -154,7 +154,7 @@ class WaitingNote {
   std::chrono::steady_clock::time_point due_ = begun_ + std::chrono::seconds(2);
 };
 
-// Where the decisions of a live referee go.
+// The outputs of a live referee's decisions.
 class LiveRefereeOutput {
  public:
   LiveRefereeOutput(const RefereeLiveArguments& arguments, std::string prefix)
@@ -252,7 +252,7 @@ int referee_live_verb(const RefereeLiveArguments& arguments) {
     output.show_page(arguments.web, game.field, facts.names, book);
     referee.run(game::referee_configuration(game::resolved(game)), facts, output.watch());
   } catch (const io::Interrupted&) {
-    // The usual end.
+    // This is how the verb usually ends.
   }
   output.end();
   return io::kDone;

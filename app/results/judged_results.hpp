@@ -15,7 +15,7 @@ bool is_judged(const experiments::Scenario& scenario);
 
 // Writes judge.csv and faults.csv.
 void write_judged(const std::filesystem::path& folder, const judge::JudgeReport& report);
-// Prints the report on standard output: Markdown, or tables that fit if it is a terminal.
+// Prints the report on standard output: Markdown, or, on a terminal, tables that fit its width.
 void print_judged(const judge::JudgeReport& report);
 
 // Prints only the table of F1 by rule book.
@@ -24,7 +24,7 @@ void print_judged_scores(const judge::JudgeReport& report);
 void print_judged_files(const std::filesystem::path& folder);
 
 // Writes judge.csv, faults.csv, report.md and report.html into `into`, and prints their paths and
-// the tables. With kKeep, writes nothing if rows are damaged. Returns the table of scores.
+// the tables. With kKeep, it writes nothing if rows are damaged. Returns the table of scores.
 std::string report_judged(const experiments::ResultFolder& folder,
                           const std::filesystem::path& into, experiments::LostGames lost);
 

@@ -36,7 +36,7 @@ const experiments::ScheduledGame* find_game(const experiments::ResultFolder& fol
   return game == folder.games.end() ? nullptr : &*game;
 }
 
-// The game with exactly this id of a game or fault; null if there is none.
+// The game with exactly this id, or with a fault of exactly this id; null if there is none.
 const experiments::ScheduledGame* find_game_or_fault(const experiments::ResultFolder& folder,
                                                      const std::string& id) {
   if (!is_judged(folder.scenario)) return find_game(folder, id);

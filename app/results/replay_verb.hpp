@@ -7,14 +7,14 @@
 
 namespace autoref::app {
 
-// The game with this id. If only a game with the teams the other way round has it ("b~a-p0001-1"
-// for "a~b-p0001-1"), that one, and a message on stderr names it; not in situations, whose teams
-// attack and defend. In judged experiments, `id` may also be the id of a fault, which is then
-// printed on stderr. Throws InputError for an unknown id, naming similar ones.
+// The game with this id. If it exists only with the teams swapped ("b~a-p0001-1" for
+// "a~b-p0001-1"), returns that game and names it on stderr, except in situations, where one team
+// attacks and the other defends. In judged experiments, `id` can also be the id of a fault, which
+// is then printed on stderr. Throws InputError for an unknown id, naming similar ones.
 const experiments::ScheduledGame& game_named(const experiments::ResultFolder& folder,
                                              const std::string& id);
 
-// The id with the two teams around its '~' exchanged; empty if it has none.
+// The id with the two teams around its '~' swapped; empty if it has no '~'.
 std::string turned_id(const std::string& id);
 
 }  // namespace autoref::app

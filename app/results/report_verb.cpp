@@ -18,7 +18,7 @@ namespace autoref::app {
 namespace {
 
 struct ReportArguments : FolderArguments {
-  bool allow_fewer = false;  // whether results.csv may lose games
+  bool allow_fewer = false;  // whether the new results.csv may have fewer games
 };
 
 namespace fs = std::filesystem;

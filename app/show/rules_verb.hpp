@@ -9,7 +9,7 @@
 namespace autoref::app {
 
 // One line per rule in force: name, section, threshold and description; then the rules not in
-// force, which a game file may enable.
+// force, which a game file can enable.
 io::TextBlocks rules_text(const RuleBook& rules);
 
 // The rules as one JSON object.

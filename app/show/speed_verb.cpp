@@ -17,7 +17,7 @@
 namespace autoref::app {
 namespace {
 
-// Plays the fixed games and prints how fast they were, and a hash over them.
+// Plays the fixed games and prints their speed and a hash over them.
 int speed_verb(bool json) {
   std::vector<double> x_real_time;
   game::StateHash signature;

@@ -24,7 +24,7 @@ struct TeamCheckArguments {
   bool json = false;
 };
 
-// The element of sorted values below which a share of them lies; 0 if there is none.
+// The quantile of the sorted values at `share`; 0 if there are no values.
 double answer_quantile_ms(const std::vector<double>& sorted, double share) {
   if (sorted.empty()) return 0;
   const auto index = static_cast<std::size_t>(share * static_cast<double>(sorted.size()));
@@ -57,7 +57,7 @@ std::string answers_text(const game::TeamCheck& check) {
                                      answer_quantile_ms(ms, 1)));
 }
 
-// What often causes a fault.
+// Advice based on the usual cause of a fault.
 std::string advice_on(const std::string& fault) {
   static constexpr std::array<std::array<std::string_view, 2>, 5> kAdvice = {
       {{"cannot start", "is the program in PATH, or its path relative to the working directory?"},

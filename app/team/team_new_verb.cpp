@@ -39,7 +39,7 @@ void check_language(const std::string& language) {
 }
 
 void refuse_full_folder(const fs::path& folder) {
-  std::error_code none;  // a folder that does not exist is not full
+  std::error_code none;  // a folder that does not exist counts as empty
   if (!fs::exists(folder, none)) return;
   if (fs::is_directory(folder, none) && fs::is_empty(folder, none)) return;
   throw io::InputError({folder.string()}, "",
@@ -47,7 +47,7 @@ void refuse_full_folder(const fs::path& folder) {
 }
 
 void print_next_commands(const std::string& language, const fs::path& folder) {
-  constexpr const char* kSpecial = " \t\n\"'\\$`&;|<>()*?[]#!~{}";  // to a shell
+  constexpr const char* kSpecial = " \t\n\"'\\$`&;|<>()*?[]#!~{}";  // special in a shell
   const std::string name = folder.string();
   const bool is_plain = name.find_first_of(kSpecial) == std::string::npos;
   fmt::print("A team in {} is in {}; {} explains it. To check it and to play a game:\n  cd {}\n",

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostShown = 40;
 
-// Index of a factor's value among its values; 0 is the first.
+// Each factor's value, as an index into its list of values.
 using Levels = std::vector<std::size_t>;
 
 // A sweep's combinations as levels of each factor.
@@ -38,7 +38,7 @@ Design design_of(const std::vector<Group>& groups) {
   return design;
 }
 
-// The differences of each pair number in all groups; only of those without a missing game.
+// The differences of each pair number in all groups. Skips pair numbers with a missing game.
 std::vector<std::vector<double>> complete_pairs(const std::vector<Group>& groups) {
   std::vector<std::vector<double>> pairs;
   for (const auto& [number, first] : groups.front().pair_differences) {
@@ -62,7 +62,7 @@ struct FactorAndLevel {
   }
 };
 
-// The weights of the groups in an effect; all signs occur equally often, since a sweep has every
+// The weights of the groups in an effect. All signs occur equally often, since a sweep plays every
 // combination.
 std::vector<double> weights_of(const Design& design, const std::vector<FactorAndLevel>& parts) {
   std::vector<double> weights;

@@ -1,4 +1,4 @@
-// What each factor of a sweep changes, and how factors change each other's effects.
+// The effect of each factor of a sweep, and the interactions between factors.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace autoref::experiments {
 
-// A value of a factor, as spelt in the groups.
+// A value of a factor, as written in the groups.
 struct FactorLevel {
   std::string factor;
   std::string value;
@@ -34,11 +34,11 @@ struct Effect {
   std::optional<double> p_holm;      // Holm's correction over all effects with a p
 };
 
-// All main effects, then all interactions of two factors, in the sweep's order. Pairs with the
-// same number have the same seeds at every combination, so each pair number gives one value of
-// each effect; these are an independent sample, from which Student's t interval and test come.
-// Empty unless the sweep has at least two factors with two or more values each, and some pair
-// number has all its games.
+// All main effects, then all interactions of two factors, in the sweep's order. Pairs with the same
+// number have the same seeds at every combination, so each pair number gives one value of each
+// effect. These values are an independent sample, which gives Student's t interval and test.
+// Returns nothing unless the sweep has at least two factors with two or more values each and some
+// pair number has all its games.
 std::vector<Effect> effects_of(const std::vector<Factor>& factors,
                                const std::vector<Group>& groups);
 
@@ -48,8 +48,7 @@ std::string effect_name(const Effect& effect);
 // effects.csv: one row per effect.
 std::string effects_csv(const std::vector<Effect>& effects);
 
-// The text table; leaves out interactions if there are more than fit on a screen. Empty without
-// effects.
+// The text table, without interactions if there are too many for a screen. Empty without effects.
 io::TextBlocks effects_table(const std::vector<Effect>& effects);
 
 }  // namespace autoref::experiments

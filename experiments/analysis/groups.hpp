@@ -52,10 +52,10 @@ struct ResultShare {
   std::optional<Interval> interval() const { return proportion_interval(part, whole); }
 };
 
-// The columns for the shares of some columns of whole numbers in their sum: for each of them its
-// fraction and that fraction's 95 % interval, such as "wins_a_share", "wins_a_low95" and
-// "wins_a_high95". The intervals are those of proportion_interval(), which assumes independent
-// games. Without games, these cells are empty.
+// Columns for the share that each of some whole-number columns has in their sum: the fraction and
+// its 95 % interval, such as "wins_a_share", "wins_a_low95" and "wins_a_high95". The intervals are
+// those of proportion_interval(), which assumes independent games. Without games, these cells are
+// empty.
 template <typename Row>
 io::TableColumns<Row> share_columns(const io::TableColumns<Row>& counts) {
   io::TableColumns<Row> columns;
@@ -102,7 +102,7 @@ std::vector<Group> grouped(const std::vector<std::vector<std::string>>& values,
                            const std::function<std::vector<std::string>(const GameRow&)>& values_of,
                            const RowsById& rows);
 
-// The mean; nullopt of an empty sample.
+// The mean; nullopt for an empty sample.
 std::optional<double> mean_of(const std::vector<double>& sample);
 
 // The differences in the order of the pair numbers.

@@ -27,7 +27,7 @@ struct Standing {
   int draws = 0;
   int losses = 0;
   int void_games = 0;
-  int bye_points = 0;  // for rounds of a Swiss tournament without an opponent
+  int bye_points = 0;  // for byes in a Swiss tournament
   int goals_for = 0;
   int goals_against = 0;
   std::vector<double> differences;       // per game: goals for minus goals against
@@ -48,11 +48,11 @@ struct Standing {
 std::vector<Standing> standings_of(const std::vector<Group>& matchups);
 
 // The same, but only for the first team of each matchup: a gauntlet's challengers. These are not
-// rated: all of them met the same opponents, so ratings would add nothing to the mean goal
+// rated: all of them played the same opponents, so ratings would add nothing to the mean goal
 // difference.
 std::vector<Standing> standings_of_challengers(const std::vector<Group>& matchups);
 
-// Whether the teams have ratings; either all of them do or none.
+// Whether the teams have ratings; either all of them have one or none does.
 bool are_rated(const std::vector<Standing>& standings);
 
 // A matchup's columns: its teams, summary_columns(), then team a's wins, draws and losses with

@@ -29,11 +29,11 @@ struct Slope {
 std::optional<Slope> slope_over_factor(const std::vector<Factor>& factors,
                                        const std::vector<Group>& groups);
 
-// summary.csv: one row per combination with summary_columns(), then the difference of "a minus b"
-// from the first combination over the pair numbers that both have: mean, interval, p value, p value
-// with Holm's correction over all rows, and effect size
-// (experiments/statistics/paired_difference.hpp); finally the numbers and fractions of games won,
-// drawn and lost.
+// summary.csv: one row per combination. After summary_columns(), it has the difference of "a minus
+// b" from the first combination over the pair numbers that both have: mean, interval, p value, p
+// value with Holm's correction over all rows, and effect size
+// (experiments/statistics/paired_difference.hpp). The numbers and fractions of games won, drawn and
+// lost come last.
 std::string summary_csv(const std::vector<Factor>& factors, const std::vector<Group>& groups);
 
 // The text table, starting with its header, and the line about the slope_over_factor(), empty if

@@ -48,7 +48,7 @@ std::vector<std::string> names_of(const std::vector<SqliteColumn>& columns) {
   return names;
 }
 
-// Columns of `games` whose cells are texts even if they look like numbers.
+// Columns of `games` with cells that are texts even if they look like numbers.
 bool is_text(std::string_view column) {
   return column.ends_with("_hash") || column == "game_id" || column == "team_a" ||
          column == "team_b";
@@ -60,7 +60,8 @@ bool reads(std::string_view cell, Number& number) {
   return error == std::errc() && end == cell.data() + cell.size();
 }
 
-// An empty cell is NULL, one that reads as a finite number is a number, any other a text.
+// An empty cell becomes NULL, a cell that parses as a finite number becomes a number, and any other
+// a text.
 SqliteValue value_of(const std::string& cell) {
   if (cell.empty()) return {};
   std::int64_t integer = 0;
@@ -83,7 +84,7 @@ SqliteValue value_of(const io::Json& json) {
   return io::json_text(json);
 }
 
-// The type that holds both what the column has held so far and the value.
+// The type that can hold both the column's values so far and this value.
 const char* widened(const char* type, const SqliteValue& value) {
   if (std::holds_alternative<std::monostate>(value)) return type;
   if (std::holds_alternative<std::string>(value) || type == kText) return kText;
@@ -109,7 +110,7 @@ void add_games(SqliteFile& file, const ResultFolder& folder) {
   for (const Row& row : rows) table.add(row);
 }
 
-// Adds a row for each scalar below `node`. Lists are one scalar, as in the file.
+// Adds a row for each scalar below `node`. A list counts as one scalar, written as in the file.
 void add_scalars(SqliteTable& table, const YAML::Node& node, const std::string& path) {
   if (node.IsMap()) {
     const std::string before = path.empty() ? "" : path + ".";
@@ -141,7 +142,7 @@ std::vector<std::size_t> games_with_events(const ResultFolder& folder) {
   return games;
 }
 
-// The rows of one game, in a database of their own.
+// The rows of one game, in a separate database.
 class DecisionRows final : public game::Observer {
  public:
   DecisionRows(std::string id, const PerSide<game::EventTeam>& teams)
@@ -156,7 +157,7 @@ class DecisionRows final : public game::Observer {
     table_.add(row);
   }
 
-  // After the game.
+  // To be called after the game.
   std::string bytes() {
     file_.execute("COMMIT");
     return file_.bytes();
@@ -170,12 +171,12 @@ class DecisionRows final : public game::Observer {
   SqliteTable table_{file_, kEvents, columns_of_events()};
 };
 
-// Plays games again. Their events are too many for a worker's answer, so they pass through files.
+// Replays games. Their events are too many for a worker's answer, so they are passed in files.
 class Replays {
  public:
   explicit Replays(const ResultFolder& folder) : folder_(folder) {}
 
-  // In a worker: leaves the game's events in a file, and returns the hash of its final state.
+  // Called in a worker. Writes the game's events to a file and returns the hash of its final state.
   std::string play_again(std::size_t game) const {
     const game::GameConfiguration configuration = resolved(folder_.games[game]);
     DecisionRows events(folder_.games[game].id, game::event_teams_of(configuration));
@@ -186,7 +187,7 @@ class Replays {
     return io::hash_text(record.state_hash);
   }
 
-  // Throws InputError if the game did not end as its row says.
+  // Throws InputError if the game ended differently from its row.
   void check(const io::JobResult& result) const {
     const std::string& id = folder_.games[result.job].id;
     const std::uint64_t stored = folder_.completed_games.done.at(id).record.state_hash;

@@ -13,7 +13,7 @@
 namespace autoref::experiments {
 
 struct ExportOptions {
-  bool has_events = true;         // without, no game is played
+  bool has_events = true;         // if false, no game is played
   int workers = 1;                // number of games played in parallel
   std::FILE* progress = nullptr;  // where progress lines go; nowhere if null
 };
@@ -22,9 +22,9 @@ struct ExportOptions {
 std::vector<std::string> settings_columns();
 std::vector<std::string> events_columns();
 
-// The database file. Since results folders do not keep decisions, each game that did not end void
-// is played again to get its events. Throws InputError if a game does not end as its row says,
-// which happens if another build played it, and Interrupted after Ctrl-C.
+// Returns the database file. Since results folders do not keep decisions, each game that is not
+// void is replayed to get its events. Throws InputError if a game ends differently from its row, as
+// can happen if another build played it, and Interrupted after Ctrl-C.
 std::string exported(const ResultFolder& folder, const ExportOptions& options);
 
 }  // namespace autoref::experiments

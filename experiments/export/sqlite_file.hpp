@@ -24,11 +24,11 @@ class SqliteFile {
   SqliteFile& operator=(const SqliteFile&) = delete;
 
   // Runs SQL statements that return no rows. Throws std::logic_error if they are wrong, and
-  // InputOutputError if memory runs out; so do all functions below.
+  // InputOutputError if memory runs out. The same goes for all functions below.
   void execute(const std::string& sql);
 
-  // Adds to `table` the rows of the same table in another database, a file. Not within a
-  // transaction. Throws InputOutputError also if the file cannot be read.
+  // Adds to `table` the rows of the same table in a database file. Must not be called within a
+  // transaction. Also throws InputOutputError if the file cannot be read.
   void add_rows(std::string_view table, const std::string& file);
 
   // The database as a file. The same calls give the same bytes.
@@ -41,20 +41,19 @@ class SqliteFile {
 
 struct SqliteColumn {
   std::string name;
-  const char* type = "";  // INTEGER, REAL or TEXT; without one, each value keeps its own
+  const char* type = "";  // INTEGER, REAL or TEXT; empty: each value keeps its own
 };
 
 // A new table.
 class SqliteTable {
  public:
-  // `columns` must be different from each other, also in lower case. The file must outlive this
-  // object.
+  // `columns` must have different names, even in lower case. The file must outlive this object.
   SqliteTable(SqliteFile& file, std::string_view name, const std::vector<SqliteColumn>& columns);
   ~SqliteTable();
   SqliteTable(const SqliteTable&) = delete;
   SqliteTable& operator=(const SqliteTable&) = delete;
 
-  // Adds a row of as many values as there are columns.
+  // Adds a row, with one value per column.
   void add(const std::vector<SqliteValue>& row);
 
  private:

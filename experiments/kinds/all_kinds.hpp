@@ -10,13 +10,13 @@
 
 namespace autoref::experiments {
 
-// In the order of help and reference pages.
+// All kinds, in the order of help and reference pages.
 std::span<const Kind* const> kinds_of_experiments();
 
-// Null if none has this name.
+// Null if no kind has this name.
 const Kind* find_kind(std::string_view name);
 
-// The names of the kinds that the verb plays: "sweep, roundrobin or tune".
+// The kinds that the verb plays, as text: "sweep, roundrobin or tune".
 std::string kinds_played_by(std::string_view verb);
 
 }  // namespace autoref::experiments

@@ -21,7 +21,7 @@ std::string_view entry_in(std::string_view path, const Key& key) {
   return path.substr(0, path.find('.'));
 }
 
-// Keeps only values of entries that the same key of another experiment has, too.
+// Keeps only values of entries that also exist in the same key of the other experiment.
 void keep_common_entries(const Key& key, const Key& other, TextByPath& values) {
   const std::vector<std::string> names = other.entries();
   const std::set<std::string_view> others(names.begin(), names.end());
@@ -57,7 +57,7 @@ std::string differences(const TextByPath& here, const TextByPath& there) {
   return text;
 }
 
-// Calls `work` for the keys of a copy, since keys can change their experiment.
+// Calls `work` with the keys of a copy, since keys can change their experiment.
 template <typename Work>
 auto with_keys(const Experiment& experiment, const Work& work) {
   const std::unique_ptr<Experiment> copy = experiment.copy();

@@ -1,7 +1,7 @@
-// What a kind of experiment is. Each kind is one folder beside this file: a struct with what the
-// user sets, derived from ExperimentOf, and a line in all_kinds.cpp. Reading and writing its files,
-// --set, --pairs and --seed, resuming, shards, verification, reports and the reference page follow
-// from what the struct answers here.
+// The interface of a kind of experiment. Each kind consists of a folder next to this file, with a
+// struct of the user's settings derived from ExperimentOf, and a line in all_kinds.cpp. Its virtual
+// functions are enough for reading and writing files, --set, --pairs and --seed, resuming, shards,
+// verification, reports and the reference page.
 #pragma once
 
 #include <cstddef>
@@ -47,7 +47,7 @@ class Experiment {
   virtual std::unique_ptr<Experiment> copy() const = 0;
 
   // The keys of its scenario file, in the order of effective.yaml; always the same ones. They refer
-  // to this object, and must not outlive it.
+  // to this object and must not outlive it.
   virtual std::vector<Key> keys() = 0;
   // The settings of its base that vary between its games.
   virtual std::vector<Factor> varied_settings() const { return {}; }
@@ -55,38 +55,38 @@ class Experiment {
   // The games known in advance, in playing order. Throws std::invalid_argument if the settings
   // contradict each other; if that is a SettingError, it names one of them.
   virtual std::vector<ScheduledGame> games() const = 0;
-  // How the games actually played may differ from games(), for messages; empty if they cannot
+  // For messages: how the games actually played may differ from games(). Empty if they cannot
   // differ.
   virtual std::string caveat() const { return {}; }
-  // All games of games() under the ids that `autoref check` uses: games whose ids differ only in
-  // pair and leg are expected to take equally long.
+  // All games of games() under the ids that `autoref check` uses: games with ids that differ only
+  // in pair and leg are expected to take equally long.
   virtual std::vector<ScheduledGame> trial_games(std::vector<ScheduledGame> all) const {
     return all;
   }
   // Whether schedule() depends on the rows. If it does not, all of games() are needed.
   virtual bool follows_its_rows() const { return false; }
-  // The games known after `rows`, which are those of the games played so far. Depends on nothing
-  // but rows of its own games; a game that further rows make unnecessary stays in. Throws like
+  // The games known given `rows`, the rows of the games played so far. Depends only on rows of the
+  // experiment's own games. Keeps a game even if further rows make it unnecessary. Throws like
   // games().
   virtual Schedule schedule(const RowsById& rows) const;
   // Whether these rows make all remaining games unnecessary. Throws like games().
   virtual bool is_decided(const RowsById& rows) const;
-  // The games of a round, if all games are played in equally large rounds that depend on all rows
-  // of earlier ones. Then a shard that has waited for others in vain says so and ends with exit
-  // code 75, and `autoref experiment submit` makes one task of the experiment unless it is given a
-  // number. Throws like games().
+  // The number of games in a round, if all games are played in rounds of equal size that depend on
+  // all rows of earlier rounds. A shard that waits too long for the others then says so and exits
+  // with code 75, and `autoref experiment submit` uses a single task unless a number is given.
+  // Throws like games().
   virtual std::optional<std::size_t> games_of_a_round() const { return std::nullopt; }
-  // How long a shard waits for games of others that its next ones depend on, in s.
+  // How long a shard waits for other shards' games on which its next games depend, in s.
   virtual double default_wait_s() const { return 0; }
-  // Why it has no number of pairs, if none of its keys is one.
+  // Why the experiment has no number of pairs, if none of its keys sets one.
   virtual std::string why_no_pairs() const { return {}; }
 
   virtual RowKind row_kind() const { return RowKind::kPlayed; }
-  // Names of the row columns with a game's values (ScheduledGame::values).
+  // Names of the row columns that contain a game's values (ScheduledGame::values).
   virtual std::vector<std::string> value_columns() const { return {}; }
 
-  // Computes the results from the rows that are needed; while the experiment runs, rows are
-  // missing. Throws std::logic_error for judged games, whose calls are summed up elsewhere.
+  // Computes the results from the needed rows, some of which are missing while the experiment runs.
+  // Throws std::logic_error for judged games, since their calls are summed up elsewhere.
   virtual ExperimentResults results(const RowsById& rows) const = 0;
 };
 
@@ -100,11 +100,11 @@ class ExperimentOf : public Experiment {
   static std::unique_ptr<Experiment> make() { return std::make_unique<Its>(); }
 };
 
-// Reads the scenario file and applies the command line's settings. Throws InputError, and then
-// leaves the experiment partly read.
+// Reads the scenario file and applies the command line's settings. If it throws InputError, the
+// experiment is only partly read.
 void read_keys(TopReader& top, Experiment& experiment);
 
-// The rows of needed games, which the results are computed from.
+// The rows of the needed games, from which the results are computed.
 RowsById needed_rows(const Schedule& schedule, RowsById rows);
 
 // The format of the experiment's rows.
@@ -112,7 +112,7 @@ RowFormat row_format(const Experiment& experiment);
 
 // The settings in which two experiments of one kind differ: "match.half_s is 60.0 here and 600.0
 // there; ...". Empty if no setting differs or if the kinds differ. Ignores factor values and teams
-// that occur in only one of the experiments, since they belong to different games.
+// that occur in only one of the experiments, since those belong to different games.
 std::string changes_between(const Experiment& here, const Experiment& there);
 
 // The number of pairs of legs per combination or matchup, or the maximum of an SPRT match; nullopt
@@ -125,11 +125,10 @@ std::optional<std::uint64_t> master_seed_of(const Experiment& experiment);
 // The seed or seeds as text, for reports; empty if no key is a seed.
 std::string seed_text(const Experiment& experiment);
 
-// Throws std::invalid_argument if the experiment cannot have this many pairs, and leaves it as it
-// was.
+// If the experiment cannot have this many pairs, throws std::invalid_argument and changes nothing.
 void set_pairs(Experiment& experiment, int pairs);
 
-// Replaces all named seeds, too.
+// Also replaces all named seeds.
 void set_master_seed(Experiment& experiment, std::uint64_t seed);
 
 }  // namespace autoref::experiments

@@ -1,4 +1,4 @@
-// The keys of scenario files, as the kinds of experiments list them.
+// The keys of scenario files, as listed by the kinds of experiments.
 #pragma once
 
 #include <cstdint>
@@ -18,14 +18,14 @@ class TopReader;
 
 using TextByPath = std::map<std::string, std::string>;
 
-// A team of a key.
+// A team given in a key.
 struct TeamAt {
   std::string path;  // "teams.bold"
   game::TeamSettings* team = nullptr;
 };
 
-// A row of the reference page: one or several keys, what they may be, and what they mean. Names of
-// keys and values are between backticks.
+// A row of the reference page: one or several keys, their possible values and their meaning. Names
+// of keys and values are between backticks.
 struct KeyRow {
   std::string names;
   std::string value;
@@ -39,30 +39,31 @@ struct KeysBelow {
   std::vector<KeyRow> rows;
 };
 
-// A row for each setting, by its last name, with what it may be and its present value, which is the
-// default in a new experiment. Those in `required` have no default.
+// A row for each setting, under the last part of its name, with its possible values and its present
+// value, which is the default in a new experiment. Settings in `required` have no default.
 std::vector<KeyRow> rows_of(const std::vector<game::Setting>& settings,
                             const std::vector<std::string>& required = {});
 
-// A key of a kind's scenario file, and everything that depends on it. A function that is not set
-// means that the key has nothing of the sort.
+// A key of a kind's scenario file, and everything that depends on it. A function is left empty if
+// it does not apply to the key.
 struct Key {
   std::string name;   // in the file
-  std::string value;  // what it may be, for the reference page: "whole number"; empty with `below`
-  std::string about;  // what it means, a phrase
+  std::string value;  // possible values for the reference page: "whole number"; empty with `below`
+  std::string about;  // its meaning, as a phrase
 
-  // Reads the key, or what its absence means. Called in the keys' order. Throws InputError.
+  // Reads the key or, if it is absent, sets the default. Called in the keys' order. Throws
+  // InputError.
   std::function<void(TopReader&)> read = {};
   // Checks the key once all keys have been read and fit together. Throws InputError.
   std::function<void(TopReader&)> verify = {};
-  // Its lines in effective.yaml; reading them gives the same experiment again.
+  // Its lines in effective.yaml; reading them back gives the same experiment.
   std::function<std::string()> text = {};
-  // Settings that a message names if a results folder has rows of games with other ones.
+  // Settings to name in a message if a results folder has rows of games with other settings.
   std::function<TextByPath()> values = {};
-  // Names of the key's entries whose games depend on no other entry. A folder with rows may gain or
-  // lose such entries.
+  // Names of those entries of the key that have games of their own, which depend on no other entry.
+  // Such entries may be added to or removed from a folder with rows.
   std::function<std::vector<std::string>()> entries = {};
-  // Teams that play, by path.
+  // The teams that play, with their paths.
   std::function<std::vector<TeamAt>()> teams = {};
   // --pairs and --seed.
   int* pairs = nullptr;
@@ -74,10 +75,10 @@ struct Key {
   game::GameSettings* base = nullptr;
 };
 
-// `base`, with the teams that play all games, except what the experiment's factors set.
+// `base`, with the teams that play all games and without the settings of the experiment's factors.
 Key base_key(game::GameSettings& base, std::function<std::vector<Factor>()> factors);
 
-// `base` without teams; `remedy` says where those are listed.
+// `base` without teams; `remedy` says where the teams are listed.
 Key base_without_teams_key(game::GameSettings& base, std::string remedy,
                            std::string about = "of every game");
 
@@ -93,7 +94,7 @@ Key pairs_key(int& pairs, std::string about);
 Key seed_key(std::uint64_t& seed);
 
 // `set_by_values`, which AutoRef writes into effective.yaml: the settings that each value of the
-// factors sets. Refuses a file in which they have been changed.
+// factors sets. A file in which they have been changed is refused.
 Key set_by_values_key(const game::GameSettings& base, std::function<std::vector<Factor>()> factors);
 
 // The values of all settings except aliases.

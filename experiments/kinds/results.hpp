@@ -1,5 +1,5 @@
-// What an experiment's rows say, in the forms that all kinds share, and the usual results of groups
-// and tournaments.
+// The results computed from an experiment's rows, in the forms shared by all kinds, and the usual
+// results of groups and tournaments.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@
 
 namespace autoref::experiments {
 
-// Where a tie stands in a bracket. The winners of ties 2p and 2p + 1 of a round meet in tie p of
-// the next one.
+// The position of a tie in a bracket. The winners of ties 2p and 2p + 1 of a round play tie p of
+// the next round.
 struct BracketPlace {
   std::size_t ties_in_round = 1;  // including byes: 1 for the final, 2 for the semi-finals, ...
   std::size_t position = 0;       // in its round, counted from 0
@@ -29,7 +29,7 @@ struct BracketPlace {
 // "final", "semi-finals", "quarter-finals", "round of 16", ...
 std::string name_of_round(std::size_t ties_in_round);
 
-// One team of a tie, as a bracket shows it.
+// One team of a tie, as shown in a bracket.
 struct TieTeam {
   std::string name;       // or where it will come from: "winner of quarter-final 2"
   bool is_known = false;  // whether the name is a team's
@@ -45,14 +45,14 @@ struct TieResult {
   bool is_usual = false;  // decided by goals in its first game
 };
 
-// The values that a search gave a parameter.
+// A parameter's values during a search.
 struct SearchedParameter {
   std::string name;
   double from = 0;  // its range
   double to = 1;
   double start = 0;
-  std::vector<double> values;  // after each iteration: where the search was,
-  std::vector<double> best;    // and the best value as known then
+  std::vector<double> values;  // after each iteration: the search's position,
+  std::vector<double> best;    // and the best value known then
 };
 
 struct SearchPath {
@@ -82,17 +82,16 @@ struct ExperimentResults {
 };
 
 // A table of groups while the experiment runs. On a narrow screen it first drops the goals, since
-// their difference is shown, and the void games, since the progress bar counts them.
+// their difference is shown as well, and the void games, since the progress bar counts them.
 io::ProgressTable groups_progress_table(std::vector<io::Cells> rows, std::vector<io::Align> columns,
                                         std::string noun);
 
-// The same for matchups, which can also do without the number of games: it is the sum of the wins,
-// draws and losses on the right.
+// The same for matchups. This table can also drop the number of games, since it is the sum of the
+// wins, draws and losses on the right.
 io::ProgressTable matchups_progress_table(const std::vector<Group>& matchups);
 
-// The results of a tournament, to which a kind may add files and blocks of its table: the report
-// shows them, too. `noun` is who stands in the standings, in the singular: "team" or
-// "challenger".
+// The results of a tournament. A kind can add files and blocks of the table, which the report then
+// shows as well. `noun` is the singular of what the standings list: "team" or "challenger".
 ExperimentResults tournament_results(std::vector<Group> matchups, std::vector<Standing> standings,
                                      const std::string& noun);
 

@@ -14,8 +14,8 @@
 
 namespace autoref::experiments {
 
-// An experiment of any kind, as a value: a copy is an experiment of its own. One that has been
-// moved from can only be destroyed or assigned to.
+// An experiment of any kind, as a value: copies are independent. After it has been moved from, it
+// can only be destroyed or assigned to.
 class AnyExperiment {
  public:
   // NOLINTNEXTLINE(google-explicit-constructor): it is the experiment
@@ -48,7 +48,7 @@ struct Scenario {
   Experiment& experiment();
   const Experiment& experiment() const;
 
-  // The experiment of this kind. Throws std::logic_error for another one.
+  // The experiment of this kind. Throws std::logic_error for another kind.
   template <std::derived_from<Experiment> Its>
   const Its& get() const {
     if (const Its* its = as<Its>()) return *its;

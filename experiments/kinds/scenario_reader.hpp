@@ -1,4 +1,4 @@
-// Reads scenario files, and writes the effective one of a results folder.
+// Reads scenario files and writes the effective scenario of a results folder.
 #pragma once
 
 #include <filesystem>
@@ -18,8 +18,8 @@ Scenario read_scenario(const std::filesystem::path& file,
 Scenario read_scenario_text(const std::string& text, const std::string& file_name,
                             const game::Assignments& assignments = {});
 
-// The scenario with every setting spelt out and explained in a comment. Reading it back yields the
-// same scenario. Throws InputError if the text would be too long to read back.
+// The scenario with every setting written out and explained in a comment. Reading it back yields
+// the same scenario. Throws InputError if the text would be too long to read back.
 std::string effective_text(const Scenario& scenario);
 
 }  // namespace autoref::experiments

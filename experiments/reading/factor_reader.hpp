@@ -12,7 +12,7 @@
 
 namespace autoref::experiments {
 
-// Whether the schedule sets this value for each game. Neither base nor factors may set such a
+// Whether the schedule sets this value for each game. Neither the base nor a factor may set such a
 // value.
 bool is_decided_by_schedule(std::string_view path);
 [[noreturn]] void refuse_decided(const game::YamlFile& file, const game::YamlLocation& location,

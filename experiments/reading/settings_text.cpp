@@ -14,7 +14,8 @@ std::string comment_on(const game::Setting& setting) {
   return fmt::format("  # {}; {}", setting.about, game::expected_of(setting));
 }
 
-// Whether the setting is a non-empty list of players or types, whose own settings are listed too.
+// Whether the setting is a non-empty list of players or types; the settings of these are listed as
+// well.
 bool is_spelt_out(const game::Setting& setting) {
   if (const auto* players = std::get_if<game::Players*>(&setting.target))
     return !(**players).empty();

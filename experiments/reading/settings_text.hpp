@@ -11,11 +11,11 @@
 
 namespace autoref::experiments {
 
-// The settings with a comment each, nested, below `depth` other keys.
+// The settings, each with a comment, nested below `depth` other keys.
 std::string text_of(const std::vector<game::Setting>& settings, int depth = 0);
 
-// `base:` without what the schedule decides, what the values of factors set, and the settings
-// whose paths start with `elsewhere`, if it is given.
+// `base:` without the settings decided by the schedule or by factors, and without those with paths
+// that start with `elsewhere` (unless empty).
 std::string base_text(const game::GameSettings& base, std::string_view elsewhere,
                       const SetByValues& set_by_values);
 

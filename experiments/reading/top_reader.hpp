@@ -1,4 +1,4 @@
-// Reads the top-level keys that several kinds of scenario share, and `base:` with the settings of
+// Reads the top-level keys shared by several kinds of scenario, and `base:` with the settings of
 // all games.
 #pragma once
 
@@ -64,8 +64,8 @@ class TopReader {
     return game::required_entry(file_, top_, key);
   }
 
-  // Refuses all keys except these and those common to all scenarios. Settings of the command line
-  // below one of the `branches` are left to the key of that name.
+  // Refuses all keys except these and those common to all scenarios. Command-line settings below
+  // one of the `branches` are left to the key of that name.
   void allow(const std::vector<std::string>& keys, std::vector<std::string> branches = {});
 
   std::string word(const game::YamlEntry& entry, std::string_view key,
@@ -85,11 +85,11 @@ class TopReader {
   // Applies the command line's settings to `game`, except those in the branches `forbidden`.
   void assign_all(game::GameSettings& game, const std::vector<std::string>& forbidden = {}) const;
 
-  // Refuses a command-line setting of `path`, a short path that the file varies.
+  // Refuses a command-line setting of `path`, a short path, because the file varies it.
   void refuse_assignment(const std::string& path) const;
 
   // Refuses command-line settings that would have no effect: those below `branch` if it ends with a
-  // dot, otherwise that of exactly this path.
+  // dot, otherwise only the setting with exactly this path.
   void refuse_assignments(const std::string& branch, const std::string& message) const;
 
   // Calls `work`. Turns a SettingError into an InputError with the setting's location in the file.

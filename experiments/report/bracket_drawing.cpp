@@ -24,7 +24,7 @@ std::string team_html(const TieTeam& team) {
                      view::html_text(team.name), view::html_text(team.goals));
 }
 
-// The lines to the ties before and after this one, as classes.
+// CSS classes for the lines to the ties before and after this one.
 std::string lines_of(const BracketPlace& place, const CupBracket& bracket) {
   const auto& [ties_in_round, position] = place;
   const bool is_fed = has_tie_at({2 * ties_in_round, 2 * position}, bracket) ||

@@ -1,5 +1,4 @@
-// How a bracket is laid out: one column per round, in which each tie stands beside the two that
-// lead to it.
+// The layout of a bracket: one column per round, with each tie next to the two that lead to it.
 #pragma once
 
 #include <string>
@@ -9,12 +8,12 @@
 
 namespace autoref::experiments {
 
-// The numbers of ties in the rounds, including byes, from the first round to the final: 4, 2, 1. Of
-// a cup of more than 64 teams only the last rounds are laid out.
+// The numbers of ties in the rounds, including byes, from the first round to the final: 4, 2, 1. In
+// a cup of more than 64 teams, only the last rounds are laid out.
 std::vector<std::size_t> rounds_of(const CupBracket& bracket);
 
 // An element that page_bracket_style() (view/page_parts.hpp) arranges: columns of ties with lines
-// between them, or a list of rounds on a phone.
+// between them or, on a phone, a list of rounds.
 std::string bracket_html(const CupBracket& bracket);
 
 }  // namespace autoref::experiments

@@ -45,7 +45,7 @@ void compare(const TextByPath& here, const TextByPath& defaults,
 
 TextByPath defaults_for(const game::GameSettings& game) {
   game::GameSettings usual;
-  // The rule book sets other values too; only deviations from these are of interest.
+  // The rule book sets other values too; only deviations from those are of interest.
   game::set_by_path(usual, "match.rules", game.match.rules.name);
   TextByPath values = comparable_values(game::settings_of(usual));
   values["match.rules"] = referee::Match{}.rules.name;
@@ -77,7 +77,7 @@ void compare_key(const Key& key, const game::GameSettings& base,
   for (const TeamAt& at : key.teams()) compare_team(base, at, found);
 }
 
-// A setting that a factor varies, or that a varied preset sets, has no single value.
+// A setting has no single value if a factor varies it or a varied preset sets it.
 void leave_out_factors(const game::GameSettings& base, const std::vector<Factor>& factors,
                        std::vector<DefaultDifference>& found) {
   for (const auto& [value, settings] : set_by_values(base, factors)) {

@@ -1,4 +1,4 @@
-// The content of a report, independent of Markdown and HTML; renderers decide on the appearance.
+// The content of a report, independent of Markdown and HTML; the renderers decide how it looks.
 #pragma once
 
 #include <string>
@@ -21,8 +21,8 @@ struct List {
   std::vector<std::string> items;
 };
 
-// The first row is the head; all rows have the same length. The first `names` columns are words and
-// left-aligned, the others numbers.
+// The first row is the header; all rows have the same length. The first `names` columns are
+// left-aligned words, the others numbers.
 struct Table {
   std::vector<std::vector<std::string>> rows;
   std::size_t names = 1;
@@ -33,8 +33,8 @@ struct Verbatim {
   std::string text;
 };
 
-// A file next to the report: a link in Markdown; only its name in HTML, since that file may be sent
-// alone.
+// A file next to the report. It becomes a link in Markdown, but only a name in HTML, since the HTML
+// file may be sent alone.
 struct Link {
   std::string file;
   std::string text;
@@ -49,7 +49,7 @@ struct Figure {
 };
 
 // A bracket with the results so far, as a drawing in HTML and a table in Markdown. At least one tie
-// has a place.
+// must have a place.
 struct CupBracket {
   std::vector<TieResult> ties;
 };
@@ -65,8 +65,8 @@ struct Document {
 // breaks become spaces, except in Verbatim.
 std::string markdown_of(const Document& document);
 
-// A self-contained page: it needs no other file and no network, and names neighbouring files
-// without linking to them.
+// A self-contained page: it needs neither other files nor a network, and it names neighbouring
+// files without linking to them.
 std::string html_of(const Document& document);
 
 // The same blocks as part of another page, which has its own style and page_bracket_style().

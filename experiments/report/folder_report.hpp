@@ -1,5 +1,5 @@
-// Reports of a results folder, one per build if it has games of several, and whether existing
-// reports are up to date.
+// Reports of a results folder, one per build if it has games of several builds, and the check
+// whether existing reports are up to date.
 #pragma once
 
 #include <cstdint>
@@ -34,18 +34,18 @@ struct FolderReport {
   std::optional<WrittenReport> report;  // nullopt if nothing was written
 };
 
-// Whether results.csv may be replaced by one that lacks games whose rows are lost.
+// Whether results.csv may be replaced by one without the games that have lost their rows.
 enum class LostGames : std::uint8_t { kKeep, kDrop };
 
-// Writes the report of `build`. If `build` is empty: the report of the only build, or one for each
-// of several builds in its own subfolder, with an overview. With kKeep, writes nothing for a build
-// if games of results.csv have no rows any more (ResultFolder::lost).
+// Writes the report of `build`. If `build` is empty, writes the report of the only build or, for
+// several builds, one report each in its own subfolder and an overview. With kKeep, writes nothing
+// for a build if games in results.csv no longer have rows (ResultFolder::lost).
 std::vector<FolderReport> write_folder_reports(const std::filesystem::path& path,
                                                const std::string& build,
                                                LostGames lost = LostGames::kKeep);
 
 // "report.html lacks 3 of the 12 games; update it with: autoref report DIR". Empty if this build
-// has no report, or one that covers the rows that count.
+// has no report or if its report covers all rows that count.
 std::string report_shortfall(const ResultFolder& folder);
 
 // Rewrites an existing report that is out of date according to report_shortfall(). Returns its

@@ -10,7 +10,7 @@
 
 namespace autoref::experiments {
 
-// Heads of the columns with the groups' values: a sweep's paths, or "a" and "b" for two teams.
+// Headers of the columns with the groups' values: a sweep's paths, or "a" and "b" for two teams.
 std::vector<std::string> value_heads(const Scenario& scenario, const std::vector<Group>& groups);
 
 // Axis label for what distinguishes the groups: "b.handicap", "a.robots, b.robots", "matchup".

@@ -14,8 +14,8 @@ namespace autoref::experiments {
 namespace {
 
 // Wide tables scroll in their own box; plots are scaled to the page. On paper, where nothing
-// scrolls, the font shrinks until they fit: `--letters` is the width in characters (0.62 em each),
-// 176 mm the width of A4 and Letter between the margins.
+// scrolls, the font shrinks until they fit: `--letters` is the table's width in characters (0.62 em
+// each), and 176 mm is the width between the margins of A4 and Letter.
 constexpr const char* kStyle =
     "body{font:16px/1.5 system-ui,sans-serif;color:#222;background:#fff;max-width:60em;"
     "margin:2em auto;padding:0 1em;overflow-wrap:anywhere}\n"

@@ -104,7 +104,7 @@ std::string tie_markdown(const TieResult& tie) {
   return text + ", " + inline_text(tie.decision);
 }
 
-// One line per position of the first round. Each tie is in the first line of those that lead to it.
+// One line per position of the first round. Each tie is on the first of the lines that lead to it.
 std::vector<std::vector<std::string>> bracket_lines(const CupBracket& bracket,
                                                     const std::vector<std::size_t>& rounds) {
   std::vector<std::vector<std::string>> lines(rounds.front(),

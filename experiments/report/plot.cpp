@@ -185,7 +185,7 @@ Drawing draw(const Plot& plot, double longest_s) {
   }
   const std::string trouble = end_of(process, longest_s);
   const std::string svg = io::read_file(workplace / (plot.name + ".svg")).value_or("");
-  // A complete drawing ends with this tag, which exit code 0 alone does not guarantee.
+  // Exit code 0 does not guarantee a complete drawing, but this tag ends one.
   if (trouble.empty() && svg.find("</svg>") != std::string::npos) return {svg, "", false};
   const std::string messages = one_line(io::read_file(workplace / kMessages).value_or(""));
   return {"", fmt::format("{}: {}", trouble.empty() ? "gnuplot drew nothing" : trouble, messages),

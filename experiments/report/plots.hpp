@@ -35,7 +35,7 @@ std::optional<Plot> histogram_plot(const Scenario& scenario, const ExperimentRes
 // Mean goal difference with its 95 % interval after each pair of legs, one panel per group.
 std::optional<Plot> running_mean_plot(const Scenario& scenario, const ExperimentResults& results);
 
-// Mean goal difference of each team against each other team. Only with standings.
+// Mean goal difference of each team against every other team. Only with standings.
 std::optional<Plot> crosstable_plot(const ExperimentResults& results);
 
 // Each parameter of a tuning after every iteration, one panel per parameter.

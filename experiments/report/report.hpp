@@ -25,8 +25,8 @@ struct WrittenReport {
 
 // Writes report.md, report.html and plots/ into `into`, which is the results folder or a direct
 // subfolder. A plot that cannot be drawn still gets its .csv and .gp. Outdated drawings are
-// removed: those of plots that can no longer be drawn, and plots of an earlier report that this one
-// does not contain. Equal rows give identical files, wherever the folder is.
+// removed: those of plots that can no longer be drawn and those of an earlier report's plots that
+// are not in this one. Equal rows give identical files, regardless of the folder's location.
 WrittenReport write_report(const ResultFolder& folder, const ExperimentResults& results,
                            const std::filesystem::path& into);
 

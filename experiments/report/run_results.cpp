@@ -11,7 +11,7 @@
 namespace autoref::experiments {
 namespace {
 
-constexpr const char* kRankEnd = ".\u00a0";  // with a space at which no line breaks
+constexpr const char* kRankEnd = ".\u00a0";  // with a no-break space
 
 void append_blocks(Section& section, Section blocks) {
   for (Block& block : blocks) section.push_back(std::move(block));
@@ -25,13 +25,13 @@ void append_table(Section& section, Table table) {
     section.emplace_back(Paragraph{fmt::format("and {} more", rows - kMostTableRows)});
 }
 
-// The first columns up to the last one of words.
+// The number of columns up to the last left-aligned one.
 std::size_t names_in(const io::TextTable& table) {
   const auto last = std::find(table.columns.rbegin(), table.columns.rend(), io::Align::kLeft);
   return std::max(table.keys, static_cast<std::size_t>(table.columns.rend() - last));
 }
 
-// The rank stands beside the name: a phone keeps only the first column in view.
+// The rank is put next to the name because a phone keeps only the first column in view.
 Table ranked(const std::vector<Standing>& standings) {
   Table table{standings_rows(standings), 1};
   for (std::vector<std::string>& row : table.rows) {

@@ -1,4 +1,4 @@
-// The results of an experiment for the page that shows it while it runs.
+// The results of an experiment for the page that shows it while it is running.
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace autoref::experiments {
 
-// Rows of a table that the page shows at most; a crosstable of more than kMostCrossed teams is left
-// to the report. This bounds what each watcher is sent.
+// Maximum number of rows that the page shows of a table; a crosstable of more than kMostCrossed
+// teams appears only in the report. This limits the data sent to each browser.
 inline constexpr std::size_t kMostTableRows = 200;
 inline constexpr std::size_t kMostCrossed = 60;
 
-// HTML for run_page() (view/page.hpp), of the report's blocks: the bracket of a cup, standings and
-// crosstable of a tournament, then the tables of all kinds and how to read them.
+// HTML for run_page() (view/page.hpp) made of the report's blocks: the bracket of a cup, the
+// standings and crosstable of a tournament, then each kind's tables and how to read them.
 std::string run_results_html(const ExperimentResults& results);
 
 }  // namespace autoref::experiments

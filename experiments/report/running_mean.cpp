@@ -67,7 +67,7 @@ std::string csv_of(const std::vector<Panel>& panels) {
   return csv;
 }
 
-// Script line for an array with `value` of each panel.
+// Script line for an array of each panel's `value`.
 template <typename Value>
 std::string array_of(const char* name, const std::vector<Panel>& panels, const Value& value) {
   std::vector<std::string> values;
@@ -158,7 +158,7 @@ Interval span_to_show(const std::vector<RunningMean>& means) {
   const std::size_t wild = std::min(kWildPairs, means.size() - 1);
   for (std::size_t i = 0; i < means.size(); ++i) {
     include(means[i].mean);
-    // With few pairs Student's t is so wide that it would flatten the rest of the curve.
+    // With few pairs, Student's interval is so wide that it would flatten the rest of the curve.
     if (i < wild || !means[i].interval) continue;
     include(means[i].interval->low);
     include(means[i].interval->high);

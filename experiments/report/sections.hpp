@@ -11,36 +11,36 @@ namespace autoref::experiments {
 
 using Section = std::vector<Block>;  // empty if there is nothing to report
 
-// Rows of the table of what was played that identify a report's state, and their values.
+// Rows of the table in played_section() that identify a report's state, and their values.
 inline constexpr const char* kBuildRow = "build";
 inline constexpr const char* kGamesRow = "games";
 inline constexpr const char* kChecksumRow = "checksum of the rows";
 std::string games_text(const ResultFolder& folder);     // "12 of 24"
 std::string rows_checksum(const ResultFolder& folder);  // CRC-32 of results.csv
 
-// What was played, how much of it, and with which build. If games are missing, warns that the
-// intervals are interim ones.
+// The games planned and played, and their build. If games are missing, warns that the intervals are
+// provisional.
 Section played_section(const ResultFolder& folder, const ExperimentResults& results);
 
 // The terminal's table, and the meaning of its intervals.
 Section results_section(const ExperimentResults& results);
 
-// How the numbers and intervals of the results are to be read.
+// Explains how to read the numbers and intervals of the results.
 Section meaning_of(const ExperimentResults& results);
 
 // Proportions of games won, drawn and lost, by group and by team in the standings.
 Section shares_section(const ResultFolder& folder, const ExperimentResults& results);
 
-// Points and goal difference of each team against each other team.
+// Points and goal difference of each team against every other team.
 Section crosstable_section(const ExperimentResults& results);
 
-// Who met whom in a knockout, the results so far and who goes on.
+// The pairings of a knockout, the results so far and the teams that advance.
 Section bracket_section(const ExperimentResults& results);
 
 // Void games, with reasons.
 Section void_section(const ResultFolder& folder);
 
-// A link to all settings, and those that differ from the defaults.
+// A link to all settings, and a list of those that differ from the defaults.
 Section settings_section(const ResultFolder& folder, const std::string& direction);
 
 // Commands that replay and verify the games. `direction` is the path from the report to the results

@@ -32,7 +32,7 @@ std::optional<std::size_t> rank_of(const Crosstable& table, const std::string& t
 }
 
 constexpr int kCrosstableFrameHeight_px = 130;
-constexpr std::size_t kMostTeams = 30;  // with more, the numbers would be unreadable
+constexpr std::size_t kMostTeams = 30;  // more would make the numbers unreadable
 
 int row_height_px(std::size_t teams) { return teams <= 6 ? 56 : teams <= 12 ? 40 : 26; }
 
@@ -63,8 +63,8 @@ std::string csv_of(const Crosstable& table) {
   return csv;
 }
 
-// Colour range: the largest square root of a difference, which keeps small differences visible.
-// White is 0, and the range is symmetric.
+// The colour range: the largest square root of a difference (the root keeps small differences
+// visible). The range is symmetric, with white for 0.
 double reach_of(const Crosstable& table) {
   double reach = 0;
   for_each_result(table, [&reach](std::size_t, std::size_t, const CrossCell& cell) {
@@ -136,7 +136,7 @@ constexpr RatingPanel kGoalsPanel = {&Standing::goals, "goals",
 constexpr RatingPanel kStrengthPanel = {&Standing::strength, "bradley_terry",
                                         "Bradley-Terry strength", kVermilion};
 
-// What the panel must show: zero, the ratings, and the ends of their intervals.
+// The range that the panel must show: zero, the ratings and the ends of their intervals.
 struct ShownSpan {
   Interval span;
   bool has_open_end = false;

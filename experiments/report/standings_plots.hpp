@@ -1,4 +1,4 @@
-// Results of each team against each other team, and the plots of standings.
+// Results of each team against every other team, and the plots of standings.
 #pragma once
 
 #include <optional>

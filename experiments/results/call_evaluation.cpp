@@ -61,7 +61,7 @@ std::optional<CallOutcome> outcome_in(const std::string& cell) {
   return static_cast<CallOutcome>(*number);
 }
 
-// Reads a name that may be missing: an empty cell leaves `side` empty.
+// Reads a side's name, which may be missing: an empty cell leaves `side` empty.
 bool read_side(const std::string& cell, std::optional<Side>& side) {
   for (const Side one : kSides) {
     if (cell == name_of(one)) side = one;

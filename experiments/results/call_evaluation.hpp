@@ -1,4 +1,4 @@
-// What the referee got right and wrong in one judged game, as data and as a cell of its row.
+// The referee's right and wrong calls in one judged game, as data and as a cell of the game's row.
 #pragma once
 
 #include <array>
@@ -16,27 +16,27 @@ enum class CallOutcome : std::uint8_t {
   kRight,      // happened and was called
   kWrong,      // called, but did not happen
   kMissed,     // happened, but was not called
-  kOvertaken,  // happened, but another correct call ended play at the same time
+  kOvertaken,  // happened, but another correct call stopped play at the same time
 };
 
-// A true event, a call, or both if they belong together.
+// A true event, a call, or both if they match.
 struct CallVerdict {
   std::string name;  // of the event
   CallOutcome outcome = CallOutcome::kRight;
   double time_s = 0;              // of the event, or of the call if nothing happened
-  std::optional<Side> offender;   // nullopt if the event has none
+  std::optional<Side> offender;   // nullopt if there is none
   double delay_s = 0;             // from the event to a correct call
   std::optional<double> error_m;  // position error of a correct call
-  // Of the call: how sure the referee was, from 0 to 1; nullopt if nothing was called.
+  // The referee's confidence in the call, from 0 to 1; nullopt if nothing was called.
   std::optional<double> confidence;
   bool is_early = false;       // correct by luck: the call came before the event
-  bool is_borderline = false;  // the truth was near the threshold
+  bool is_borderline = false;  // the true value was near the threshold
   bool is_in_air = false;      // the ball was in the air
   bool is_second = false;      // wrong because the event had already been called
 };
 
-// How often the referee named the right team as the last to touch the ball, in calls that depend on
-// it.
+// How often the referee named the right team as the last to touch the ball, counted over the calls
+// that depend on it.
 struct LastTouchTally {
   int right = 0;
   int wrong = 0;
@@ -46,8 +46,8 @@ struct LastTouchTally {
 struct CallEvaluation {
   std::vector<CallVerdict> verdicts;         // in order of time
   std::array<LastTouchTally, 2> last_touch;  // by the team that actually touched it: a, b
-  // Those of the last touches that were contested: both teams touched the ball within the last 0.1
-  // s before it left the field.
+  // The same for contested touches only: both teams touched the ball within the last 0.1 s before
+  // it left the field.
   std::array<LastTouchTally, 2> contested_touch;
   std::vector<std::string> calls_in_stop;  // made during a stop: "goal at 12.350 s"
 };

@@ -44,7 +44,7 @@ Column integer_column(std::string name, At at) {
           [at](const std::string& cell, GameRow& row) { return read_integer(cell, at(row)); }};
 }
 
-// With three decimals.
+// A column with three decimals.
 template <typename At>
 Column seconds_column(std::string name, At at) {
   return {std::move(name), [at](const GameRow& row) { return fmt::format("{:.3f}", at(row)); },
@@ -72,7 +72,7 @@ Column named_column(std::string name, At at) {
           }};
 }
 
-// Empty if there was no shoot-out. Team a's cell is read first.
+// The cell is empty if there was no shoot-out. Team a's cell is read first.
 Column shootout_column(std::string name, std::size_t team) {
   return {std::move(name),
           [team](const GameRow& row) {
@@ -99,7 +99,7 @@ Column first_half_column(std::string name, std::size_t team) {
           }};
 }
 
-// A derived column: nothing to read, but a row that contradicts itself is refused.
+// A derived column: its cell is only checked, so that a row that contradicts itself is refused.
 Column difference_column(std::string name) {
   return {
       std::move(name),
@@ -116,7 +116,8 @@ Column reason_column() {
   return column;
 }
 
-// A copy of the label that lives as long as the program. Rows have many, but few different ones.
+// A copy of the label that lives as long as the program. There are many labels in rows, but few
+// different ones.
 std::string_view kept_label(const std::string& label) {
   static std::mutex mutex;
   static std::set<std::string> labels;
@@ -171,7 +172,7 @@ Column end_reason_column() {
       "end_reason", [](auto& row) -> auto& { return row.record.end_reason; });
 }
 
-// Empty if that was not tried.
+// The cell is empty if this was not tried.
 Column repeatable_column() {
   return {"repeatable",
           [](const GameRow& row) -> std::string {
@@ -244,7 +245,7 @@ const game::SceneRecord& scene_of(const GameRow& row) {
   return row.record.scene ? *row.record.scene : kNone;
 }
 
-// With four decimals.
+// A column with four decimals.
 Column scene_number_column(std::string name, double game::SceneRecord::*member) {
   return {std::move(name),
           [member](const GameRow& row) { return fmt::format("{:.4f}", scene_of(row).*member); },

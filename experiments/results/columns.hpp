@@ -1,5 +1,5 @@
-// The columns of a game's row: how each is written and read. To add a column, add an entry in
-// columns.cpp and a member to the row's structs.
+// The columns of a game's row, with functions to write and read each of them. To add a column, add
+// an entry in columns.cpp and a member to the row's structs.
 #pragma once
 
 #include <cstdint>
@@ -20,15 +20,15 @@ struct Column {
 
 enum class RowKind : std::uint8_t {
   kPlayed,  // scores and counts
-  kScene,   // likewise, and the score of a scene
-  kJudged,  // what the referee got right and wrong
+  kScene,   // the same, and the score of a scene
+  kJudged,  // the referee's right and wrong calls
 };
 
-// What was played: the game's id, the factors' values, the teams, the seed. Before a row is read,
-// its `values` must have the size of `factors`.
+// Columns for what was played: the game's id, the factors' values, the teams and the seed. Before a
+// row is read, its `values` must have the size of `factors`.
 std::vector<Column> game_columns(const std::vector<std::string>& factors);
 
-// The game's outcome and the hash of its configuration.
+// Columns for the game's outcome and the hash of its configuration.
 std::vector<Column> outcome_columns(RowKind kind);
 
 // Columns of Circumstances.

@@ -10,7 +10,7 @@
 
 namespace autoref::experiments {
 
-// Why a game ended, in words for a reader: one line for each EndReason, and for each SceneEnd if
+// Why a game ended, in plain words: there is one line for each EndReason, and for each SceneEnd if
 // the game was a scene. Teams are named by colour and letter, such as "blue (b) leads by 9 goals".
 // Forfeited and void games include the record's reason.
 std::string end_text(const game::GameConfiguration& game, const game::GameRecord& record);

@@ -1,7 +1,7 @@
 // One game of an experiment: what was played, how it ended, and on which machine.
 //
 // Rows are passed around as structs. Their only text form is a line of a shard (row_format.hpp).
-// The worker that played a game makes that line, and the main process appends it as it is.
+// The worker that played a game writes that line, and the main process appends it unchanged.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace autoref::experiments {
 
-// Where and how the game was played. May differ from run to run.
+// Where and how the game was played. This can differ from run to run.
 struct Circumstances {
   std::string build;
   std::string host;
@@ -36,7 +36,7 @@ struct GameRow {
   Side side_a = Side::kWest;  // where team a played the first half
   std::uint64_t seed = 0;
 
-  // A record read from a file contains only what the columns store: events that are calls, the
+  // A record read from a file contains only what the columns store: the events that are calls, the
   // first half's goals, and times rounded to milliseconds; for a judged game, only the status, the
   // reason, the transitions and the hash.
   game::GameRecord record;
@@ -48,8 +48,8 @@ struct GameRow {
 
 using RowsById = std::map<std::string, GameRow>;
 
-// As in files: games may have several rows, which keep their order. A row moves to RowsById with
-// its node, without another allocation.
+// Rows as in files: a game can have several rows, which keep their order. A row moves to RowsById
+// with its node, without another allocation.
 using RowsInFiles = std::multimap<std::string, GameRow>;
 
 // The row of a scheduled game that has not been played.
@@ -61,7 +61,7 @@ game::GameRecord void_record(const std::string& reason);
 bool is_void(const game::GameRecord& record);
 
 // Positive if team a won, negative if team b did: by goals, or by the shoot-out if there was one. A
-// forfeit is a loss whatever the score. Not meaningful for void games.
+// forfeited game is lost regardless of the score. It has no meaning for void games.
 double lead_of_a(const game::GameRecord& record);
 
 // "3:1", "1:1 (4:2)" with a shoot-out, "void".

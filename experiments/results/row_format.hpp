@@ -24,13 +24,13 @@ struct ColumnDifference {
 // `row_crc`, the CRC-32 of everything before it.
 class RowFormat {
  public:
-  // `factors` are paths, used as names of the columns with the factors' values.
+  // `factors` are paths; they name the columns with the factors' values.
   explicit RowFormat(const std::vector<std::string>& factors, RowKind kind = RowKind::kPlayed);
 
   // Names of all columns.
   io::Cells names() const;
 
-  // The row as a line without line end. It must have one value per factor.
+  // The row as a line without a line break. It must have one value per factor.
   std::string line(const GameRow& row) const;
 
   // Returns nullopt if the line is damaged: if its checksum or number of cells is wrong, or if a

@@ -30,7 +30,7 @@ io::InputOutputError cannot_write(const fs::path& path) {
   return io::io_error(fmt::format("{} cannot be written", path.string()), errno);
 }
 
-// The complete lines of an open file, whatever its name is now.
+// The complete lines of an open file, even if it has been renamed.
 std::vector<std::string> lines_of(int descriptor) {
   std::string text(static_cast<std::size_t>(std::max<off_t>(lseek(descriptor, 0, SEEK_END), 0)),
                    '\0');
@@ -58,7 +58,7 @@ std::vector<fs::path> row_files(const fs::path& games_folder) {
   return files;
 }
 
-// Only complete lines are read, so a row that another process is writing is merely not there yet.
+// Reads only complete lines, so a row that another process is still writing is simply ignored.
 void add_rows(const fs::path& file, const RowFormat& format, StoredRows& stored) {
   const std::string header = io::csv_line(format.names());
   std::size_t number = 0;
@@ -83,7 +83,8 @@ void add_rows(const fs::path& file, const RowFormat& format, StoredRows& stored)
   io::read_pieces(file, [&lines](std::string_view piece) { lines.add(piece); });
 }
 
-// Drops damaged rows of games that have another row of each build, since theirs is unknown.
+// Drops the damaged rows of a game if it has intact rows of every build, since the build of a
+// damaged row is unknown.
 void drop_replaced(StoredRows& stored) {
   std::set<std::string_view> builds;
   std::map<std::string_view, std::set<std::string_view>> played;
@@ -105,7 +106,8 @@ std::string ShardIndex::file_name() const { return fmt::format("shard-{}-of-{}.c
 
 bool ShardIndex::has(std::size_t unit, std::size_t variants) const {
   const auto shards = static_cast<std::size_t>(of);
-  // After their least common multiple, every shard would get the same variants as before.
+  // Without the shift, every shard would get the same variants again after the least common
+  // multiple.
   const std::size_t shift = variants == 0 ? 0 : unit / std::lcm(variants, shards);
   return (unit + shift) % shards == static_cast<std::size_t>(number);
 }
@@ -132,7 +134,7 @@ Shard::Shard(fs::path path, const std::string& header, double patience_s)
 Shard::~Shard() { close(descriptor_); }
 
 void Shard::open_file() {
-  // O_APPEND: every write goes to the end, wherever a torn line was cut off.
+  // O_APPEND: every write goes to the end, even after a torn line has been cut off.
   descriptor_ = io::open_regular_file(path_, O_RDWR | O_CREAT | O_APPEND);
   if (descriptor_ < 0) throw cannot_write(path_);
   try {
@@ -147,7 +149,7 @@ void Shard::open_file() {
   }
 }
 
-// Retries, since the lock of a run that was just killed may take a moment to be released.
+// Retries, since it may take a moment until the lock of a run that was just killed is released.
 void Shard::lock() {
   const auto until = Clock::now() + std::chrono::duration<double>(patience_s_);
   while (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {

@@ -22,9 +22,9 @@ struct ShardIndex {
 
   std::string name() const;       // "0/1"
   std::string file_name() const;  // "shard-0-of-1.csv"
-  // Whether this shard plays the games of that unit. Of `of` units in a row, each shard plays one;
-  // if `variants` is not 0, it changes from time to time which one (ScheduledGame), so that no
-  // shard gets always the same teams or values.
+  // Whether this shard plays the games of that unit. Of `of` units in a row, each shard plays one.
+  // If `variants` is not 0 (ScheduledGame), the assignment changes from time to time, so that no
+  // shard always gets the same teams or values.
   bool has(std::size_t unit, std::size_t variants = 0) const;
 };
 
@@ -32,11 +32,11 @@ struct ShardIndex {
 // invalid.
 ShardIndex shard_index_of(const std::string& text);
 
-// An append-only file of lines, locked by one process at a time. Other programs do not heed the
-// lock: editors, for example, replace a file by a new one of the same name.
+// An append-only file of lines, locked by one process at a time. Other programs ignore the lock:
+// editors, for example, replace a file with a new one of the same name.
 class Shard {
  public:
-  // Creates the file if it does not exist, locks it, and truncates an incomplete last line, which a
+  // Creates the file if it does not exist, locks it, and removes an incomplete last line, which a
   // killed run may leave behind. Writes `header` to an empty file. Throws InputOutputError if that
   // fails or if another run keeps the file locked for longer than `patience_s`.
   Shard(std::filesystem::path path, const std::string& header, double patience_s = 2.0);
@@ -44,24 +44,24 @@ class Shard {
   Shard(const Shard&) = delete;
   Shard& operator=(const Shard&) = delete;
 
-  // Adds a line, which a crash of the machine may still lose, but not one of this process. Throws
-  // InputOutputError if it cannot be written; the file is then unchanged.
+  // Adds a line. It survives a crash of this process, but not necessarily one of the machine.
+  // Throws InputOutputError if it cannot be written; the file is then unchanged.
   void write(const std::string& line);
 
   // Returns once all lines are on the disk. Throws InputOutputError if that fails; the file then
-  // ends with the last line that is known to be there.
+  // ends with the last line known to be on the disk.
   void sync();
 
-  // Adds a line and returns once it is on the disk. Throws as the two above.
+  // Adds a line and returns once it is on the disk. Throws like write() and sync().
   void append(const std::string& line);
 
   // Whether the path still names the file and all lines are in it. False once another program has
-  // replaced, removed, moved or shortened the file: what is written then is lost.
+  // replaced, removed, moved or shortened the file; lines written after that are lost.
   bool is_intact() const;
 
-  // Continues in the file that the path names now, or in a new one in a new folder. Adds those of
-  // `lines`, and of the former file's, that are not there, and returns once they are on the disk.
-  // Throws like the constructor and sync().
+  // Continues in the file that the path names now, or in a new one in a new folder. Adds the lines
+  // of `lines` and of the former file that are missing from it, and returns once they are on the
+  // disk. Throws like the constructor and sync().
   void restore(const std::vector<std::string>& lines);
 
  private:
@@ -78,19 +78,19 @@ class Shard {
   std::int64_t synced_bytes_ = 0;
 };
 
-// A line that RowFormat::read() rejects; its game counts as not played.
+// A line that RowFormat::read() rejects; its game counts as unplayed.
 struct DamagedRow {
   std::string at;       // "games/shard-0-of-1.csv:5"
-  std::string game_id;  // its first cell, which may be damaged, too
+  std::string game_id;  // its first cell, which may itself be damaged
 };
 
 struct StoredRows {
   RowsInFiles rows;
-  std::vector<DamagedRow> damaged;  // without those of games that have another row
+  std::vector<DamagedRow> damaged;  // unless the game has another row
 };
 
 // Reads every .csv file in the folder, in order of file name, line by line. Throws InputError if a
-// file's columns are not those of `format`.
+// file's columns differ from those of `format`.
 StoredRows read_rows(const std::filesystem::path& games_folder, const RowFormat& format);
 
 }  // namespace autoref::experiments

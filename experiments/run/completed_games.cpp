@@ -105,11 +105,11 @@ RowInventory take_row_inventory(const Scenario& scenario, RowsInFiles rows, cons
     row_inventory.completed_games = sorted(std::move(rows), row_inventory.schedule);
     return row_inventory;
   }
-  // Starts from the rows as they are, so that one round is enough if they belong to the scenario;
-  // if not, sort_rows() refuses those that the schedule follows.
+  // Start from the rows as they are: if they belong to the scenario, one iteration is enough. If
+  // not, sort_rows() refuses the rows on which the schedule depends.
   RowInventory row_inventory{scenario.experiment().schedule(rows_of_build(rows, build)), {}};
-  // Iterates to a fixed point: rows can extend the schedule (of a knockout), and a longer schedule
-  // can claim more rows.
+  // Iterate to a fixed point: rows can extend a schedule (a knockout's, for example), and a longer
+  // schedule can claim more rows.
   while (true) {
     row_inventory.completed_games = sorted(rows, row_inventory.schedule);
     const std::size_t known = row_inventory.schedule.games.size();

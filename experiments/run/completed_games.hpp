@@ -1,4 +1,4 @@
-// The scheduled games that a folder already has rows for.
+// The scheduled games for which a folder already has rows.
 #pragma once
 
 #include <filesystem>
@@ -22,8 +22,8 @@ struct CompletedGames {
 bool is_killed(const GameRow& row);
 
 // Separates the rows that count from the others. Throws InputError if there are rows of other
-// builds although builds must not be mixed, or if a scheduled game was played with another
-// configuration; throws std::logic_error if two rows of a game differ in a reproducible column,
+// builds and builds must not be mixed, or if a scheduled game was played with another
+// configuration. Throws std::logic_error if two rows of a game differ in a reproducible column,
 // unless one of the rows belongs to a killed game. `folder` and `changes` (the differences between
 // the folder's scenario and this one) are for messages.
 CompletedGames sort_rows(RowsInFiles rows, const std::vector<ScheduledGame>& games,

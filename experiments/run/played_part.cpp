@@ -12,13 +12,13 @@ namespace {
 
 using WallClock = std::chrono::steady_clock;
 
-constexpr double kShortest_s = 1;  // simulated, if the clock does not run
+constexpr double kShortest_s = 1;  // simulated time if the clock does not run
 
 double since_s(WallClock::time_point began) {
   return std::chrono::duration<double>(WallClock::now() - began).count();
 }
 
-// Adds the time until its end to a sum.
+// Adds the time until its destruction to a sum.
 class Measured {
  public:
   explicit Measured(double& sum_s) : sum_s_(sum_s) {}
@@ -69,7 +69,7 @@ game::TeamMaker measuring(const game::GameConfiguration& game, const game::TeamM
   };
 }
 
-// The time of the halves that has been played; 0 before the first kick-off.
+// The time played of the halves; 0 before the first kick-off.
 double played_clock_s(const referee::Match& match, const RefereeSignal& signal) {
   switch (signal.stage) {
     case Stage::kFirstHalfPre:

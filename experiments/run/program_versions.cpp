@@ -23,7 +23,7 @@ constexpr const char* kStderrFolder = "stderr";
 constexpr int kMostKills = 5;
 constexpr std::size_t kLongestName = 180;
 
-// The id as a file's name. It may contain a factor's value, such as a command with folders.
+// The id as a file name. It may contain a factor's value, such as a command with a path.
 std::string file_name(const std::string& id) {
   std::string name;
   for (const char letter : id) {
@@ -62,7 +62,7 @@ constexpr std::size_t kMostFiles = 10'000;
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 30;
 
 struct ProgramFile {
-  std::string name;  // as it is named, or below the folder that is named
+  std::string name;  // as given, or relative to the given folder
   fs::path path;
 };
 using ProgramFileList = std::vector<ProgramFile>;
@@ -74,7 +74,7 @@ struct VersionedTeam {
 };
 using VersionedTeams = std::vector<VersionedTeam>;
 
-// Changes what determines the files; returns false for other settings.
+// Changes a setting that determines the files; returns false for other settings.
 bool set(const std::string& name, const std::string& text, game::TeamSettings& team) {
   if (name == "directory") {
     team.program.directory = text;
@@ -104,7 +104,7 @@ void vary(const Factor& factor, VersionedTeam& team) {
   team.variants = std::move(variants);
 }
 
-// The teams of the experiment, which must outlive them.
+// The teams of the experiment. It must outlive them.
 VersionedTeams teams_of(Experiment& experiment) {
   VersionedTeams all;
   for (const Key& key : experiment.keys()) {
@@ -188,7 +188,7 @@ bool is_read(const fs::path& file, const io::TakePiece& take) {
   }
 }
 
-// Empty without files.
+// Returns an empty string if there are no files.
 std::string hash_of(const std::string& path, const std::vector<game::TeamSettings>& variants) {
   const ProgramFileList files = files_of(path, variants);
   if (files.empty()) return {};

@@ -19,8 +19,8 @@
 namespace autoref::experiments {
 namespace {
 
-// Says what is there and what to do, for a folder without effective.yaml or without its folder
-// games: "holds no results: ...".
+// Explains what is wrong with a folder without effective.yaml or without its subfolder games, and
+// what to do: "holds no results: ...".
 std::string missing_results_text(const std::filesystem::path& folder);
 
 namespace fs = std::filesystem;
@@ -44,7 +44,7 @@ struct StoredRowFiles {
   std::size_t rows = 0;
 };
 
-// The rows of a folder's files *.csv, each of which begins with the names of its columns.
+// The rows of a folder's *.csv files. Each file begins with the names of its columns.
 StoredRowFiles row_files_in(const fs::path& folder) {
   StoredRowFiles found;
   for_each_entry(folder, [&found](const fs::path& file) {

@@ -22,16 +22,16 @@ struct ResultFolder {
   std::vector<ScheduledGame> games;  // as in Schedule
   std::size_t needed = 0;            // as in Schedule
   std::string build;                 // only its rows count
-  CompletedGames completed_games;    // `done` has only rows that count
+  CompletedGames completed_games;    // `done` contains only rows that count
   int beyond = 0;                    // number of rows of games that turned out not to be needed
-  std::vector<DamagedRow> damaged;   // do not count; empty if every game has a row
+  std::vector<DamagedRow> damaged;   // these do not count; empty if every game has a row
   std::vector<std::string>
       lost;  // ids of the games in results.csv without a row; none if there are several builds
   std::map<std::string, int> by_shard;  // games played by each shard, such as "0/1"
 
   int void_games() const;
   int killed_games() const;  // void games that the next run replays
-  // What is wrong with the stored rows, one line for each fault; empty if nothing is.
+  // The faults of the stored rows, one line for each; empty if there are none.
   std::set<std::string> faults() const;
   bool is_complete() const { return completed_games.done.size() == needed; }
 };
@@ -40,11 +40,11 @@ struct ResultFolder {
 // folder.
 Scenario scenario_in(const std::filesystem::path& folder);
 
-// The builds that have rows in a folder. Throws InputError if it is not a results folder.
+// The builds that have rows in a results folder. Throws InputError if it is not one.
 std::set<std::string> builds_in(const std::filesystem::path& path);
 
 // Reads a folder, even while a run is writing to it. Only rows of `build` count; if `build` is
-// empty, the folder must have rows of one build only. Throws InputError if it has rows of several
+// empty, the folder may have rows of only one build. Throws InputError if it has rows of several
 // builds, or if it is not a results folder; also throws like sort_rows().
 ResultFolder open_results(const std::filesystem::path& path, const std::string& build = {});
 

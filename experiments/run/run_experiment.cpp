@@ -46,7 +46,7 @@ std::string cpu_name() {
 
 using Clock = std::chrono::steady_clock;
 
-// For experiments with teams, where rows store the games' records.
+// For experiments with teams: their rows store the games' records.
 Outcomes outcomes_of_records(const Scenario& scenario, const ExperimentOptions& options) {
   return {[&options](const game::GameConfiguration& game, GameRow& row) {
             row.record = options.play(game);
@@ -59,8 +59,8 @@ Outcomes outcomes_of_records(const Scenario& scenario, const ExperimentOptions& 
           }};
 }
 
-// A game that throws is void at once: games are deterministic, so it would throw again. A failure
-// of the environment is not a result of the game.
+// A game that throws is void immediately: games are deterministic, so it would throw again. A
+// failure of the environment, however, is not a result of the game.
 GameRow played(const Outcomes& outcomes, const ScheduledGame& game) {
   GameRow row = row_of(game);
   try {
@@ -78,7 +78,8 @@ constexpr std::chrono::milliseconds kBetweenSyncs{100};
 // Maximum fraction of the time spent rereading the folder.
 constexpr double kLookingShare = 0.01;
 
-// While waiting for other shards: time between looks, which doubles, and time before a message.
+// While waiting for other shards: the time between checks, which doubles each time, and the time
+// before a message is printed.
 constexpr int kShortestPause_ms = 20;
 constexpr int kLongestPause_ms = 1000;
 constexpr double kSilentWait_s = 10;
@@ -103,8 +104,8 @@ class ExperimentRun {
     shard_.emplace(options_.folder / kGamesFolder / options_.shard.file_name(),
                    io::csv_line(format_.names()), options_.patience_s);
     for (const std::string& note : games_.open()) progress_.say(note);
-    // Written only now: the rows have been checked, and a row played with other settings would have
-    // thrown.
+    // Write this only now that the rows have been checked: a row played with other settings would
+    // have caused an exception.
     io::replace_file(options_.folder / kEffectiveFile, effective_text(scenario_));
     progress_.expect(games_.counts());
     ExperimentReport report;
@@ -165,7 +166,7 @@ class ExperimentRun {
 
   enum class Waited { kForRows, kGaveUp, kInterrupted };
 
-  // Waits until other shards have added rows, at most for wait_s.
+  // Waits until other shards have added rows, but at most wait_s.
   Waited wait_for_others() {
     if (options_.wait_s <= 0 || !games_.depends_on_others()) return Waited::kGaveUp;
     io::EndSignals signals;
@@ -250,14 +251,15 @@ class ExperimentRun {
     return line_of(std::move(row), wall.count(), job.attempt);
   }
 
-  // Of a game whose workers died or that took too long.
+  // The line of a game that took too long or lost its workers.
   std::string failed_line(const io::JobResult& result) const {
     GameRow row = row_of(games_.schedule().games[result.job]);
     row.record = void_record(result.failure);
     return line_of(std::move(row), result.wall_s, result.attempt);
   }
 
-  // `attempt`: the worker's; the game's programs may have been tried several times in it.
+  // `attempt` counts the workers; within one attempt, the game's programs may have been started
+  // several times.
   std::string line_of(GameRow row, double wall_s, int attempt) const {
     row.circumstances = {
         options_.build,       host_, cpu_, wall_s, attempt + row.record.attempts - 1,
@@ -278,7 +280,7 @@ class ExperimentRun {
     if (scenario_.experiment().follows_its_rows() || Clock::now() >= next_sync_) count_written();
   }
 
-  // Whether the game was played by the former or the new version is not known.
+  // It is unknown whether the game was played by the old or the new version.
   void refuse_changed_programs() {
     const std::vector<std::string> changed = programs_.changed_settings();
     if (changed.empty()) return;
@@ -338,7 +340,7 @@ class ExperimentRun {
   const std::string cpu_ = cpu_name();
   std::optional<Shard> shard_;  // locked during run()
   Clock::time_point next_look_;
-  Clock::time_point next_sync_;   // before then, rows are written, but not synced
+  Clock::time_point next_sync_;   // before then, rows are written but not synced
   std::vector<GameRow> written_;  // played, but not yet counted
   io::Progress progress_;         // last, so destroyed first: it displays the other members
 };

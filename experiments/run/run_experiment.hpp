@@ -5,7 +5,7 @@
 // results are derived from them: results.csv (sorted by game id, without columns that may differ
 // from run to run), summary.csv (per value, matchup or tie) and standings.csv (per team). Games of
 // an SPRT match after the deciding pair remain in games/*.csv only. effective.yaml is the scenario
-// with every setting spelt out.
+// with every setting written out.
 #pragma once
 
 #include <cstdio>
@@ -46,10 +46,10 @@ struct ExperimentOptions {
   std::function<void(const ScheduledGame& game)> starting = {};  // called before each game
   std::function<void(const GameRow& row)> ended = {};  // called once the game's row is on the disk
   double longest_game_s = 600;                         // wall-clock limit; longer games are void
-  int attempts = 3;       // a game is void if its worker dies this often
+  int attempts = 3;       // a game is void if its worker dies this many times
   double patience_s = 2;  // how long to wait while another run locks the shard
-  // How long to wait for rows of other shards that the next games depend on, since the last such
-  // row.
+  // How long to wait, after the latest such row, for rows of other shards on which the next games
+  // depend.
   double wait_s = 0;
 };
 
@@ -68,8 +68,9 @@ struct ExperimentReport {
 
 // Plays the games that have no row yet (with the same id, configuration and build), and those that
 // are void because their workers were killed. Throws InputError if the folder's rows do not belong
-// to this scenario, its seed or this build, InputOutputError if the folder cannot be written, and
-// std::logic_error if two rows of the same game and build differ in a reproducible column.
+// to this scenario, its seed or this build. Throws InputOutputError if the folder cannot be
+// written, and std::logic_error if two rows of the same game and build differ in a reproducible
+// column.
 ExperimentReport run_experiment(const Scenario& scenario, const ExperimentOptions& options);
 
 }  // namespace autoref::experiments

@@ -1,5 +1,5 @@
-// The games of a run of an experiment, those of them that have rows, and how the experiment differs
-// from the folder it continues in.
+// The games of an experiment's run, which of them have rows, and how the experiment differs from
+// the folder in which it continues.
 #pragma once
 
 #include <cstddef>
@@ -27,51 +27,50 @@ void refuse_other_seed(const Scenario& here, const Scenario& there,
                        const std::filesystem::path& folder);
 
 // "the folder had 6 pairs, now 12; its games count, and only the new ones are played"; empty if the
-// number has not changed. `beyond` is the number of rows whose games are not in the scenario, or
-// not known to be yet.
+// number has not changed. `beyond` is the number of rows of games that are not in the scenario, or
+// not yet known to be.
 std::string note_on_pairs(const Scenario& here, const Scenario& there, int beyond);
 
-// Knows which games there are and which of them have rows, from this run, earlier ones and other
-// shards. Plays and writes nothing; the run (run_experiment()) asks it what to play next.
+// Keeps track of the games and of their rows, from this run, earlier ones and other shards. It
+// neither plays nor writes anything; run_experiment() asks it what to play next.
 class RunGames {
  public:
-  // All must outlive it.
+  // All arguments must outlive this object.
   RunGames(const Scenario& scenario, const ExperimentOptions& options, const RowFormat& format);
 
   // Reads the rows of earlier runs and of other shards. Sets aside the games that are void because
   // their workers were killed: every run replays them. Returns lines that say which rows do not
-  // count, and why. Throws InputError if the rows do not belong to this scenario, its seed or this
+  // count and why. Throws InputError if the rows do not belong to this scenario, its seed or this
   // build.
   std::vector<std::string> open();
 
-  // Reads them again, since other shards may have played games in the meantime. Leaves the schedule
-  // as it is. Throws like open().
+  // Reads the rows again, since other shards may have played games in the meantime. Does not change
+  // the schedule. Throws like open().
   void reread();
 
-  // A game has been played, and its row is on the disk.
+  // Adds a game that has been played, once its row is on the disk.
   void add(GameRow row);
 
-  // Computes the schedule again, if it depends on the rows.
+  // Recomputes the schedule if it depends on the rows.
   void update_schedule();
-  // Computes is_decided() again.
+  // Recomputes is_decided().
   void update_decision();
 
   const Schedule& schedule() const { return schedule_; }
-  // Of scheduled games, including those that are not needed until drop_uncounted_rows().
+  // Rows of scheduled games. Until drop_uncounted_rows(), these include games that are not needed.
   const RowsById& rows() const { return rows_; }
-  // Of the games that are needed.
+  // Rows of the needed games.
   RowsById counted_rows() const { return needed_rows(schedule_, rows_); }
-  // Keeps only those.
+  // Keeps only counted_rows().
   void drop_uncounted_rows() { rows_ = needed_rows(schedule_, std::move(rows_)); }
   bool is_decided() const { return is_decided_; }
 
-  // Indices into schedule().games: this shard's needed games without a row, as far as they are
-  // known.
+  // Indices into schedule().games: the needed games of this shard that are known so far and have no
+  // row.
   std::vector<std::size_t> missing() const;
-  // Counts this shard's needed games, and all games that are not known yet.
+  // Counts this shard's needed games and all games not known yet.
   io::GameCounts counts() const;
-  // Whether games that are known, but belong to other shards, are missing before the next ones are
-  // known.
+  // Whether the next games cannot be known until other shards have played some of theirs.
   bool depends_on_others() const;
 
  private:
@@ -84,7 +83,7 @@ class RunGames {
   const ExperimentOptions& options_;
   const RowFormat& format_;
   const std::optional<Scenario> former_;  // the scenario of earlier runs in this folder
-  const std::string changes_;             // since then; empty if it is unknown
+  const std::string changes_;             // since then; empty if unknown
   Schedule schedule_;
   RowsById rows_;
   std::set<std::string> to_replay_;  // ids of killed games still to be replayed

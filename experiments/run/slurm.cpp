@@ -31,13 +31,14 @@ std::string words_of(const std::vector<std::string>& overrides) {
   return text;
 }
 
-// When a task requeues itself. A run that waited in vain ends with code 75 without a signal.
+// The conditions for a task to requeue itself. A run that waited too long ends with code 75 without
+// a signal.
 constexpr const char* kTime = "$ending == time";
 constexpr const char* kTimeOrWaitedInVain = "$ending == time || (-z $ending && $code == 75)";
 
 // A trapped signal interrupts `wait`, so a second `wait` lets the run finish its games. A process
-// that was killed, or whose rows are still locked by one killed on another node, is restarted after
-// 1, 4, 9 ... s; the total exceeds the 90 s for which NFS keeps a dead node's locks.
+// is restarted after 1, 4, 9 ... s if it was killed or if its rows are still locked by a process
+// killed on another node. The total exceeds the 90 s for which NFS keeps a dead node's locks.
 constexpr const char* kTask = R"(
 set -u
 run=

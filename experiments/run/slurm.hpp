@@ -14,7 +14,7 @@ struct SlurmArray {
   std::filesystem::path file;          // the experiment
   std::filesystem::path folder;        // of the results
   std::vector<std::string> overrides;  // additional options of autoref run, such as "--seed=7"
-  // Whether tasks depend on each other's games; one that has waited in vain requeues itself.
+  // Whether tasks depend on each other's games; a task that has waited too long requeues itself.
   bool waits_for_others = false;
   int tasks = 8;
   int workers = 1;                   // processors per task
@@ -27,7 +27,7 @@ struct SlurmArray {
 inline constexpr const char* kSlurmLogs = "slurm";
 
 // The job array's script. A task that is killed, pre-empted or about to reach its time limit
-// resumes where it stopped: its process is restarted or the task is requeued.
+// resumes where it stopped: either its process is restarted or the task is requeued.
 std::string array_script(const SlurmArray& array);
 
 // The script of the job that writes the results from all rows present.

@@ -23,12 +23,12 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kMostWholeGames = 6;  // per combination
-constexpr double kShareOfFirst = 0.5;     // fraction of the time spent on the first seconds of each
-constexpr double kShareOfSecond = 0.9;    // fraction of the remaining time spent on longer parts
-constexpr double kGrace_s = 2;            // for running games to end
-constexpr std::size_t kMostPrograms = 5;  // named with their costs
-constexpr int kMostRounds = 3;            // of longer and longer parts
-constexpr double kLeastLimit_s = 0.02;    // wall time that every part may take
+constexpr double kShareOfFirst = 0.5;       // fraction of the time for each game's first seconds
+constexpr double kShareOfSecond = 0.9;      // fraction of the remaining time for longer parts
+constexpr double kGrace_s = 2;              // for running games to finish
+constexpr std::size_t kMostPrograms = 5;    // named with their costs
+constexpr int kMostRounds = 3;              // of longer and longer parts
+constexpr double kLeastLimit_s = 0.02;      // wall time allowed for any part
 
 // The id without pair and leg: "b.handicap=0.8" for "b.handicap=0.8-p0007-2".
 std::string played_in(const ScheduledGame& game) {
@@ -73,7 +73,7 @@ struct Entry {
   }
   bool plays() const { return !samples.empty() && trial.void_reason.empty(); }
 
-  // Whether such a part says more than those that were played: it is longer, or one of the first
+  // Whether such a part adds information: it is longer than those played, or it is one of the first
   // whole games after the first part.
   bool is_to_play(double share) const {
     if (!plays()) return false;
@@ -86,7 +86,7 @@ struct Entry {
         [](const PartTime& one, const PartTime& other) { return one.share < other.share; });
   }
 
-  // Programs are started again, and play the first seconds again.
+  // The time to restart programs and to replay the first seconds.
   double repetition_s(double game_s) const {
     const game::GameSettings game = games.front()->settings.combined();
     if (game.a.program.command.empty() && game.b.program.command.empty()) return 0;
@@ -103,7 +103,7 @@ struct Entry {
                    TrialTeam{game.team_b, !game.settings.b().program.command.empty(), team_s(1)}};
   }
 
-  // A team's part of the estimate.
+  // A team's share of the estimate.
   double team_s(std::size_t team) const {
     const PartTime& part = longest();
     return trial.wall_s_a_game * std::min(1.0, part.team_s[team] / part.wall_s);
@@ -148,7 +148,7 @@ class TrialRun {
   }
 
  private:
-  // How long a part may take: what its equal share of the time is, or all the time that is left.
+  // How long a part may take: an equal share of the time, or all the time that is left.
   enum class Limit { kEqualShare, kTimeLeft };
 
   double elapsed_s() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
@@ -195,7 +195,7 @@ class TrialRun {
     }
   }
 
-  // `others`: parts that have not begun yet.
+  // `others` is the number of parts that have not begun yet.
   double limit_s(Limit limit, double until_s, std::size_t others) const {
     const double left_s = until_s - elapsed_s();
     if (limit == Limit::kTimeLeft) return left_s;
@@ -267,7 +267,7 @@ void merge_least(CostShares& shares) {
   shares.emplace_back(others, name);
 }
 
-// `all_s` is the sum over all workers, as the programs' times are; `duration_s` is what the user
+// `all_s` is the sum over all workers, like the programs' times; `duration_s` is how long the user
 // waits.
 std::string text_of_costs(const std::map<std::string, double>& programs_s, double all_s,
                           double duration_s) {
@@ -291,7 +291,7 @@ std::string text_of_costs(const std::map<std::string, double>& programs_s, doubl
 
 }  // namespace
 
-// Extrapolates linearly, through the first part and the mean of the longest ones.
+// Extrapolates linearly through the first part and the mean of the longest ones.
 double estimated_game_s(const std::vector<PartTime>& parts) {
   const PartTime& first = parts.front();
   double longest = 0;

@@ -1,4 +1,4 @@
-// Tries out an experiment before it is run: do its teams play, and how long will it take?
+// Tries out an experiment before it is run: whether its teams play, and how long it will take.
 #pragma once
 
 #include <array>
@@ -11,10 +11,10 @@
 
 namespace autoref::experiments {
 
-// What a team adds to the time of a game.
+// A team's share of a game's wall time.
 struct TrialTeam {
   std::string name;         // as in result rows
-  bool is_program = false;  // not compiled in
+  bool is_program = false;  // rather than compiled in
   double wall_s_a_game = 0;
 };
 
@@ -40,7 +40,7 @@ struct TrialOptions {
 // Simulated length of each half in the first trial, unless the game's halves are shorter.
 inline constexpr double kTrialHalf_s = 5;
 
-// Wall time of a part of a game.
+// Wall time of part of a game.
 struct PartTime {
   double share = 0;  // of the game's length
   double wall_s = 0;
@@ -51,20 +51,20 @@ struct PartTime {
 // Estimates the wall time of a whole game. The first part is the shortest.
 double estimated_game_s(const std::vector<PartTime>& parts);
 
-// Returns one trial per combination of values or matchup, in the schedule's order. Each first
-// plays a few seconds, which shows whether its teams play at all; if that takes long, each stops
-// after an equal share of the time. Then follow one or more whole games if there is time, otherwise
-// the longest part of a game that fits. The start of a game costs less than its middle, and under
-// the 2026 rules the clock stops when play does, so only longer parts show how long a game takes.
-// If a team is a program, the estimate includes that a run starts it again to see whether it
-// repeats its commands. Throws Interrupted if the user interrupts.
+// Returns one trial per combination of values or matchup, in the schedule's order. Each trial first
+// plays a few seconds, to see whether its teams play at all; if that takes long, each stops after
+// an equal share of the time. Then it plays one or more whole games if there is time, otherwise the
+// longest part of a game that fits. The start of a game costs less than its middle, and under the
+// 2026 rules the clock stops when play does, so only longer parts show how long a game takes. If a
+// team is a program, the estimate includes that a run starts it again to see whether it repeats its
+// commands. Throws Interrupted if the user interrupts.
 std::vector<Trial> play_trials(const std::vector<ScheduledGame>& games,
                                const TrialOptions& options);
 
 // Estimated wall time of all games with this number of workers, in s.
 double duration_s(const std::vector<Trial>& trials, int workers);
 
-// How much of duration_s() the teams that are programs take, the largest first: "of that, the
+// The part of duration_s() taken by teams that are programs, the largest first: "of that, the
 // teams' programs take: mine 35 s (83 %); all else takes about 7 s". Empty without programs.
 std::string cost_of_programs(const std::vector<Trial>& trials, int workers);
 

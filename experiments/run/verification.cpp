@@ -24,7 +24,7 @@ std::vector<std::size_t> good_games(const ResultFolder& folder) {
   return good;
 }
 
-// Systematic sampling: a fixed step through the list, so the same games every time.
+// Systematic sampling: a fixed step through the list, which selects the same games every time.
 std::vector<std::size_t> spread_evenly(const std::vector<std::size_t>& all, int count) {
   const std::size_t wanted = std::min(all.size(), static_cast<std::size_t>(count));
   std::vector<std::size_t> chosen;

@@ -39,15 +39,14 @@ struct Matchup {
 // "bold~zone".
 std::string matchup_name(const Matchup& matchup);
 
-// Throws std::invalid_argument unless the name consists of letters, digits, - and _, without "-p",
-// which marks the pair in game ids.
+// Throws std::invalid_argument unless the name consists of letters, digits, - and _ and does not
+// contain "-p", which marks the pair in game ids.
 void check_team_name(std::string_view name);
 
 // The games of matchups in playing order, with `order` as the order of the matchups within a pair
-// number. The two legs of a pair are adjacent, and each pair number is played in all matchups
-// before the next. With an order of schedule.hpp the teams take turns: at any time, they have
-// played equally many games, except for one pair and the running games. Ids look like
-// "bold~zone-p0007-2".
+// number. The two legs of a pair are adjacent, and all matchups play a pair number before the next
+// one. With an order from schedule.hpp the teams take turns: at any time, they have played the same
+// number of games, up to one pair and the running games. Ids look like "bold~zone-p0007-2".
 //
 // A game depends only on its two teams, its pair and its leg, so adding teams or pairs changes no
 // other game. Sides, first kick-off and seed are those of leg_of(); equal pair numbers have equal
@@ -56,7 +55,7 @@ void check_team_name(std::string_view name);
 std::vector<ScheduledGame> games_of(const NamedTeams& named, const std::vector<Matchup>& matchups,
                                     const std::vector<std::size_t>& order, int pairs);
 
-// Schedules games between named teams, which share their settings. Does not check these.
+// Schedules games between named teams, which share their settings. Does not check the settings.
 class MatchupScheduler {
  public:
   explicit MatchupScheduler(const NamedTeams& named);

@@ -35,13 +35,13 @@ class MatchupOrder {
   std::vector<std::size_t> indices_;
 };
 
-// The first team stays in its place.
+// The first team stays in place.
 std::vector<std::size_t> circle_order(std::size_t teams) {
   const std::size_t moving = teams - 1;
   MatchupOrder order(teams);
   for (std::size_t round = 0; round < moving; ++round) {
     for (std::size_t i = 0; i < teams / 2; ++i) {
-      // The first team does not always begin, so that it is not always in the same shard.
+      // The first team's matchup does not always come first, so it is not always in the same shard.
       const std::size_t k = (round + i) % (teams / 2);
       const std::size_t other = k == 0 ? 0 : 1 + (round + moving - k) % moving;
       order.add(1 + (round + k) % moving, other);
@@ -50,7 +50,7 @@ std::vector<std::size_t> circle_order(std::size_t teams) {
   return std::move(order).indices();
 }
 
-// A zigzag through the teams on a circle, and the first team at its ends.
+// A zigzag through the teams on a circle, with the first team at both ends.
 std::vector<std::size_t> walecki_cycle(std::size_t teams, std::size_t turn) {
   const std::size_t on_circle = teams - 1;
   std::vector<std::size_t> cycle = {0, 1 + turn};
@@ -162,8 +162,8 @@ std::vector<std::size_t> round_robin_order(std::size_t teams) {
   return teams % 2 == 0 ? circle_order(teams) : cycles_order(teams);
 }
 
-// Combines the order so far with one list after the other. Both run through their values over and
-// over, which repeats after their least common multiple; from there on, the list is shifted by one.
+// Combines the order so far with one list after the other. Both cycle through their values; the
+// combinations repeat after the least common multiple, so from there on the list is shifted by one.
 std::vector<std::size_t> combinations_order(const std::vector<std::size_t>& sizes) {
   std::vector<std::size_t> order = {0};
   for (const std::size_t size : sizes) {

@@ -1,5 +1,5 @@
-// The games of an experiment, their settings and their order, and helpers that the schedules of all
-// kinds share.
+// The games of an experiment, their settings and their order, and helpers for the schedules of all
+// kinds.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace autoref::experiments {
 
-// What differs between the games of two teams: their sides, the first kick-off and the seed.
+// The differences between the games of two teams: their sides, the first kick-off and the seed.
 struct LegSettings {
   Side a_plays = Side::kWest;
   Side first_kickoff = Side::kWest;
@@ -21,16 +21,16 @@ struct LegSettings {
 };
 
 // The settings of one of many games, most of which it shares with the others. An experiment has up
-// to 100,000 games, but few different settings: those of a game take 4.5 kB and more, these about
-// 0.1 kB. Copies share their parts.
+// to 100,000 games but few different settings: a game's full settings take 4.5 kB or more, and this
+// object about 0.1 kB. Copies share their parts.
 class SharedSettings {
  public:
-  // The settings as they are. Which of them were given explicitly is forgotten, since presets have
-  // been applied.
+  // Takes the settings as they are. It does not keep which of them were given explicitly, since
+  // presets have already been applied.
   explicit SharedSettings(game::GameSettings game);
 
-  // The same game with other teams, another leg, or the start of a scene as it is with team a in
-  // the west: it is turned if that team plays in the east.
+  // The same game with other teams, another leg, or another start of a scene. The start is given
+  // with team a in the west and is rotated if team a plays in the east.
   SharedSettings between(std::shared_ptr<const game::TeamSettings> a,
                          std::shared_ptr<const game::TeamSettings> b) const;
   SharedSettings with(const LegSettings& leg) const;
@@ -62,9 +62,9 @@ struct ScheduledGame {
   std::string team_a = {};  // the team's name in result rows; its strategy or program in a sweep
   std::string team_b = {};
   std::size_t unit = 0;  // games of one unit, such as a pair's legs, go to the same shard
-  // Number of its values or matchup, in the order of summary.csv, and how many of them take turns:
-  // so many units after it, they play again, and shards share their games evenly. 0 if they do not
-  // take turns: in a knockout, a tuning and judged games.
+  // Index of its values or matchup, in the order of summary.csv, and how many of them take turns:
+  // each plays again after that many units, and shards share its games evenly. 0 if they do not
+  // take turns, as in a knockout, a tuning and judged games.
   std::size_t variant = 0;
   std::size_t variants = 0;
 };
@@ -75,16 +75,17 @@ game::GameConfiguration resolved(const ScheduledGame& game);
 // The id of a game: "b.handicap=0.8-p0007-2" if `played` is "b.handicap=0.8", for pair 7 and leg 2.
 std::string game_id(std::string_view played, int pair, int leg);
 
-// Throws SettingError for a team that is commanded over the network: only `autoref live` plays
-// those. `path` is the team's in the scenario.
+// Throws SettingError for a team that is commanded over the network, since only `autoref live`
+// plays such teams. `path` is the team's in the scenario.
 void refuse_network(const game::TeamSettings& team, std::string_view path);
 
-// Throws SettingError if a game controller commands the games: only `autoref play` has one.
+// Throws SettingError if a game controller commands the games, since only `autoref play` supports
+// that.
 void refuse_game_controller(const game::GameSettings& game);
 
-// What depends on the leg. In both legs of a pair, the same side kicks off first: west in odd
-// pairs, east in even pairs. So each team kicks off first in one leg of every pair, and once from
-// each side over two pairs.
+// The settings that depend on the leg. In both legs of a pair, the same side kicks off first: west
+// in odd pairs, east in even pairs. So each team kicks off first in one leg of every pair, and once
+// from each side over two pairs.
 LegSettings leg_of(std::uint64_t master_seed, int pair, int leg);
 
 // Throws SettingError if there are too many games for one experiment; `key` is the setting to
@@ -96,23 +97,23 @@ void refuse_too_many(double games, std::string_view key = "pairs");
 // their random numbers, so they can be compared in pairs.
 std::uint64_t seed_of(std::uint64_t master_seed, int pair, int leg);
 
-// In which order the matchups or combinations of values of an experiment are played, so that every
-// team and every value has been played about as often at any time.
+// The order in which an experiment plays its matchups or combinations of values. At any time, every
+// team and every value has been played about equally often.
 
-// The matchups of a round robin as indices into matchups_of(RoundRobin). In every beginning of the
-// order, the teams' numbers of matchups differ by at most one.
+// The matchups of a round robin as indices into matchups_of(RoundRobin). After any number of
+// matchups, the teams' counts differ by at most one.
 //
-// An even number of teams plays in the rounds of the circle method: one team stays in its place,
-// the others move around a circle, and in each round every team plays once. With an odd number, a
-// team would sit out each round and fall behind; there, the matchups are Walecki's Hamiltonian
+// An even number of teams plays in the rounds of the circle method: one team stays in place, the
+// others move around a circle, and every team plays once per round. With an odd number, one team
+// would sit out each round and fall behind. In that case, the matchups are Walecki's Hamiltonian
 // cycles through all teams (B. Alspach, "The wonderful Walecki construction", Bulletin of the ICA
 // 52, 2008), in each of which every team plays twice: first every other matchup along the cycle,
 // then the rest.
 std::vector<std::size_t> round_robin_order(std::size_t teams);
 
 // The combinations of several lists' values as indices into all combinations in which the last list
-// changes fastest. `sizes` are the lists' lengths, at least 1. In every beginning of the order, the
-// numbers of combinations with each value of a list differ by at most one.
+// changes fastest. `sizes` are the lists' lengths, at least 1. After any number of combinations,
+// the counts of a list's values differ by at most one.
 std::vector<std::size_t> combinations_order(const std::vector<std::size_t>& sizes);
 
 }  // namespace autoref::experiments

@@ -1,4 +1,4 @@
-// The settings of a sequential test, for the kinds of experiments that have one.
+// The settings of a sequential test, for the kinds of experiments that use one.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace autoref::experiments {
 
-// What the two error rates mean to an experiment.
+// The meaning of the two error rates in an experiment.
 struct ErrorRates {
   std::string_view alpha;
   std::string_view beta;

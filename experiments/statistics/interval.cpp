@@ -78,8 +78,8 @@ std::optional<Interval> f1_interval(int right, int wrong, int missed) {
 
 std::optional<Interval> median_interval(std::vector<double> sample) {
   if (sample.empty()) return std::nullopt;
-  // Each value is below the true median with probability 1/2. The interval misses it on the left if
-  // fewer than k values are.
+  // Each value is below the true median with probability 1/2. The interval misses the median on the
+  // left if fewer than k values are below it.
   const boost::math::binomial below(static_cast<double>(sample.size()), 0.5);
   std::size_t k = 0;
   while (cdf(below, static_cast<double>(k)) <= kMissedShare / 2) ++k;

@@ -7,8 +7,8 @@
 
 namespace autoref::experiments {
 
-// A 95 % confidence interval. Method and assumptions are documented where it is computed. An end
-// that the sample does not bound is infinite.
+// A 95 % confidence interval. Method and assumptions are documented where it is computed. A bound
+// that the sample does not determine is infinite.
 struct Interval {
   double low = 0;
   double high = 0;
@@ -39,26 +39,26 @@ std::optional<Interval> wilson_interval(double successes, double n);
 std::optional<Interval> clopper_pearson_interval(int successes, int n);
 
 // The interval to report: Wilson's, or Clopper and Pearson's if no trial or every trial succeeded.
-// In those cases Wilson's is shorter and has its lowest coverage just for the proportions of most
-// interest ("never", "always").
+// In those cases Wilson's is shorter, but its coverage is lowest for exactly the proportions of
+// most interest ("never", "always").
 std::optional<Interval> proportion_interval(int successes, int n);
 
-// F1 = 2 right / (2 right + wrong + missed) is treated as a proportion: of `right` successes in
-// right + (wrong + missed) / 2 trials, the mean of the numbers of calls and of events. Returns
-// Wilson's interval of it, and nullopt if there are no trials.
+// F1 = 2 right / (2 right + wrong + missed) is treated as a proportion: `right` successes in right
+// + (wrong + missed) / 2 trials, which is the mean of the numbers of calls and events. Returns its
+// Wilson interval, or nullopt if there are no trials.
 //
-// If every mistake makes a missed event and a wrong call at once, such as a throw-in given to the
-// wrong team, the trials are the events, and the coverage is Wilson's. If missed events and wrong
-// calls are independent mistakes, the variance of F1 is smaller, by half if mistakes are rare, so
-// the interval is wider than necessary: its coverage exceeds 95 %. Dependence between the events of
-// one game is not considered.
+// If every mistake is both a missed event and a wrong call, such as a throw-in given to the wrong
+// team, the trials are the events, and the coverage is Wilson's. If missed events and wrong calls
+// are independent mistakes, the variance of F1 is smaller, by half if mistakes are rare, so the
+// interval is wider than necessary: its coverage exceeds 95 %. Dependence between the events of one
+// game is not considered.
 std::optional<Interval> f1_interval(int right, int wrong, int missed);
 
 // Interval between two order statistics, which inverts the sign test: the k-th smallest and k-th
 // largest value, with the largest k that misses the true median in at most 5 % of samples (W. J.
 // Conover, Practical Nonparametric Statistics, on confidence intervals of quantiles). Assumes only
-// independent values; conservative. Returns nullopt for fewer than six values, which are too few
-// for any k.
+// that the values are independent; conservative. Returns nullopt for fewer than six values, since
+// no k exists for them.
 std::optional<Interval> median_interval(std::vector<double> sample);
 
 }  // namespace autoref::experiments

@@ -17,8 +17,8 @@ namespace autoref::experiments {
 // Holm's step-down correction for multiple comparisons (Holm, A simple sequentially rejective
 // multiple test procedure, Scand. J. Stat. 6, 1979): the more tests are made, the more of them look
 // significant by chance. Returns the adjusted p values in the order of `p`. Rejecting hypotheses
-// with an adjusted p value of at most 0.05 makes any false rejection in at most 5 % of experiments,
-// however the tests depend on each other.
+// with an adjusted p value of at most 0.05 leads to a false rejection in at most 5 % of
+// experiments, regardless of how the tests depend on each other.
 std::vector<double> holm(std::span<const double> p);
 
 // Mean goal difference over the two legs of each pair, by pair number.

@@ -13,12 +13,12 @@ constexpr int kMostNewtonSteps = 200;
 constexpr int kMostHalvings = 30;
 constexpr double kSmallStep = 1e-10;
 constexpr double kLongestStep = 2;
-constexpr double kRelativeRounding = 1e-13;  // relative error of a value that may look like a fall
+constexpr double kRelativeRounding = 1e-13;  // relative error that could be mistaken for a fall
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// What the model predicts for one game of a matchup.
+// The model's prediction for one game of a matchup.
 struct PredictedGame {
   double win = 0;       // probability that a wins
   double variance = 0;  // win (1 - win)
@@ -26,7 +26,7 @@ struct PredictedGame {
   double log_loss = 0;
 };
 
-// Exact also for strengths so different that one of the probabilities rounds to 1.
+// Remains accurate even if the strengths differ so much that one of the probabilities rounds to 1.
 PredictedGame predicted_game(double strength_a, double strength_b) {
   const double gap = std::abs(strength_a - strength_b);
   const double odds = std::exp(-gap);  // of the weaker team
@@ -49,8 +49,8 @@ double log_determinant(const Eigen::LLT<MatrixXd>& factor) {
   return 2 * factor.matrixLLT().diagonal().array().log().sum();
 }
 
-// x' I^-1 x n p (1 - p), the share of a matchup in the determination of the strengths, from the
-// inverse of I. Their sum is the number of teams minus that of groups.
+// x' I^-1 x n p (1 - p), a matchup's share in determining the strengths, from the inverse of I. The
+// leverages sum to the number of teams minus that of groups.
 double leverage_of(const MatchupTotals& matchup, double weight, const MatrixXd& inverse) {
   return weight * (inverse(matchup.a, matchup.a) + inverse(matchup.b, matchup.b) -
                    2 * inverse(matchup.a, matchup.b));
@@ -65,8 +65,8 @@ MatrixXd information_of(const std::vector<MatchupTotals>& matchups,
   return means;
 }
 
-// Adds the derivatives of the penalised likelihood: as if each matchup had as many games more as
-// its leverage, all drawn.
+// Adds the derivatives of the penalised likelihood: as if each matchup had additional drawn games,
+// as many as its leverage.
 void add_derivatives(LikelihoodPoint& point, const std::vector<MatchupTotals>& matchups,
                      const std::vector<PredictedGame>& games, MatrixXd information,
                      const MatrixXd& inverse) {

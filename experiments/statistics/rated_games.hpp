@@ -37,10 +37,10 @@ struct MatchupTotals {
 // the order of their first teams. A team without games is a group by itself.
 std::vector<std::size_t> linked_groups(std::size_t teams, std::span<const MatchupTotals> totals);
 
-// The matrix that replaces each team's value by the mean of its group. Added to the normal
-// equations of ratings, which are singular because a constant added to a whole group changes
-// nothing, it makes them positive definite and their solution the one that sums to zero in each
-// group. It leaves their determinant on the space of such ratings unchanged.
+// The matrix that replaces each team's value by the mean of its group. The normal equations of
+// ratings are singular, because adding a constant to a whole group changes nothing. Adding this
+// matrix makes them positive definite, and their solution sums to zero in each group. It leaves
+// their determinant on the space of such ratings unchanged.
 Eigen::MatrixXd group_means(const std::vector<std::size_t>& groups);
 
 // Adds a matchup with the given weight to the normal equations: weight x x', where x is 1 for team

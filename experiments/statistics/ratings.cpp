@@ -32,13 +32,13 @@ struct StrengthProfile {
 // Quantities of Venzon and Moolgavkar's quadratic model at a point.
 struct ProfileStep {
   VectorXd change;
-  double short_of_maximum = 0;  // how far the other teams are from as likely as possible
+  double short_of_maximum = 0;  // the other teams' distance from the maximum
 };
 
 // The likelihood is modelled as value + score' d - d' curvature d / 2. The model is largest for the
 // other teams along d = newton + slope * across, with any slope; choose the slope for which it has
-// the profile's value, on the side of the wanted end. If it has that value nowhere, go to its
-// maximum.
+// the profile's value, on the side of the wanted end. If it does not reach that value anywhere, go
+// to its maximum.
 ProfileStep step_from(const LikelihoodPoint& point, const StrengthProfile& profile,
                       ProfileEnd end) {
   const VectorXd newton = point.curvature.solve(point.score);
@@ -83,7 +83,7 @@ std::vector<GamesAndWins> games_and_wins(const PenalisedLikelihood& likelihood) 
 }
 
 constexpr std::uint64_t kStreamKey = 1979;
-constexpr double kDrawnWin = 0.5;  // the win of a drawn game
+constexpr double kDrawnWin = 0.5;  // the value of a draw as a win
 
 // Sums of each pair of a matchup, with numbered teams.
 using PairTotals = std::vector<MatchupTotals>;
@@ -170,7 +170,7 @@ std::vector<Rating> without_intervals(const NumberedGames& games, const Eigen::V
 Eigen::MatrixXd resampled(std::size_t teams, const std::vector<PairTotals>& matchups) {
   Eigen::MatrixXd outcomes(teams, kResamples);
   RandomStream random(kStreamKey);
-  // Drawing with replacement: any pair may stand in for the i-th.
+  // Drawing with replacement: any pair can stand in for the i-th.
   const auto any = [&random](std::size_t, std::size_t n) {
     return static_cast<std::size_t>(random.uniform() * static_cast<double>(n));
   };

@@ -13,12 +13,12 @@
 namespace autoref::experiments {
 
 // Scales the intervals of Bradley-Terry strengths. Draws are half wins, which vary less than wins
-// and losses: 1 - (draws / 4) / (sum of n p (1 - p)) is the variance of all games' results as a
-// share of that without draws. `maximum` is likelihood.maximum(). At most 1, and at least
+// and losses: 1 - (draws / 4) / (sum of n p (1 - p)) is the variance of all games' results relative
+// to that without draws. `maximum` is likelihood.maximum(). At most 1, and at least
 // kLeastDispersion, so that intervals do not vanish if almost all games are drawn.
 double dispersion(const PenalisedLikelihood& likelihood, const LikelihoodPoint& maximum);
 
-// Its value if half of the games of equal teams are drawn.
+// The value of dispersion() if equal teams draw half of their games.
 inline constexpr double kLeastDispersion = 0.5;
 
 // For each team, the 95 % confidence interval of its strength against the mean of its group, from
@@ -29,9 +29,9 @@ inline constexpr double kLeastDispersion = 0.5;
 // freedom. Its ends are found by Venzon and Moolgavkar's method (A method for computing
 // profile-likelihood-based confidence intervals, Appl. Stat. 37, 1988).
 //
-// The interval of a team that won all its games has no upper end: it is infinity, since no game
-// says how much stronger the team may be. That of a team that lost all of them begins at -infinity.
-// A team without games has no interval, nor has one whose ends are not found within 100 steps.
+// For a team that won all its games, the upper bound is infinity, since no game shows how much
+// stronger the team may be. For a team that lost all its games, the lower bound is -infinity. A
+// team has no interval if it has no games or if the bounds are not found within 100 steps.
 //
 // `maximum` is likelihood.maximum().
 std::vector<std::optional<Interval>> profile_intervals(const PenalisedLikelihood& likelihood,
@@ -46,7 +46,7 @@ struct Rating {
 // Number of bootstrap resamples for the intervals of ratings in goals.
 inline constexpr int kResamples = 1000;
 
-// If a matchup has fewer pairs, ratings in goals have no intervals.
+// If a matchup has fewer pairs than this, ratings in goals have no intervals.
 inline constexpr std::size_t kFewestResampled = 5;
 
 // A rating in goals for each team, by name: goal_rating(). The intervals are bootstrap percentiles
@@ -59,7 +59,7 @@ inline constexpr std::size_t kFewestResampled = 5;
 std::vector<Rating> goal_ratings_of(std::vector<RatedMatchup> matchups);
 
 // A Bradley-Terry strength for each team, by name: bradley_terry(), with profile_intervals(). All
-// games are taken as independent, the two legs of a pair included.
+// games are assumed to be independent, including the two legs of a pair.
 std::vector<Rating> bradley_terry_ratings_of(std::vector<RatedMatchup> matchups);
 
 // Quantile of a sample for `share` (0 to 1), with linear interpolation between two values (type 7

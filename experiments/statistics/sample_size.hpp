@@ -18,7 +18,7 @@ struct DifferenceSought {
 // Power of the test with this many pairs (at least two), from the noncentral t distribution.
 double power_of(const DifferenceSought& sought, int pairs);
 
-// Upper limit of the search: nobody plays more games.
+// Upper limit of the search; more games are impractical.
 inline constexpr int kMostScheduledGames = 1'000'000;
 
 // Minimum number of games, in pairs of two legs, for at least this `power` (between 0 and 1);

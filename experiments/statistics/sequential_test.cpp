@@ -9,9 +9,9 @@
 namespace autoref::experiments {
 namespace {
 
-// Variance of the effect size under the alternative: effects of about 0.3 standard deviations, as
-// of half a goal where pairs of legs vary by 1.7 goals. Any value is valid; a wrong one widens the
-// interval a little.
+// Variance of the effect size under the alternative: effects of about 0.3 standard deviations, such
+// as half a goal if the standard deviation over pairs of legs is 1.7 goals. The interval is valid
+// for any value; a poor choice widens it a little.
 constexpr double kEffectVariance = 0.1;
 
 void check_test(const SequentialTest& test) {

@@ -1,5 +1,5 @@
-// Sequential tests, which stop as soon as the games so far decide them, and an interval that may be
-// looked at after every value.
+// Sequential tests, which stop as soon as the games so far decide them, and an interval that stays
+// valid when you look at it after every value.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 namespace autoref::experiments {
 
 // A 95 % confidence sequence of the mean: in 95 % of experiments, the intervals after the second
-// value, the third and so on contain the true mean all at once. So the interval remains valid if
-// the values themselves decide when to stop, as in a sequential test; Student's does not.
+// value, the third and so on all contain the true mean. The interval therefore remains valid if the
+// values themselves decide when to stop, as in a sequential test; Student's interval does not.
 //
 // It contains the means that a mixture of t tests does not reject. With t the statistic of n values
 // for a mean, nu = n - 1, and the effect size (mean over standard deviation) distributed as
@@ -42,8 +42,8 @@ struct SequentialTest {
 double bound_of_d0(const SequentialTest& test);
 double bound_of_d1(const SequentialTest& test);
 
-// The variance of a pair's difference, in squared goals, below which the test does not go: the
-// larger of |d0| and |d1|.
+// The least variance of a pair's difference that the test assumes, in squared goals: the larger of
+// |d0| and |d1|.
 double least_variance_of(const SequentialTest& test);
 
 enum class Verdict { kGoOn, kAcceptD0, kAcceptD1, kUndecided };
@@ -66,16 +66,16 @@ struct SequentialState {
 // n / 2 log(sum of (x - d0)^2 / sum of (x - d1)^2). d1 is accepted when it reaches
 // log((1 - beta) / alpha), d0 when it falls to log(beta / (1 - alpha)).
 //
-// The least variance stands for what is known of goals before any has been scored. If goals are
-// rare and independent (Poisson), the difference of a game varies by as much as both teams score
-// together, at least |d|, and the mean of two games by half of that. Without a least variance, the
-// first goalless pairs show no spread at all and decide for d0 with any certainty, and a stretch
-// with few goals shows both a low mean and a low spread: of tests with d0 = 0 and a true lead of
-// d1 = 0.05, 29 to 41 % err instead of 5 % when one team scores most goals. With half of |d| it is
-// up to 8 %, with |d| at most 5.8 %; that costs 9 % to 40 % more pairs there, and nothing where the
-// differences vary by more. `coverage` (tools/coverage/) measures the error rates, which Wald's
-// bounds give only approximately, for standard deviations from 0.2 to 4 goals and leads from 0.05
-// to 1.
+// The least variance expresses prior knowledge about goals. If goals are rare and independent
+// (Poisson), the difference of a game varies by as much as both teams score together, at least |d|,
+// and the mean of two games by half of that. Without a least variance, the first goalless pairs
+// would show no spread at all and accept d0 with any certainty, and a stretch with few goals would
+// show both a low mean and a low spread. Then, of the tests with d0 = 0 and a true lead of d1 =
+// 0.05, 29 to 41 % would err instead of 5 % when one team scores most goals. With half of |d| as
+// the least variance, up to 8 % err, and with |d| at most 5.8 %. This costs 9 % to 40 % more pairs
+// in those cases and nothing where the differences vary more. `coverage` (tools/coverage/) measures
+// the error rates, which Wald's bounds give only approximately, for standard deviations from 0.2 to
+// 4 goals and leads from 0.05 to 1.
 //
 // The simpler ratio with one sample variance, n (d1 - d0) (mean - (d0 + d1) / 2) / s^2, errs more
 // often: other things being equal, in 6.7 % of tests instead of 5.1 % for a standard deviation of 4
@@ -100,15 +100,15 @@ enum class ThreeWayVerdict : std::uint8_t {
 
 struct ThreeWayState {
   ThreeWayVerdict verdict = ThreeWayVerdict::kGoOn;
-  int pairs = 0;  // that decided it; later ones do not count
+  int pairs = 0;  // needed for the verdict; later ones do not count
 };
 
-// Two sequential tests of the same pairs side by side: one of a mean of 0 against `delta`, the
-// other of 0 against -`delta`; Sobel and Wald, A sequential decision procedure for choosing one of
-// three hypotheses concerning the unknown mean of a normal distribution, Ann. Math. Stat. 20
-// (1949). The first of them that rejects 0 decides; "not shown" needs both to accept it. If the
-// mean is 0, "better" and "worse" each have a probability of at most alpha; if it is delta,
-// "better" has at least 1 - beta (approximately, as for a single test).
+// Runs two sequential tests on the same pairs: one of a mean of 0 against `delta`, the other of 0
+// against -`delta` (Sobel and Wald, A sequential decision procedure for choosing one of three
+// hypotheses concerning the unknown mean of a normal distribution, Ann. Math. Stat. 20, 1949). The
+// first one to reject 0 decides; "not shown" needs both to accept it. If the mean is 0, "better"
+// and "worse" each have a probability of at most alpha; if it is delta, "better" has at least 1 -
+// beta (approximately, as for a single test).
 //
 // `test.d0` must be 0; `test.d1` is delta, above 0.
 ThreeWayState compared(const SequentialTest& test, std::span<const double> pair_differences);

@@ -2,9 +2,9 @@
 // CMA evolution strategy: a tutorial, arXiv:1604.00772 (2016), with the tutorial's default
 // parameters (its table 1, without negative weights).
 //
-// Each iteration scores lambda points drawn from a normal distribution, and moves and shapes that
-// distribution towards the better half of them. It learns which parameters act together, at the
-// price of more points per iteration than SPSA needs.
+// Each iteration scores lambda points drawn from a normal distribution, and moves and reshapes that
+// distribution towards the better half of them. It learns which parameters act together, but needs
+// more points per iteration than SPSA.
 #pragma once
 
 #include <vector>
@@ -45,13 +45,13 @@ class CmaEs : public Optimiser {
   Point centre() const override;
 
   // The mean of the centres after the last half of the iterations so far, not the candidate with
-  // the best score, which was above all lucky.
+  // the best score, which was mainly lucky.
   Point best() const override { return tail_.value(); }
 
   double reach() const override { return sigma_; }
 
  private:
-  // The samples of this iteration, a column each: (x - mean) / sigma, as the tutorial's y.
+  // The samples of this iteration, one per column: (x - mean) / sigma, as the tutorial's y.
   Eigen::MatrixXd samples() const;
   std::vector<int> ranked(std::span<const Score> scores, const Eigen::MatrixXd& y) const;
   void adapt(const Eigen::MatrixXd& y, const std::vector<int>& order);

@@ -1,9 +1,8 @@
-// Optimisers of a noisy score over a box, such as the goal difference of a team with these
+// Optimisers of a noisy score over a box, such as a team's goal difference as a function of its
 // parameters.
 //
 // They know nothing of games: ask() gives the points to score, tell() takes the scores. An
-// optimiser has no other input than its seed and the scores, so a path is repeated by repeating the
-// scores.
+// optimiser's only inputs are its seed and the scores, so the same scores give the same path.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,12 +15,12 @@
 
 namespace autoref::experiments {
 
-// One parameter, in units of its step: the distance over which its effect is looked for first.
+// One parameter, in units of its step: the distance over which its effect is tested first.
 struct Axis {
   double low = 0;
   double high = 1;
   double start = 0;               // low to high
-  double least_perturbation = 0;  // SPSA looks at least this far: half a whole number
+  double least_perturbation = 0;  // least distance in SPSA: half a whole number
 };
 
 using Point = Eigen::VectorXd;  // a coordinate per axis
@@ -43,14 +42,14 @@ class Optimiser {
   virtual std::vector<Candidate> ask() const = 0;
 
   // Ends the iteration with the candidates' scores, in their order. Higher is better. Optimisers
-  // use differences of scores only.
+  // use only differences between scores.
   virtual void tell(std::span<const Score> scores) = 0;
 
-  // Where the search is now, and the best point as known so far. Both are within the box.
+  // The current position of the search, and the best point known so far. Both are within the box.
   virtual Point centre() const = 0;
   virtual Point best() const = 0;
 
-  // How far from the centre the candidates are now, in steps.
+  // The candidates' current distance from the centre, in steps.
   virtual double reach() const = 0;
 };
 
@@ -69,19 +68,20 @@ std::unique_ptr<Optimiser> make_optimiser(const Search& search, const std::vecto
 // The starts of the axes.
 Point start_of(const std::vector<Axis>& axes);
 
-// The point of the box that is nearest.
+// The nearest point in the box.
 Point clipped(const Point& point, const std::vector<Axis>& axes);
 
-// The mean of the last half of a path. Single points of a path wander with the noise of the scores;
-// their mean does not (Polyak and Juditsky, Acceleration of stochastic approximation by averaging,
-// SIAM J. Control Optim. 30, 1992). The first half is left out, since it depends on the start.
+// The mean of the last half of a path. Individual points of a path wander with the noise of the
+// scores; their mean does not (Polyak and Juditsky, Acceleration of stochastic approximation by
+// averaging, SIAM J. Control Optim. 30, 1992). The first half is left out, since it depends on the
+// start.
 class TailMean {
  public:
   explicit TailMean(Point start) : sums_({Point::Zero(start.size())}), start_(std::move(start)) {}
 
   void add(const Point& point) { sums_.push_back(sums_.back() + point); }
 
-  // Of the points added so far; the start if there are none.
+  // The mean for the points added so far; the start if there are none.
   Point value() const {
     const std::size_t count = sums_.size() - 1;
     if (count == 0) return start_;

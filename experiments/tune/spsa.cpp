@@ -19,7 +19,7 @@ constexpr double kLongestMove = 2;               // in perturbations
 double SpsaGains::perturbation(int k) const { return std::pow(k + 1.0, -kPerturbationExponent); }
 
 double SpsaGains::gain_in(int k) const {
-  // A difference of 1 between points two perturbations apart is a gradient of 1/2 at first.
+  // At first, a difference of 1 between points two perturbations apart is a gradient of 1/2.
   const double stability = kStability * iterations;
   return 2 * gain * std::pow((1 + stability) / (k + 1 + stability), kGainExponent);
 }

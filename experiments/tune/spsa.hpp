@@ -2,8 +2,8 @@
 // perturbation algorithm for stochastic optimization, IEEE Trans. Aerosp. Electron. Syst. 34
 // (1998).
 //
-// Each iteration scores two points only, however many parameters there are: the centre plus and
-// minus a random perturbation of all parameters at once.
+// Each iteration scores only two points, regardless of the number of parameters: the centre plus
+// and minus a random perturbation of all parameters.
 #pragma once
 
 #include <vector>
@@ -13,13 +13,13 @@
 namespace autoref::experiments {
 
 // Gain sequences of Spall's section III, with his exponents: in iteration k, counted from 0, the
-// perturbation is c_k = 1 / (k + 1)^0.101 steps, and the gain is a_k = a / (k + 1 + A)^0.602, with
-// A a tenth of the iterations. Differences between scores are divided by their root mean square so
-// far, so that a good gain does not depend on how many goals fall in a game.
+// perturbation is c_k = 1 / (k + 1)^0.101 steps, and the gain is a_k = a / (k + 1 + A)^0.602, where
+// A is a tenth of the number of iterations. Differences between scores are divided by their root
+// mean square so far, so that a good gain does not depend on the number of goals per game.
 struct SpsaGains {
   int iterations = 100;
-  // Moves the centre by this many steps in the first iteration, and as far in later ones, but for
-  // the sequences, if the difference is as large as usual; sets a.
+  // If the difference is as large as usual, the centre moves by this many steps in the first
+  // iteration; later steps are as long except for the decay of the sequences. This sets a.
   double gain = 0.3;
 
   double perturbation(int k) const;
@@ -30,12 +30,12 @@ class Spsa : public Optimiser {
  public:
   Spsa(const SpsaGains& gains, std::vector<Axis> axes, std::uint64_t seed);
 
-  // "plus" and "minus". At the edge of the box they are clipped, and the difference between them
-  // that remains counts.
+  // "plus" and "minus". At the edge of the box they are clipped, and the remaining difference
+  // between them is used.
   std::vector<Candidate> ask() const override;
 
-  // Moves the centre along the estimated gradient, at most by twice the perturbation; not at all if
-  // a score is unknown.
+  // Moves the centre along the estimated gradient, by at most twice the perturbation, or not at all
+  // if a score is unknown.
   void tell(std::span<const Score> scores) override;
 
   Point centre() const override { return centre_; }
@@ -48,7 +48,7 @@ class Spsa : public Optimiser {
  private:
   void move_by(double difference);
 
-  // By how much the parameters differ from the centre in "plus", before clipping.
+  // The difference of "plus" from the centre, before clipping.
   Point perturbation() const;
 
   SpsaGains gains_;

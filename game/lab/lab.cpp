@@ -72,7 +72,7 @@ std::vector<std::string> columns_of(const LabScene& scene) {
   return columns;
 }
 
-// Formats the value with more digits than the league can measure, but few enough that the text is
+// Formats the value with more digits than the league can measure, but few enough for the text to be
 // the same with every compiler.
 std::string cell(double value) {
   const std::string text = fmt::format("{:.6f}", value);

@@ -1,4 +1,4 @@
-// The laboratory: small experiments with robots and ball, without teams or referee.
+// The laboratory: small experiments with robots and ball but without teams or referee.
 #pragma once
 
 #include <cstdint>
@@ -50,7 +50,7 @@ struct LabRecord {
 LabScene read_lab_scene(const std::filesystem::path& file);
 LabScene read_lab_scene_text(const std::string& text, const std::string& file_name);
 
-// Simulates the scene. A command takes effect `sim.latency_s` after its time.
+// Simulates the scene. Each command takes effect `sim.latency_s` after its time.
 LabRecord play_lab_scene(const LabScene& scene);
 
 // One row per frame: time, then position, heading and speed of every object, in SI units, headings

@@ -50,7 +50,7 @@ class LabReader {
   }
 
  private:
-  // Reads the branches that scenes share with games.
+  // Reads the branches of settings that scenes share with games.
   void read_settings() {
     GameSettings game;
     game.sim = scene_.sim;

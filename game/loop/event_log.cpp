@@ -44,7 +44,7 @@ io::Json json_of(const referee::ConcernedRobots& robots) {
   return list;
 }
 
-// The name of an enumerator or a command; a number or a text itself.
+// The name of an enumerator or a command; numbers and texts stay as they are.
 template <typename T>
 io::Json json_of(const T& value) {
   if constexpr (requires { name_of(value); })
@@ -58,7 +58,7 @@ io::Json json_of(const std::optional<T>& value) {
   return value ? json_of(*value) : io::Json();
 }
 
-// A member of an object of the line, discarded without that object.
+// A member of an object in the line. It is discarded if there is no such object.
 template <typename Object, typename Member>
 io::Json part(const Object& object, const Member& member) {
   return object ? json_of(std::invoke(member, *object)) : io::Json(io::Json::value_t::discarded);

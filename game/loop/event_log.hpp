@@ -1,5 +1,5 @@
-// The fields of the referee's decisions, and the event log of a game: one JSON object per line; the
-// league's game events for the decisions, likewise.
+// The fields of the referee's decisions, and the event log of a game: one JSON object per line. The
+// same for the league's game events that correspond to the decisions.
 #pragma once
 
 #include <span>
@@ -31,23 +31,23 @@ inline constexpr const char* kText = "TEXT";
 }  // namespace column_type
 
 // A field of a decision, in event logs and in databases. Sides are identified by their colours,
-// "yellow" and "blue", as in the commands. Positions are published ones
-// (soccer/referee_signal.hpp).
+// "yellow" and "blue", as in the commands. Positions are as published (soccer/referee_signal.hpp).
 struct DecisionField {
-  const char* path;  // in a line of the event log (RFC 6901)
+  const char* path;  // in a line of the event log (JSON pointer, RFC 6901)
   const char* type;  // of its column in a database
   // Null if unknown or inapplicable; discarded if the whole object that contains it is null.
   io::Json (*value)(const referee::Decision& decision, const PerSide<EventTeam>& teams);
-  const char* column = nullptr;  // its name, unless it follows from the path; empty without one
+  const char* column = nullptr;  // its name unless derived from the path; empty: no column
 
   bool has_column() const { return column == nullptr || *column != 0; }
 };
 
-// All fields, in the order of a line's keys and of a database's columns. What event logs and
-// databases contain follows from this list; pages choose from it (view/game_recording.hpp).
+// All fields, in the order of a line's keys and of a database's columns. This list determines the
+// content of event logs and databases; pages show a selection from it (view/game_recording.hpp).
 std::span<const DecisionField> decision_fields();
 
-// The name of the field's column: by default its path, with underscores. Empty without a column.
+// The name of the field's column: by default its path, with underscores. Empty if there is no
+// column.
 std::string column_of(const DecisionField& field);
 
 // A line of the event log as an object. All lines have the same keys.
@@ -83,7 +83,7 @@ class GameEventLog {
 
   void on_decision(const referee::Decision& decision);
 
-  // Decisions for which the league has no event are left out.
+  // Leaves out decisions for which the league has no event.
   const std::vector<TimedGameEvent>& events() const { return events_; }
 
  private:

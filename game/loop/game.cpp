@@ -32,7 +32,7 @@ PerSide<int> robots_of(const GameConfiguration& c) {
   return {{count(Side::kWest), count(Side::kEast)}};
 }
 
-// The reason if this event ends the game, else nullopt.
+// The reason for the end if this event ends the game, otherwise nullopt.
 std::optional<EndReason> reason_of(referee::Event event) {
   switch (event) {
     case referee::Event::kGameOver:
@@ -249,7 +249,7 @@ class Game::Impl {
     }
   }
 
-  // Ends the game if a team has a fault. If both have one, neither wins.
+  // Ends the game if a team has a fault. If both teams have one, neither wins.
   void end_for(const PerSide<std::string>& faults) {
     for (const Side side : kSides) {
       if (faults[side].empty()) continue;
@@ -272,7 +272,7 @@ class Game::Impl {
     record_.void_reason = fmt::format("{} (at {:.3f} s)", reason, time_s());
   }
 
-  // Takes the score from the referee, which resets it when a new game begins.
+  // Copies the score from the referee, which resets it when a new game begins.
   void take_result(GameRecord& record) const {
     for (const PerSide<int>& goals : referee_.goals_by_half()) {
       record.goals_by_half.push_back({goals[a()], goals[opponent_of(a())]});

@@ -17,8 +17,8 @@
 namespace autoref::game {
 
 // Owns the world, the camera, the tracker, the referee and both teams, and calls them once per
-// frame. It reads no files, clock or command line: the caller decides how fast it runs and what to
-// do with the results; see play() below. Games share no data, so one thread can step several games
+// frame. It reads no files, clock or command line: the caller decides how fast it runs and how to
+// use the results; see play() below. Games share no data, so one thread can step several games
 // alternately. Do not step games in two threads at once, because Box2D has global state.
 class Game {
  public:
@@ -33,37 +33,38 @@ class Game {
 
   // Plays one frame: the camera sees the world, the referee processes the frame, the teams decide,
   // and the world advances to the next frame. Returns true while there is more to play. The frame
-  // in which the referee ends the game is its last, and the world does not advance in it. Does
+  // in which the referee ends the game is the last one, and the world does not advance in it. Does
   // nothing once the game is over.
   //
-  // A strategy that throws or sends a non-finite number, a state of the world that is not finite,
-  // or a game that exceeds its time limit ends the game: it is void, or, if so configured,
+  // The game ends if a strategy throws or sends a non-finite number, if the state of the world is
+  // not finite, or if the game exceeds its time limit. It is then void or, if so configured,
   // forfeited by the team that failed. The step that exceeds the limit plays no frame. Exceptions
-  // of an observer are passed on; do not step the game after such an exception.
+  // thrown by an observer are passed on; do not step the game after that.
   bool step();
 
-  // The two parts of step(), for callers who decide for a team in between. The first lets the
-  // camera look, the referee decide and the teams see; the second lets the teams decide and the
-  // world advance. Both return true while there is more to play; call the second only if the first
-  // did so.
+  // The two parts of step(), for callers that decide for a team in between. The first runs the
+  // camera and the referee and shows the teams what they see; the second lets the teams decide and
+  // the world advance. Both return true while there is more to play; call the second only if the
+  // first returned true.
   bool begin_step();
   bool end_step();
 
-  // Takes the signal of the game controller that commands the game
-  // (referee::Control::kGameController), in the program's coordinates: from the next step on it is
-  // the signal for the teams and the world, and the referee follows it (Referee::follow). Without
-  // such a signal before its first step, the game is void. After POST_GAME, it is over.
+  // Accepts a signal, in the program's coordinates, from the game controller that commands the game
+  // (referee::Control::kGameController). From the next step on, the teams and the world get this
+  // signal, and the referee follows it (Referee::follow). Without such a signal before its first
+  // step, the game is void. After POST_GAME, it is over.
   void follow(const RefereeSignal& given);
 
   // Sets up a situation between steps. A robot must be on the field.
   void put_ball(const sim::BallState& ball);
   void put_robot(RobotId id, const sim::RobotState& state);
-  // As those of sim::World. A robot that was taken off stays off until it is put on.
+  // Like the functions of sim::World. A robot that was taken off stays off until it is put on
+  // again.
   void take_off(RobotId id);
   void put_on(RobotId id, const Vec2& position_m, const Vec2& heading);
 
   // Whether the game is over: the referee has ended it, or it is void. If a new game follows
-  // (referee::AfterGame::kNewGame), the first is over once the referee has begun the next.
+  // (referee::AfterGame::kNewGame), the first one is over once the referee has started the next.
   bool is_over() const;
 
   const GameConfiguration& configuration() const;

@@ -16,16 +16,16 @@ namespace {
 // Maximum time spent outside halves and breaks, waiting for clients and restarts.
 constexpr double kSlack_s = 300;
 
-// If the clock stops while play is stopped, a half may take up to this many times its length. A
-// stop contains at most two waits of 15 s, so a game ends in time if play lasts 3.3 s on average
-// between stops.
+// If the clock stops along with play, a half may take up to this many times its length. A stop
+// contains at most two waits of 15 s, so a game ends in time if play lasts 3.3 s on average between
+// stops.
 constexpr double kStandstill = 10;
 
-// The same if the teams place the ball, which takes them up to 30 s, and their failures, of which a
-// team may have a few in each half.
+// The same if the teams place the ball. That takes up to 30 s, and each team can fail a few times
+// per half.
 constexpr double kStandstillOfTeams = 20;
 
-// Programs whose first argument is the team.
+// Programs that run the team given as their first argument.
 constexpr std::array<std::string_view, 10> kInterpreters = {
     "python", "node", "java", "ruby", "lua", "perl", "julia", "bash", "sh", "deno"};
 

@@ -1,5 +1,5 @@
-// The complete configuration of one game: teams, rules and world. Only the names of the teams'
-// strategies remain to be looked up (team_controller.hpp).
+// The complete configuration of one game: teams, rules and world. Only the teams' strategies are
+// still given by name (team_controller.hpp).
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@
 
 namespace autoref::game {
 
-// A team that is a program of its own (game/team_programs/).
+// A team that runs as a separate program (game/team_programs/).
 struct TeamProgram {
   std::vector<std::string> command;      // the program, sought in PATH, and its arguments; no shell
   std::string directory;                 // working directory; empty: AutoRef's
@@ -27,7 +27,7 @@ struct TeamProgram {
   int memory_mb = 4096;                  // limit of each process
 };
 
-// The laws that teams know unless a setting says otherwise.
+// The laws that teams obey by default.
 inline constexpr const char* kDefaultLaws = "2014";
 
 struct TeamConfiguration {
@@ -36,7 +36,7 @@ struct TeamConfiguration {
   sim::TeamSpec::Robots robots = sim::TeamSpec::Robots(6);  // by number, 1 to 16
   std::optional<TeamProgram> program = {};
   bool on_network = false;  // commanded over the network (live/)
-  // The laws that it keeps to, in addition to the rules in force; nullopt: only these.
+  // The laws that the team obeys in addition to the rules in force; nullopt: only those.
   std::optional<RuleBook> laws = find_rule_book(kDefaultLaws);
 };
 
@@ -52,13 +52,13 @@ struct GameConfiguration {
   std::string id = {};                   // in an experiment; empty for a single game
 };
 
-// The rules that the team keeps to.
+// The rules that the team obeys.
 RuleBook obeyed_rules(const GameConfiguration& game, const TeamConfiguration& team);
 
 const TeamConfiguration& team_on(const GameConfiguration& game, Side side);
 
-// The name of a command's program, or of its script, without folder and extension: "mine" for
-// [python3, teams/mine.py].
+// The name of a command's program or script, without folder and extension: "mine" for [python3,
+// teams/mine.py].
 std::string program_name(const std::vector<std::string>& command);
 
 // The name of the team's strategy or program.
@@ -71,13 +71,13 @@ PerSide<std::string> shown_names(const GameConfiguration& game);
 // The referee's part of the configuration.
 referee::Configuration referee_configuration(const GameConfiguration& game);
 
-// Longest plausible duration of a game, in s; a game that takes longer is stuck.
+// Longest plausible duration of a game, in s; a longer game must be stuck.
 double longest_s(const referee::Match& match);
 
 // The cameras that saw the game, for its log. Four cameras that report the ball's height see
-// everything, so the frames do not depend on them; a log then has the cameras that the league uses:
-// one above a field of Division B (from 9 m long), two above a field of Division A (from 12 m),
-// else four.
+// everything, so the frames do not depend on them. In that case, a log contains the league's
+// cameras: one above a field of Division B (from 9 m long), two above a field of Division A (from
+// 12 m), and otherwise four.
 std::vector<CameraPosition> logged_cameras(const GameConfiguration& game);
 
 }  // namespace autoref::game

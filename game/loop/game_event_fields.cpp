@@ -21,13 +21,13 @@ std::uint64_t unix_us(double time_s) {
   return static_cast<std::uint64_t>(std::llround(std::max(0.0, time_s) * 1e6));
 }
 
-// In the coordinates of vision.
+// Converts a position to vision's coordinates.
 std::optional<Vec2> in_field(const std::optional<Vec2>& position_m, const Decision& decision) {
   if (!position_m) return std::nullopt;
   return published(*position_m, decision.blue_on_positive_half);
 }
 
-// The robot at fault, and its side if nobody is the only offender.
+// Sets the robot at fault, or its side if there is no single offender.
 void set_offender(const Finding& finding, GameEvent& event) {
   event.by_team = finding.offender;
   if (!finding.details.robot && finding.robots.empty()) return;
@@ -42,8 +42,8 @@ void set_exit(const Decision& decision, GameEvent& event) {
   if (decision.last_touch.robot) event.by_bot = decision.last_touch.robot->number;
 }
 
-// For goals that do not count, the offender is the side that shot: the conceding one only if it
-// took a free kick into its own goal.
+// For goals that do not count, the offender is the side that shot: this is the conceding side only
+// if it took a free kick into its own goal.
 Side scorer_of(const Finding& finding) {
   if (finding.event == Event::kGoal || !finding.offender) return opponent_of(finding.restart.side);
   const bool is_own = finding.event == Event::kFreeKickOwnGoal;
@@ -77,7 +77,7 @@ void set_both_robots(const Finding& finding, GameEvent& event) {
     (robot.side == Side::kWest ? event.bot_yellow : event.bot_blue) = robot.number;
 }
 
-// Robots at fault and their victims come in this order.
+// Robots at fault come first, then their victims.
 void set_violator(const Finding& finding, GameEvent& event) {
   event.by_team = finding.offender;
   if (finding.robots.size() < 2) return;
@@ -85,7 +85,7 @@ void set_violator(const Finding& finding, GameEvent& event) {
   event.victim = finding.robots[1].number;
 }
 
-// Positions that the league wants instead of the finding's.
+// Sets positions that the league's events use instead of the finding's.
 void set_positions(const Decision& decision, GameEvent& event) {
   const referee::EventDetails& details = decision.finding.details;
   const std::optional<Vec2> robot_m = in_field(details.robot_m, decision);
@@ -116,7 +116,7 @@ void set_positions(const Decision& decision, GameEvent& event) {
   }
 }
 
-// Offences of one robot, with a measured value.
+// Sets the fields of one robot's offences with a measured value.
 void set_offence(const Finding& finding, GameEvent& event) {
   set_offender(finding, event);
   switch (finding.event) {
@@ -145,7 +145,7 @@ void set_offence(const Finding& finding, GameEvent& event) {
   }
 }
 
-// Fouls of whole teams. The league's messages have no location.
+// Sets the fields of a whole team's fouls. The league's messages for these have no location.
 void set_team(const Decision& decision, GameEvent& event) {
   const Finding& finding = decision.finding;
   event.by_team = finding.offender;
@@ -170,7 +170,7 @@ void set_team(const Decision& decision, GameEvent& event) {
   }
 }
 
-// Events of a team or of nobody, and offences of robots.
+// Sets the fields of all other events: those of a team or of nobody, and offences of robots.
 void set_rest(const Decision& decision, GameEvent& event) {
   const Finding& finding = decision.finding;
   switch (finding.event) {
@@ -206,7 +206,7 @@ void set_rest(const Decision& decision, GameEvent& event) {
 
 std::string_view team_name(Side side) { return side == Side::kWest ? "YELLOW" : "BLUE"; }
 
-// Messages hold single-precision numbers: 0.1 rather than 0.10000000149.
+// Messages contain single-precision numbers: print 0.1 rather than 0.10000000149.
 double printed(double number) {
   return std::strtod(fmt::format("{}", static_cast<float>(number)).c_str(), nullptr);
 }
@@ -220,7 +220,7 @@ io::Json value_json(const Vec2& position_m) {
   return {{"x", printed(position_m.x())}, {"y", printed(position_m.y())}};
 }
 
-// Collects the members that are set.
+// Collects those members that are set.
 struct FieldPrinter {
   io::Json& json;
 

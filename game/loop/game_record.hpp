@@ -54,19 +54,19 @@ struct GameRecord {
   double sim_s = 0;
   std::int64_t frames = 0;
   std::uint64_t state_hash = 0;  // hash of every frame's state and every decision
-  // Whether the game's programs sent the same commands when they were started again; true without
-  // programs, nullopt if that was not tried.
+  // Whether the game's programs sent the same commands when restarted; true without programs,
+  // nullopt if that was not tried.
   std::optional<bool> is_repeatable = true;
-  int attempts = 1;  // how often its programs were started, since they were killed from outside
+  int attempts = 1;  // starts of its programs; they restart if killed from outside
 };
 
-// A time that was measured in a game, such as "sim_s".
+// A time measured in a game, such as "sim_s".
 struct MeasuredTime {
   std::string_view name;
   double GameRecord::*seconds;
 };
 
-// In the order used in rows and JSON.
+// All measured times, in the order used in rows and JSON.
 inline std::span<const MeasuredTime> measured_times() {
   static constexpr std::array kTimes = {MeasuredTime{"ball_in_play_s", &GameRecord::ball_in_play_s},
                                         MeasuredTime{"sim_s", &GameRecord::sim_s}};

@@ -1,4 +1,4 @@
-// Who watches a game's loop.
+// Observers of a game's loop.
 #pragma once
 
 #include <cstdint>
@@ -23,17 +23,18 @@ inline constexpr int kPhaseCount = 6;
 class Observer {
  public:
   virtual ~Observer() = default;
-  // A phase of the frame has ended.
+  // Called at the end of each phase of the frame.
   virtual void on_phase(Phase /*ended*/) {}
-  // The teams' requests to the referee. Once per frame, before the referee.
+  // The teams' requests to the referee. Called once per frame, before the referee.
   virtual void on_requests(const PerSide<TeamRequests>& /*requests*/) {}
-  // What vision reports in addition to a frame, just before that frame; only if it is not empty.
+  // Vision's detections that are not part of a frame. Called just before that frame, only if there
+  // are any.
   virtual void on_other_detections(const OtherDetections& /*others*/) {}
-  // Once per frame, after the referee and before the teams.
+  // Called once per frame, after the referee and before the teams.
   virtual void on_frame(const Frame& /*frame*/, const RefereeSignal& /*signal*/,
                         const sim::World& /*world*/) {}
-  // Once per frame, just before the world moves: the commands that reach the robots, and where the
-  // ball is placed by hand, if it is.
+  // The commands that reach the robots and, if the ball is placed by hand, its new position. Called
+  // once per frame, just before the world moves.
   virtual void on_commands(const PerSide<TeamCommands>& /*commands*/,
                            const std::optional<Placement>& /*placement*/,
                            const sim::World& /*world*/) {}
@@ -51,7 +52,7 @@ class Observers {
     if (one != nullptr) list_.push_back(one);
   }
 
-  // Calls this callback of every observer.
+  // Calls this callback for every observer.
   template <typename... Parameters>
   void call(void (Observer::*callback)(Parameters...),
             const std::type_identity_t<Parameters>&... arguments) const {

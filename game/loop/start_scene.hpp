@@ -1,5 +1,5 @@
-// Where a game begins, if not with both teams lined up before the first kick-off; and scenes: games
-// that last some seconds of play and are scored for team a, the attackers.
+// The start of a game that does not begin with both teams lined up for the first kick-off, and
+// scenes: games that last a few seconds of play and are scored for team a, the attackers.
 #pragma once
 
 #include <array>
@@ -20,14 +20,14 @@ namespace autoref::game {
 
 using StartingRobots = boost::container::static_vector<sim::RobotState, kMaxRobots>;
 
-// In the program's coordinates: west defends the goal at -x.
+// Uses the program's coordinates: west defends the goal at -x.
 struct StartState {
   PerSide<StartingRobots> robots;  // by number; a team's other robots stay off the field
   sim::BallState ball;
   referee::MidwayStart referee;
 };
 
-// The state seen from the other end: rotated by 180 degrees, with the sides swapped.
+// The state as seen from the other end: rotated by 180 degrees, with the sides swapped.
 StartState mirrored(const StartState& state);
 
 // What ended a scene. kStop is any other call that stops play, or the end of the half.
@@ -45,7 +45,7 @@ using autoref::name_of;
 
 inline constexpr std::size_t kSceneEndCount = names_of(SceneEnd{}).size();
 
-// How a scene's score is composed: the sum of its measures times these weights.
+// The weights of a scene's measures; its score is the weighted sum.
 struct SceneWeights {
   double goal = 1;
   double conceded = 0;
@@ -73,7 +73,7 @@ struct SceneWeights {
 
 struct Scene {
   double lasts_s = 10;  // of time since play began
-  // Which calls end it early; kTime is always true.
+  // The calls that end it early; kTime is always true.
   std::array<bool, kSceneEndCount> ends = {true, true, true, true, true};
   SceneWeights weights;
 
@@ -82,7 +82,8 @@ struct Scene {
 
 struct SceneRecord {
   SceneEnd ended_by = SceneEnd::kTime;
-  // The attackers touched the ball last or take the next restart; true if nobody has touched it.
+  // Whether the attackers touched the ball last or take the next restart; true if nobody has
+  // touched it.
   bool ball_kept = true;
   double gained_m = 0;
   double score = 0;
@@ -93,7 +94,7 @@ class SceneFollower {
  public:
   SceneFollower(const Scene& scene, Side attackers) : scene_(scene), attackers_(attackers) {}
 
-  // Ground truth of a frame, and the referee's part in it.
+  // The ground truth of a frame and the referee's output for it.
   struct Input {
     double time_s;
     const sim::WorldState& world;
@@ -118,9 +119,9 @@ class SceneFollower {
   Scene scene_;
   Side attackers_;
   std::optional<double> began_s_;  // when play began
-  double from_m_ = 0;              // the ball's x then, towards the defenders' goal
-  double to_m_ = 0;                // and now
-  std::optional<Side> touched_;    // by whom the ball was touched last
+  double from_m_ = 0;              // the ball's x at that time, towards the defenders' goal
+  double to_m_ = 0;                // the ball's x now
+  std::optional<Side> touched_;    // the side that touched the ball last
   bool is_kept_ = true;
   std::optional<SceneEnd> ended_by_;
 };

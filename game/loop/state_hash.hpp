@@ -1,4 +1,5 @@
-// The hash of a game's states, and the fixed games whose hashes show whether two builds play alike.
+// The hash of a game's states, and the fixed games that show, by their hashes, whether two builds
+// play identically.
 #pragma once
 
 #include <bit>
@@ -56,8 +57,8 @@ inline std::uint64_t fixed_seed(int round) {
   return 1 + static_cast<std::uint64_t>(round % kFixedGames);
 }
 
-// A full game of the default configuration, of a registered team against itself; after the last
-// fixed game, the first one follows.
+// A full game with the default configuration between a registered team and itself. After the last
+// fixed game, the first one follows again.
 inline GameConfiguration fixed_game(int round,
                                     const std::string& team = TeamConfiguration{}.strategy) {
   GameConfiguration game;

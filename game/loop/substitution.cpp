@@ -8,7 +8,7 @@
 namespace autoref::game {
 namespace {
 
-constexpr double kNotice_s = 1.0;              // time for the team to choose who leaves
+constexpr double kNotice_s = 1.0;              // time for the team to choose the robot that leaves
 constexpr double kFromHalfwayLine_m = 200_mm;  // distance to the first return position
 constexpr double kNextPosition_m = 200_mm;     // distance between return positions
 constexpr double kFromWall_m = 20_mm;          // distance from hull to wall
@@ -60,7 +60,8 @@ std::optional<Vec2> return_position(const Field& field, Side side, const Referee
   const int positions = static_cast<int>(field.half_length_m() / kNextPosition_m);
   for (const double y_m : {-beside_m, beside_m}) {
     for (int i = 0; i < positions; ++i) {
-      // Turning by 180 degrees gives both sides the same positions, seen from their own goals.
+      // With a rotation by 180 degrees, both sides have the same positions as seen from their own
+      // goals.
       const Vec2 position_m = turn * Vec2(-kFromHalfwayLine_m - kNextPosition_m * i, y_m);
       if (world.is_free(position_m) && is_off_ball(position_m, signal, world)) return position_m;
     }

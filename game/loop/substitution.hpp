@@ -17,7 +17,7 @@ class SubstitutionController {
   SubstitutionController(const Field& field, const PerSide<int>& robots)
       : field_(field), robots_(robots) {}
 
-  // A robot that is kept off does not return until it may.
+  // A robot that is kept off does not return until this is lifted.
   void keep_off(RobotId robot, bool is_kept_off) {
     kept_off_[robot.side].set(static_cast<std::size_t>(robot.number), is_kept_off);
   }
@@ -25,7 +25,7 @@ class SubstitutionController {
   // Call once per frame, before the world advances. While play is stopped, a side with too many
   // robots loses one per frame, starting 1 s after the allowance fell: the robot that the team
   // names, otherwise the one with the highest number other than the keeper. If a side has too few,
-  // its missing robot with the lowest number that is not kept off returns at once.
+  // the lowest-numbered missing robot that is not kept off returns immediately.
   void act(const RefereeSignal& signal, const PerSide<TeamRequests>& requests, double time_s,
            sim::World& world);
 

@@ -46,7 +46,7 @@ double latency_s(const sim::Configuration& c) {
   return (split.frames + static_cast<double>(split.substeps) / c.substeps) / c.frame_rate_hz;
 }
 
-// What the team on this side believes that time to be.
+// The latency that the team on this side assumes.
 double believed_latency_s(const GameConfiguration& c, Side side) {
   const double true_s = latency_s(c.sim);
   if (c.sim.latency_error_s <= 0) return true_s;
@@ -54,8 +54,8 @@ double believed_latency_s(const GameConfiguration& c, Side side) {
   return std::max(0.0, true_s + c.sim.latency_error_s * stream.normal());
 }
 
-// What `action` throws; empty if nothing. An InputOutputError is not the team's fault and
-// is rethrown.
+// The message of the exception that `action` throws; empty if none. An InputOutputError is not the
+// team's fault and is rethrown.
 template <typename Action>
 std::string fault_of(const Action& action) {
   try {

@@ -1,4 +1,5 @@
-// Creates one side's strategy in a simulated game, and runs it with what the side's sensors report.
+// Creates one side's strategy in a simulated game and runs it with the readings of the side's
+// sensors.
 #pragma once
 
 #include <functional>
@@ -23,16 +24,16 @@ namespace autoref::game {
 using TeamMaker = std::function<std::unique_ptr<strategies::Strategy>(
     const TeamConfiguration& team, const strategies::TeamContext& context)>;
 
-// The team that its strategy names (strategies/registry.hpp).
+// Creates the registered team that the configuration names (strategies/registry.hpp).
 std::unique_ptr<strategies::Strategy> make_registered_team(const TeamConfiguration& team,
                                                            const strategies::TeamContext& context);
 
-// What one side's cameras and robots report, as late as the side's view.
+// The readings of one side's cameras and robots, delayed like the side's view.
 class Sensors {
  public:
   Sensors(const GameConfiguration& configuration, Side side);
 
-  // Call once per frame, with the world that the camera saw.
+  // Call once per frame with the world that the camera saw.
   void update(const Frame& frame, const sim::WorldState& world);
 
   const strategies::SensorReadings& readings() const { return delayed_.oldest(); }
@@ -50,17 +51,17 @@ class TeamController {
  public:
   TeamController(const GameConfiguration& configuration, Side side, const TeamMaker& make_team);
 
-  // Passes on what the team's sensors report about the world that the camera has just seen.
+  // Updates the team's sensors with the world that the camera has just seen.
   void sense(const Frame& frame, const sim::WorldState& world);
 
-  // Shows the strategy what the team sees. Call this for both teams before either decides.
+  // Gives the strategy the team's view. Call this for both teams before either decides.
   void prepare(const Tracks& tracks, const RefereeSignal& signal, const Situation& situation);
 
   // Fills `commands`. Returns a description of the strategy's fault, with all commands zero, or an
   // empty string.
   std::string decide(TeamCommands& commands);
 
-  // Tells the strategy how the game has ended. A fault no longer matters.
+  // Informs the strategy of how the game has ended. A fault no longer matters.
   void end(const strategies::GameEnd& end);
 
   // The requests of the team's last decision.

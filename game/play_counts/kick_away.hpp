@@ -14,13 +14,14 @@
 namespace autoref::game {
 
 // The straight path of a kicked ball that nobody touches, in closed form from sim::BallParameters.
-// A rolling ball whose deceleration grows with its speed gets the mean deceleration over its path.
+// If a rolling ball's deceleration grows with its speed, the mean deceleration over its path is
+// used.
 //
 // After a flat kick the ball slides, then rolls. After a chip kick it flies, then rolls; later hops
-// are neglected, which makes the path a few hundredths too long.
+// are neglected, which makes the path a few per cent too long.
 class BallTrajectory {
  public:
-  // From `from_m` at `velocity_mps` in the plane and `vertical_mps` upwards.
+  // Starts at `from_m` with `velocity_mps` in the plane and `vertical_mps` upwards.
   BallTrajectory(const Vec2& from_m, const Vec2& velocity_mps, double vertical_mps,
                  const sim::BallParameters& ball);
 
@@ -30,7 +31,7 @@ class BallTrajectory {
   double flight_m() const { return flight_m_; }         // first flight; 0 for a flat kick
   double reach_m() const { return phases_[0].length_m + phases_[1].length_m; }  // until at rest
 
-  // At distance `path_m` along the path, from 0 to reach_m().
+  // The speed at distance `path_m` along the path, from 0 to reach_m().
   double speed_mps(double path_m) const;
   double time_s(double path_m) const;
   double height_m(double path_m) const;  // bottom of the ball, during its first flight
@@ -58,7 +59,7 @@ struct KickAway {
   std::int64_t frame = 0;  // as in sim::Touch
   Vec2 from_m{0, 0};
   bool is_at_goal = false;        // its path is that of a shot
-  bool is_between_posts = false;  // and under the bar; only if is_at_goal
+  bool is_between_posts = false;  // and below the bar; only if is_at_goal
   bool is_for_mate = false;       // its path is that of a pass
 };
 

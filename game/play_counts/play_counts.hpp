@@ -1,4 +1,4 @@
-// A team's statistics in a game, as known from football: shots, passes, possession and so on.
+// A team's statistics in a game, as in football: shots, passes, possession and so on.
 //
 // They come from ground truth and the referee's signals and cannot see intentions. Play lasts from
 // a restart's signal until the referee ends it, so the restart's kick counts. Shoot-outs do not
@@ -22,23 +22,24 @@ namespace autoref::game {
 
 // Relative to the robot. A slower ball is only nudged ahead.
 inline constexpr double kAway_mps = 1.0_mps;
-// If another robot touches the ball earlier, the ball was kicked against it, in a duel.
+// If another robot touches the ball earlier, the ball was kicked against that robot in a duel.
 inline constexpr double kAway_m = 200_mm;
 // A kicker needs 100 ms before its next kick; until then the hull may still touch the departing
 // ball.
 inline constexpr double kSameKick_s = 100_ms;
 
-// How far a shot may miss a post: more than the kicker's noise (1.5 degrees from 6 m: 160 mm).
+// How far a shot may pass outside a post: more than the kicker's noise (1.5 degrees from 6 m: 160
+// mm).
 inline constexpr double kShotMiss_m = 250_mm;
 // Minimum speed on arrival of a shot or pass. A slower ball was pushed ahead and is a loose ball.
 inline constexpr double kArrival_mps = 1.0_mps;
 // A kick at the goal from a team's own third of the field is a clearance.
 inline constexpr double kClearanceShare = 1.0 / 3.0;
 
-// Nearer team-mates do not count: they are beside the kicker, so every kick's path starts near
+// Nearer team-mates do not count: they are next to the kicker, so every kick's path starts near
 // them.
 inline constexpr double kShortestPass_m = 500_mm;
-// How far a pass may miss a team-mate's current position. The team-mate can easily move that far.
+// How far a pass may miss a team-mate's current position; the team-mate can easily move that far.
 inline constexpr double kPassMiss_m = 500_mm;
 // The team-mate can move farther if the ball takes longer. This is the mean speed over the first
 // 0.67 s when accelerating from rest at 3 m/s^2.
@@ -63,16 +64,16 @@ struct PlayCounts {
   // Shots that became goals, and shots that were saved or blocked: their path led between the posts
   // and under the bar, and an opponent touched the ball next.
   int shots_on_goal = 0;
-  // Kicks, other than shots, that a team-mate can reach: at the point of the path nearest to it (at
-  // least kShortestPass_m from the kick and not in a chip's first flight), the ball is at least as
-  // fast as kArrival_mps, and the team-mate is at most kPassMiss_m away, or as far as it can move
-  // at kMate_mps until the ball arrives, up to kFarthestMate_m. The path ends where the ball stops
-  // or leaves the field.
+  // Kicks, other than shots, that a team-mate can reach. At the point of the path nearest to the
+  // team-mate (at least kShortestPass_m from the kick and not in a chip's first flight), the ball
+  // must be at least as fast as kArrival_mps. The team-mate may be at most kPassMiss_m away, or as
+  // far as it can move at kMate_mps until the ball arrives, up to kFarthestMate_m. The path ends
+  // where the ball stops or leaves the field.
   int passes_tried = 0;
   // Passes that a team-mate touches next, without an opponent in the same sub-step.
   int passes_completed = 0;
-  // Time that the ball is in play (GameRecord::ball_in_play_s) from this team's touch until the
-  // other team's next one. If both touch it in the same sub-step, possession does not change.
+  // Time for which the ball is in play (GameRecord::ball_in_play_s) from this team's touch until
+  // the other team's next one. If both touch it in the same sub-step, possession does not change.
   double possession_s = 0;
   // Fouls called against the team's robots, during play or while it is stopped. If both teams are
   // at fault, each gets one. Excludes balls that leave the field, aimless kicks, disallowed goals,

@@ -94,7 +94,7 @@ PlayStatistics::PlayStatistics(const Field& field, const sim::BallParameters& ba
       same_kick_frames_(std::lround(kSameKick_s * frame_rate_hz)),
       duels_(frame_rate_hz) {}
 
-// Handle touches first: they happened since the previous frame, while play was in its previous
+// Handles touches first: they happened after the previous frame, with play still in its previous
 // state.
 void PlayStatistics::update(const FrameSummary& summary) {
   if (is_on_) touch(summary);

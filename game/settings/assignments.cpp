@@ -49,7 +49,7 @@ void assign(const Assignment& assignment, GameSettings& game) {
 
 void assign_all(const Assignments& assignments, GameSettings& game) {
   for (const Assignment& assignment : assignments) assign(assignment, game);
-  // The settings only need to make a valid game together, not one by one.
+  // The settings need to be valid together, not one by one.
   locate_errors(flags_of(assignments), [&] { check_game(game); });
 }
 

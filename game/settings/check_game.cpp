@@ -42,7 +42,7 @@ void refuse_two_teams(const GameSettings& game, const TeamSettings& team, std::s
   throw SettingError(path, ": the team has a command as well; remove one of them");
 }
 
-// A program may have any parameters; a team on the network is sent none.
+// A program can have any parameters; a team on the network gets none.
 void check_params(const TeamSettings& team, std::string_view name) {
   if (!team.program.command.empty()) return;
   if (team.strategy == kNetworkStrategy) {
@@ -106,7 +106,7 @@ bool is_given_by_changes(const Setting& setting) {
          std::holds_alternative<RobotTypes*>(setting.target);
 }
 
-// The values of a team's or a player's robots that differ from the game's.
+// The values in which a team's or a player's robots differ from the game's.
 template <typename Of>
 std::string robots_text(const GameSettings& game, std::string_view path, const Of& of) {
   std::string text;
@@ -158,8 +158,7 @@ std::string scene_text(const GameSettings& game) {
   return text + "\n";
 }
 
-// Of a program's files, what they contain belongs to the identity of a game, not how they are
-// named.
+// A game's identity includes the content of a program's files, but not their names.
 bool names_no_content(const Setting& setting) {
   const auto* text = std::get_if<FreeText>(&setting.target);
   return setting.path.ends_with(".files") ||

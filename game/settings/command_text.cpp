@@ -14,7 +14,7 @@ bool is_plain(char letter) {
          std::string_view("_-+./,:=@%^").find(letter) != std::string_view::npos;
 }
 
-// In single quotes if necessary, where only a single quote needs more than itself.
+// Puts the word in single quotes if necessary; inside them, only a single quote needs escaping.
 std::string quoted_word(const std::string& word) {
   if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return word;
   std::string quoted = "'";
@@ -71,7 +71,7 @@ class CommandReader {
   std::vector<std::string> words_;
   std::string word_;
   bool is_word_ = false;  // perhaps an empty one
-  char quote_ = 0;        // 0: none is open
+  char quote_ = 0;        // 0: no quote is open
 };
 
 }  // namespace

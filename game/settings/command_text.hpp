@@ -7,12 +7,12 @@
 
 namespace autoref::game {
 
-// The words of a command. A word with spaces stands in single or double quotes; a backslash keeps
-// the next character as it is, except in single quotes. There are no variables and no patterns:
+// The words of a command. A word with spaces is put in single or double quotes; except in single
+// quotes, a backslash takes the next character literally. There are no variables or patterns, since
 // no shell is involved. Throws std::invalid_argument if a quote is not closed.
 std::vector<std::string> words_of_command(std::string_view text);
 
-// The command in a form that words_of_command() reads back, always spelt the same.
+// The command in a canonical form that words_of_command() reads back.
 std::string text_of_command(const std::vector<std::string>& words);
 
 }  // namespace autoref::game

@@ -12,7 +12,7 @@
 namespace autoref::game {
 namespace {
 
-// The paths whose last names `path` nearly is.
+// The paths that nearly end in `path`.
 std::vector<std::string> paths_nearly_ending_in(std::string_view path,
                                                 const std::vector<std::string>& known) {
   if (path.find('.') != std::string_view::npos) return {};
@@ -59,7 +59,7 @@ std::set<std::string> tunable_names() {
   return names;
 }
 
-// A setting with the value that the user has given it.
+// A setting and the value given by the user.
 struct Kept {
   Setting setting;
   SettingValue value;
@@ -192,7 +192,7 @@ std::string unknown_key_message(std::string_view key, const std::vector<std::str
 
 PlayerSettings& player_of(Players& players, std::string_view number) {
   const std::optional<int> n = io::whole_number_in(number);
-  // Comparing the text refuses other spellings such as "03", which could name one robot twice.
+  // Comparing the text rules out other spellings such as "03", which could name one robot twice.
   if (!n || *n < 0 || *n >= kMaxRobots || std::to_string(*n) != number) {
     throw std::invalid_argument(
         fmt::format("expected a robot's number from 0 to {}, found '{}'", kMaxRobots - 1, number));
@@ -207,8 +207,8 @@ void set_given(const std::vector<Setting>& settings, const Setting& setting,
     if (!is_alias(setting)) given.insert(setting.path);
     return;
   }
-  // Settings that the user gave explicitly override a preset, in whichever order they come: save
-  // them, apply the preset, restore them.
+  // Settings that the user gave explicitly override a preset, regardless of their order: save them,
+  // apply the preset, restore them.
   const std::vector<Kept> others = kept(settings, given);
   set_value(setting, value);
   for (const Kept& other : others) {

@@ -20,7 +20,7 @@ std::vector<std::string> strategy_names() {
   return names;
 }
 
-// Words for the laws that a team knows: the rule books of the league, and none of them.
+// Words for the laws that a team obeys: the league's rule books, or none of them.
 std::vector<std::string> laws_names() {
   std::vector<std::string> names = rule_book_names();
   std::erase_if(names, [](const std::string& name) {
@@ -83,7 +83,7 @@ void list_team(TeamSettings& team, const RobotTypes& types, Branch to) {
   to.add("params", &team.params, {-1e9, 1e9}, "parameters of the strategy, by name");
 }
 
-// The numbers of a rule book that are settings of a match.
+// Lists the numbers of a rule book that are settings of a match.
 void list_rules(RuleBook& rules, Branch to) {
   for (const std::string_view name : {"extra_half_s", "change_ends"}) {
     RuleBook::visit(rules, [name, &to](auto& value, const Parameter& about) {
@@ -108,7 +108,7 @@ void list_match(GameSettings& game, Branch to) {
     switches.parameter(game.match.rules.in_force[entry.rule], {entry.name, entry.about});
 }
 
-// The world's parameters, and among them the robots'.
+// Lists the world's parameters, including the robots'.
 void list_world(GameSettings& game, std::vector<Setting>& list) {
   Branch(list, "sim.").parameters(game.sim);
   std::vector<Setting> robot = settings_of(game.robot, "sim.");

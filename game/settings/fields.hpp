@@ -60,7 +60,7 @@ struct ChangesOf {
   std::string branch;
 };
 
-// One of these values.
+// One of the values in ChangesOf.
 struct Change {
   RobotChanges* changes = nullptr;
   std::string path;  // such as "robot.speed_mps"
@@ -106,8 +106,7 @@ struct Setting {
   std::string_view about;  // one sentence
 };
 
-// All settings of `game`, grouped by branch. Includes the settings of the players and types that
-// the game has.
+// All settings of `game`, grouped by branch. Includes the settings of the game's players and types.
 std::vector<Setting> settings_of(GameSettings& game);
 
 // The settings of one team below `prefix`, such as "teams.a.".
@@ -123,11 +122,11 @@ std::vector<Setting> settings_of(RobotChanges& changes);
 std::string full_path(std::string_view path);
 std::string short_path(std::string_view path);
 
-// The paths of all settings that have a value, including those inside other ones.
+// The paths of all settings that have a value, including nested ones.
 std::vector<std::string> full_paths(const std::vector<Setting>& settings);
 std::vector<std::string> short_paths(const std::vector<Setting>& settings);
 
-// At most three of `paths`: those that end with `end` from one of their dots on, such as
+// At most three of `paths`: those in which `end` follows a dot and ends the path, such as
 // "match.half_s" for "half_s".
 std::vector<std::string> paths_ending_in(std::string_view end,
                                          const std::vector<std::string>& paths);
@@ -163,12 +162,12 @@ void assign(const Setting& setting, std::string_view text);
 // no known preset.
 SettingValue current_value(const Setting& setting);
 
-// The value in the format that assign() reads, always spelt the same; a mapping for a setting that
-// contains others.
+// The value in the canonical form that assign() reads; a mapping for a setting that contains
+// others.
 std::string value_of(const Setting& setting);
 
-// Returns whether the setting has no value of its own but contains others by name, such as a
-// strategy's parameters.
+// Returns whether the setting has no value itself but contains others by name, such as a strategy's
+// parameters.
 bool holds_others(const Setting& setting);
 
 // Names allowed inside such a setting; nullopt if any name is allowed.
@@ -183,8 +182,8 @@ bool is_number(const Setting& setting);
 // Returns whether the setting only sets other settings, which are listed themselves.
 bool is_alias(const Setting& setting);
 
-// Returns whether one word stands for several other settings: a rule book, or a preset of a camera,
-// a ball or a dribbler.
+// Returns whether the setting's value stands for several other settings: a rule book, or a preset
+// of a camera, a ball or a dribbler.
 bool is_preset(const Setting& setting);
 
 // The settings or branches one step below `branch` ("" is the root).
@@ -197,17 +196,17 @@ std::string unknown_key_message(std::string_view key, const std::vector<std::str
 // std::invalid_argument unless `number` is from 0 to 15.
 PlayerSettings& player_of(Players& players, std::string_view number);
 
-// Sets one of `settings` on behalf of the user. A preset leaves the settings in `given` unchanged,
-// and a single setting is added to `given`, so their order does not matter.
+// Sets one of `settings` on behalf of the user. The order does not matter, because a preset leaves
+// the settings in `given` unchanged and a single setting is added to `given`.
 void set_given(const std::vector<Setting>& settings, const Setting& setting,
                const SettingValue& value, std::set<std::string>& given);
 
-// What a path leads into: a whole game, or one team of an experiment.
+// The root of paths: a whole game or one team of an experiment.
 struct SettingsRoot {
   // NOLINTNEXTLINE(google-explicit-constructor): a game is the usual one
   SettingsRoot(GameSettings& whole) : game(whole) {}
-  // `its_prefix` precedes the team's settings, such as "teams.bold.". `base` keeps its types and
-  // which settings are given.
+  // `its_prefix` precedes the team's settings, such as "teams.bold.". The types and the given
+  // settings are kept in `base`.
   SettingsRoot(GameSettings& base, TeamSettings& one, std::string its_prefix)
       : game(base), team(&one), prefix(std::move(its_prefix)) {}
 
@@ -241,7 +240,7 @@ void check_game(const GameSettings& game);
 // "teams.a".
 void check_team(const GameSettings& game, const TeamSettings& team, std::string_view path);
 
-// A hash over all settings. Two games of one build with equal hashes are the same game.
+// A hash over all settings. In one build, games with equal hashes are identical.
 std::uint64_t configuration_hash(const GameSettings& game);
 
 }  // namespace autoref::game

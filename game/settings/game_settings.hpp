@@ -35,17 +35,17 @@ struct PlayerSettings {
   double acceleration_factor = 1.0;  // multiplied by the team's
 };
 
-// The strategy of teams that play over the network (live/).
+// The strategy name for teams that play over the network (live/).
 inline constexpr const char* kNetworkStrategy = "network";
 
-// The laws of a team that keeps only to the rules in force.
+// The laws of a team that obeys only the rules in force.
 inline constexpr const char* kEnforcedOnly = "enforced";
 
 struct TeamSettings {
   std::string strategy = "basic";  // unused if the program has a command
   TeamProgram program;             // the team, if it has a command
-  std::vector<std::string> files;  // its files and folders; empty: those the command names
-  std::string files_hash;          // what they contain (experiments/run/program_versions.hpp)
+  std::vector<std::string> files;  // its files and folders; empty: those named in the command
+  std::string files_hash;          // hash of their content (experiments/run/program_versions.hpp)
   int robots = 6;
   std::string type = kNoType;        // type of its robots
   RobotChanges changes;              // override the type's
@@ -72,7 +72,7 @@ struct GameSettings {
   // (experiments/kinds/situations/situations.hpp).
   std::optional<StartState> start;
   std::optional<Scene> scene;
-  // Full paths of the settings given explicitly; presets do not change them.
+  // Full paths of the settings given explicitly; presets do not change these settings.
   std::set<std::string> given;
 };
 
@@ -80,10 +80,10 @@ struct GameSettings {
 // std::invalid_argument for an unknown name.
 void choose_rules(const std::string& book, GameSettings& game);
 
-// The game that the settings describe: the rule book with its switched rules, and each robot with
-// the overrides of its type, its team and its number. Looks up names but does not check values;
-// check_game() (fields.hpp) does. Throws std::invalid_argument for unknown laws of a team, and
-// SettingError for an unknown robot type or for a player number that the team does not have.
+// The game that the settings describe: the rule book with the rules switched on or off, and each
+// robot with the overrides of its type, team and number. Looks up names but does not check values,
+// which check_game() (fields.hpp) does. Throws std::invalid_argument for unknown laws of a team,
+// and SettingError for an unknown robot type or for a player number that the team does not have.
 GameConfiguration resolved(const GameSettings& settings);
 
 }  // namespace autoref::game

@@ -1,4 +1,4 @@
-// Writes down lists of settings, and reads mappings whose keys are not settings of a game.
+// Builds lists of settings, and reads mappings with keys that are not settings of a game.
 #pragma once
 
 #include <fmt/format.h>
@@ -58,7 +58,7 @@ class Branch {
     list_.push_back(setting_of(path_ + std::string(parameter.name), value, parameter));
   }
 
-  // All parameters of `of`, in each branch after its preset.
+  // Adds all parameters of `of`; in each branch, the preset comes first.
   template <HasParameters Of>
   void parameters(Of& of) {
     if constexpr (requires(Branch to) { list_preset(of, to); }) list_preset(of, *this);
@@ -103,11 +103,11 @@ class Mapping {
 
   const YamlEntry* find(std::string_view key) const { return find_entry(entries_, key); }
 
-  // These leave the value unchanged if the key is not given.
+  // These functions leave the value unchanged if the key is not given.
   void number(std::string_view key, double& value, Range range, std::string_view unit) const {
     read(key, {path_to(key), &value, range, {}, unit, ""});
   }
-  // All parameters of `of`.
+  // Reads all parameters of `of`.
   template <HasParameters Of>
   void parameters(Of& of) const {
     Of::visit(of, [this](auto& value, const Parameter& about) {

@@ -19,7 +19,7 @@ bool is_letter_or_digit(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
-// A file that cannot be read is an error of the setting that names it.
+// If the file cannot be read, the error belongs to the setting that names it.
 std::string text_of_type(const fs::path& file) {
   try {
     return io::read_user_file(file);
@@ -153,8 +153,8 @@ void set_change(const Change& change, const SettingValue& value) {
   const Setting& changed = robot_setting(settings, change.path);
   set_value(changed, value);
   for (const Setting& setting : settings) {
-    // A preset sets several numbers. Record its whole branch, also values that a default robot has
-    // anyway: the changes will be applied to another robot.
+    // A preset sets several numbers. Record its whole branch, including values that a default robot
+    // already has: the changes will be applied to another robot.
     const bool is_set = is_alias(changed) ? branch_of(setting.path) == branch_of(change.path)
                                           : setting.path == change.path;
     if (is_set && !is_alias(setting)) (*change.changes)[setting.path] = current_value(setting);

@@ -1,5 +1,5 @@
-// Robot types, and the robots of a team, in which types and overrides are combined. A type is a
-// file that overrides some of the game's robot settings:
+// Robot types, and a team's robots, which combine types and overrides. A type is a file that
+// overrides some of the game's robot settings:
 //
 //   schema: 1
 //   kind: robot
@@ -33,8 +33,8 @@ bool is_type_file(std::string_view text);
 std::string take_type(const std::string& text, const std::filesystem::path& folder,
                       RobotTypes& types);
 
-// The existing type files named by the values of a scenario or scene; none if that is a pipe, which
-// can be read only once.
+// The existing type files named by the values of a scenario or scene. Returns none if the file is a
+// pipe, which can be read only once.
 std::vector<std::string> type_files_in(const std::filesystem::path& file);
 
 // Maximum number of types per game.
@@ -46,7 +46,7 @@ void check_type_count(const RobotTypes& types);
 // Describes what is wrong with a type's name; nullopt if it consists of letters, digits, - and _.
 std::optional<std::string> fault_in_type_name(std::string_view name);
 
-// The overrides of the named type, themselves overridden by `changes`. Throws SettingError for the
+// The overrides of the named type, with `changes` taking precedence. Throws SettingError for the
 // path `type` if there is no such type.
 RobotChanges merged(const RobotTypes& types, const std::string& type, const RobotChanges& changes);
 
@@ -62,7 +62,7 @@ SettingValue changed_value(const Change& change);
 // The robots of a team of `game`. Their values come from, in increasing priority, the game's robot,
 // the team's type, the team's changes, the player's type and the player's changes; a player's
 // factors are multiplied by the team's. Throws SettingError for an unknown type, and for a player
-// whose number the team does not have; `path` is that of the team's settings, such as "teams.a".
+// number that the team does not have; `path` is that of the team's settings, such as "teams.a".
 sim::TeamSpec spec_of(const GameSettings& game, const TeamSettings& team, std::string_view path);
 
 }  // namespace autoref::game

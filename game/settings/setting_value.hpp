@@ -14,14 +14,14 @@ namespace autoref::game {
 // A number of the setting's type, or one of its words, such as a strategy or a rule book.
 using SettingValue = std::variant<double, int, std::uint64_t, std::string>;
 
-// The canonical text of the value, as written to files.
+// The value's canonical text, as written to files.
 std::string spelt(const SettingValue& value);
 std::vector<std::string> spelt(const std::vector<SettingValue>& values);
 std::vector<std::vector<std::string>> spelt(const std::vector<std::vector<SettingValue>>& rows);
 
-// An error about a setting, identified by its path; also of settings that may be valid individually
-// but contradict each other. what() is the message; path() lets a reader look up the setting's
-// location in its file.
+// An error about a setting, identified by its path. This includes settings that are valid
+// individually but contradict each other. what() is the message; path() lets a reader look up the
+// setting's location in its file.
 class SettingError : public std::invalid_argument {
  public:
   // what() is the path followed by `text`, such as ": must differ from d0" or " is 0; it must be

@@ -21,7 +21,7 @@ std::string_view name_of_preset_in(std::string_view branch) {
   return branch == "match" ? "rules" : "preset";
 }
 
-// An example of a line with this key, for keys whose format is hard to guess.
+// An example of a line with this key, for keys with a format that is hard to guess.
 std::string example_of(std::string_view key) {
   static const std::map<std::string_view, std::string_view> kExamples = {
       {"schema", "schema: 1"},

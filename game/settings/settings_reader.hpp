@@ -35,8 +35,8 @@ void refuse_unknown(const YamlFile& file, const std::vector<YamlEntry>& top,
 // Parses the entry's value into the setting. Throws InputError saying what was expected.
 void assign_entry(const YamlFile& file, const YamlEntry& entry, const Setting& setting);
 
-// Reads branches of a file into a game as strictly as `--set`, and remembers their locations and
-// which settings are given. Does not check settings against each other.
+// Reads branches of a file into a game as strictly as `--set`, and records their locations and
+// which of them are given. Does not check settings against each other.
 class SettingsReader {
  public:
   using List = std::function<std::vector<Setting>()>;
@@ -56,7 +56,7 @@ class SettingsReader {
         settings_(list_()),
         locations_(locations) {}
 
-  // Reads only these settings, none of which may be a type, players or types.
+  // Reads only these settings, which must not include a type, players or types.
   SettingsReader(const YamlFile& file, std::vector<Setting> settings, SettingLocations& locations)
       : file_(file), settings_(std::move(settings)), locations_(locations) {}
 
@@ -66,7 +66,7 @@ class SettingsReader {
   // The top-level names of the settings.
   std::vector<std::string> names() const { return names_below(settings_, ""); }
 
-  // unknown_key_message(), and where else the settings have a key of that name.
+  // unknown_key_message(), followed by other places where the settings have a key of that name.
   std::string about_unknown(std::string_view key, const std::vector<std::string>& known) const;
 
   // Reads the setting, or branch of settings, at `path`. Throws InputError.

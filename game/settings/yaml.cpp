@@ -13,7 +13,7 @@
 namespace autoref::game {
 namespace {
 
-// Explains YAML syntax errors in terms of a remedy.
+// A YAML syntax error, explained by its remedy.
 struct SyntaxMistake {
   YamlLocation location;
   std::string message;
@@ -57,8 +57,8 @@ YAML::Node last_value_in(YAML::Node node) {
   return node;
 }
 
-// Explains a parser error, given its location and text; the parser often reports it a line too late
-// and in its own terms.
+// Explains a parser error, given its location and text. The parser often reports errors a line too
+// late and in its own terms.
 SyntaxMistake syntax_mistake(const std::string& text, const YamlLocation& location,
                              const std::string& complaint) {
   if (const std::optional<YamlLocation> tab = tab_before(text, location.line)) {

@@ -98,7 +98,7 @@ void put_robot_id(RobotId robot, std::string& bytes) {
   put(static_cast<std::uint8_t>(robot.number), bytes);
 }
 
-// The limits of a robot in the order of the file.
+// A robot's limits in the file's order.
 std::array<double*, 9> limits_of(ChangedRobot& robot) {
   return {&robot.mass_kg,
           &robot.speed_mps,

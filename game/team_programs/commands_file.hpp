@@ -1,4 +1,4 @@
-// The commands of a game's programs in a file, with which the game is played again without them.
+// A file with the commands of a game's programs, from which the game can be replayed without them.
 //
 // A gzip file with a header line, `autoref-commands 1`, and then entries in the order in which they
 // took effect. An entry begins with a byte:
@@ -6,17 +6,17 @@
 //             end: 8 bytes with the game's final state follow
 //   bit 2     requests follow: keeper and robot that leaves (int8, -1: none), timeout (uint8)
 //   bit 3     a fault follows: its length (uint16) and text; the team's last entry
-// Unless there is a fault, then a uint16: bit n is set if robot n's command differs from the
-// previous one, initially all zero. For each of these robots a byte:
+// Unless there is a fault, a uint16 follows: bit n is set if robot n's command differs from its
+// previous one, which is initially all zero. Each of these robots then has a byte:
 //   bits 0-3  forward, left, angular velocity, kick follow as floats; the others are as before
 //   bit 4     chip
 //   bit 5     dribble
-// Of a change of the world, bits 2-3 are 0 for the ball, 1 for a robot that is placed, 2 for one
-// that is taken off the field. Then follow, for a robot, its side (uint8, 0 west) and number
-// (uint8); unless it is taken off, as doubles position, velocity, and for the ball height, vertical
-// speed and 1 if it rolls or 0, for a robot heading (x, y) and angular velocity. Before all other
-// entries, there may be some whose bits 2-3 are 3: the side and number of a robot and its limits as
-// doubles, in the order of ChangedRobot. All numbers are little-endian.
+// In a change of the world, bits 2-3 are 0 for the ball, 1 for a robot that is placed, 2 for one
+// that is taken off the field. For a robot, its side (uint8, 0 west) and number (uint8) follow.
+// Unless a robot is taken off, these doubles come next: position and velocity, then, for the ball,
+// height, vertical speed and 1 if it rolls or 0, or, for a robot, heading (x, y) and angular
+// velocity. The first entries may have bits 2-3 equal to 3: they contain the side and number of a
+// robot and its limits as doubles, in the order of ChangedRobot. All numbers are little-endian.
 #pragma once
 
 #include <array>
@@ -31,7 +31,7 @@
 
 namespace autoref::game {
 
-// What the file knows of a team at a time.
+// The file's information about a team at one time.
 struct TeamEntry {
   TeamCommands commands{};  // as transmitted() returns them
   TeamRequests requests;
@@ -53,10 +53,11 @@ class CommandsWriter {
   // `team` is 'a' or 'b'. Throws InputOutputError.
   void add(char team, const TeamEntry& entry);
 
-  // A robot that was changed before the game; call it before all others. Throws InputOutputError.
+  // Adds a robot that was changed before the game; call this before all other functions. Throws
+  // InputOutputError.
   void add(const ChangedRobot& changed);
 
-  // A change before the next step. Throws InputOutputError.
+  // Adds a change before the next step. Throws InputOutputError.
   void add(const WorldChange& change);
 
   // Throws InputOutputError.
@@ -68,7 +69,7 @@ class CommandsWriter {
 
   std::filesystem::path path_;
   io::PendingFile pending_;
-  void* file_ = nullptr;  // a gzFile that writes to it
+  void* file_ = nullptr;  // a gzFile that writes to the file
   std::array<TeamEntry, 2> last_;
   std::string bytes_;
 };
@@ -81,12 +82,12 @@ class CommandsReader {
   CommandsReader(const CommandsReader&) = delete;
   CommandsReader& operator=(const CommandsReader&) = delete;
 
-  // Applies the changes of robots before the game; call it before all others. Throws InputError if
-  // the file is damaged or `game` does not have these robots.
+  // Applies the changes made to robots before the game; call this before all other functions.
+  // Throws InputError if the file is damaged or `game` does not have these robots.
   void change_robots(GameConfiguration& game);
 
-  // The next entry, which must be of `team`. Throws InputError if it is not, or if the file is
-  // damaged or at its end: then it belongs to another game.
+  // The next entry, which must be of `team`. Throws InputError if it is another team's or if the
+  // file is damaged or at its end: the file then belongs to another game.
   const TeamEntry& next(char team);
 
   // The next entry if it is a change of the world; nullopt for another entry or the end. Throws

@@ -26,7 +26,7 @@ bool does_anything(const RobotCommand& c) {
          c.dribble;
 }
 
-// What the first run of the program did, and what it must repeat in the second.
+// The program's answers in its first run, which it must repeat in the second.
 struct SeenAnswers {
   TeamCheck check;
   std::bitset<kMaxRobots> commanded;
@@ -34,7 +34,7 @@ struct SeenAnswers {
   bool is_repeated = true;
 };
 
-// Watches a program in its first run.
+// Observes a program in its first run.
 class CheckedTeam final : public strategies::Strategy {
  public:
   CheckedTeam(std::unique_ptr<ProgramTeam> team, SeenAnswers& seen)
@@ -105,7 +105,7 @@ class RepeatingTeam final : public strategies::Strategy {
   std::size_t frame_ = 0;
 };
 
-// Plays a game whose team a is a `Watcher` of its program.
+// Plays a game in which team a is a `Watcher` of its program.
 template <typename Watcher>
 GameRecord play_watched(const GameConfiguration& game, SeenAnswers& seen) {
   return play(

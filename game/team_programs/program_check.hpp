@@ -1,4 +1,4 @@
-// Tries out a team that is a program.
+// Tries out a team program.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,13 @@
 
 namespace autoref::game {
 
-// What a program did in the first seconds of a game.
+// A program's behaviour in the first seconds of a game.
 struct TeamCheck {
-  std::optional<league::Greeting> greeting;  // nullopt: none came
+  std::optional<league::Greeting> greeting;  // nullopt: none arrived
   double start_ms = 0;                       // from the program's start to its first answer
   std::vector<double> answers_ms;            // from writing each later frame to its answer, sorted
   double played_s = 0;                       // of the game
-  int robots_commanded = 0;                  // robots that were ever told to move or kick
+  int robots_commanded = 0;                  // robots that got a command to move or kick
   int keeper = -1;                           // last requested
   bool asked_for_timeout = false;
   std::string ending;                 // how it ended after END; empty after a fault
@@ -24,8 +24,8 @@ struct TeamCheck {
   std::string fault;                  // empty if there was none
 };
 
-// Plays a game in which team a is a program, and plays it again to see whether the program repeats
-// its commands. Throws InputOutputError.
+// Plays a game with a program as team a, then replays it to see whether the program repeats its
+// commands. Throws InputOutputError.
 TeamCheck check_team(const GameConfiguration& game);
 
 }  // namespace autoref::game

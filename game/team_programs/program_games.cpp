@@ -10,7 +10,7 @@
 namespace autoref::game {
 namespace {
 
-// Records what another team sends.
+// Records another team's commands and requests.
 class RecordedTeam final : public strategies::Strategy {
  public:
   RecordedTeam(std::unique_ptr<strategies::Strategy> team, char letter, CommandsWriter& file,
@@ -45,7 +45,7 @@ class RecordedTeam final : public strategies::Strategy {
   TeamEntry entry_;
 };
 
-// Compares what another team sends with a file.
+// Compares another team's commands and requests with a file.
 class ComparedTeam final : public strategies::Strategy {
  public:
   ComparedTeam(std::unique_ptr<strategies::Strategy> team, char letter, CommandsReader& file,
@@ -81,7 +81,7 @@ class ComparedTeam final : public strategies::Strategy {
   bool* was_killed_;
 };
 
-// Plays the commands of a file.
+// Plays back the commands in a file.
 class ReplayedTeam final : public strategies::Strategy {
  public:
   ReplayedTeam(char letter, CommandsReader& file) : letter_(letter), file_(&file) {}

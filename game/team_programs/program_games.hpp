@@ -1,4 +1,4 @@
-// Games in which teams are programs.
+// Games with team programs.
 #pragma once
 
 #include <filesystem>
@@ -14,58 +14,59 @@
 
 namespace autoref::game {
 
-// Whether a team is a program, or plays over the network: its commands can be recorded.
+// Whether a team is a program or plays over the network, so that its commands can be recorded.
 bool has_programs(const GameConfiguration& game);
 
-// How to start it.
+// How to start the program.
 ProgramSpec spec_of(const TeamProgram& program);
 
-// The team's program (program_team.hpp) if it has one, else the registered strategy. Throws like
-// make_registered_team().
+// Creates the team's program (program_team.hpp) if it has one, otherwise the registered strategy.
+// Throws like make_registered_team().
 std::unique_ptr<strategies::Strategy> make_program_or_registered_team(
     const TeamConfiguration& team, const strategies::TeamContext& context);
 
-// Files that a game's programs leave. Empty paths: none.
+// Files written for a game's programs. If a path is empty, that file is not written.
 struct ProgramFiles {
   std::filesystem::path commands;       // commands_file.hpp
   std::filesystem::path stderr_a = {};  // standard error of team a's program
   std::filesystem::path stderr_b = {};
-  bool show_stderr = false;  // also on AutoRef's
+  bool show_stderr = false;  // also show it on AutoRef's
   io::FileKind commands_kind = io::FileKind::kFile;
 };
 
-// Plays a game's programs, or their recorded commands, and keeps its files.
+// Runs a game's programs or plays back their recorded commands, and writes the game's files.
 class GamePrograms {
  public:
-  // Plays the programs. Throws InputOutputError if a file cannot be written.
-  // `make_network_team` makes teams that play over the network; without it, games with them
-  // cannot be played.
+  // Runs the programs. Throws InputOutputError if a file cannot be written. `make_network_team`
+  // makes teams that play over the network; without it, games with them cannot be played.
   static GamePrograms live(const GameConfiguration& game, ProgramFiles files,
                            TeamMaker make_network_team = {});
-  // Plays the commands of a file instead of the programs. Throws InputError, InputOutputError.
+  // Plays back the commands in a file instead of running the programs. Throws InputError and
+  // InputOutputError.
   static GamePrograms recorded(const GameConfiguration& game, const std::filesystem::path& commands,
                                io::FileKind kind = io::FileKind::kFile);
 
   // The game with the robots that were changed before it began, if it is played from recorded
-  // commands. Throws as CommandsReader.
+  // commands. Throws like CommandsReader.
   GameConfiguration configured(const GameConfiguration& game);
-  // Records that a robot was changed before the game. Throws as CommandsWriter.
+  // Records that a robot was changed before the game. Throws like CommandsWriter.
   void record(const ChangedRobot& changed);
 
   // For Game; this object must outlive its teams.
   TeamMaker maker();
 
-  // Call it before each step: plays the recorded changes of the world. Throws as CommandsReader.
+  // Applies the recorded changes of the world. Call this before each step. Throws like
+  // CommandsReader.
   void before_step(Game& game);
-  // Changes the world between two steps, and records that. Throws as CommandsWriter.
+  // Changes the world between two steps and records the change. Throws like CommandsWriter.
   void change(const WorldChange& change, Game& game);
 
-  // Whether a program whose commands are recorded was killed from outside.
+  // Whether a program was killed from outside while its commands were being recorded.
   bool was_killed() const { return was_killed_; }
 
-  // Call it with the final record: completes the file of commands. If the game was played from
-  // recorded commands, returns whether it ended in the recorded state. Throws as CommandsWriter and
-  // CommandsReader do.
+  // Completes the file of commands; call this with the final record. If the game was played from
+  // recorded commands, returns whether it ended in the recorded state. Throws like CommandsWriter
+  // and CommandsReader.
   bool finish(const GameRecord& record);
 
  private:
@@ -84,8 +85,8 @@ class GamePrograms {
   std::unique_ptr<CommandsReader> reader_;  // null: the programs play
 };
 
-// Starts the programs again and plays the first `seconds` of a game that was recorded. Returns
-// whether they send the recorded commands; nullopt if one was killed from outside.
+// Restarts the programs and plays the first `seconds` of a recorded game. Returns whether they send
+// the recorded commands, or nullopt if one was killed from outside.
 std::optional<bool> repeats(const GameConfiguration& game, const std::filesystem::path& commands,
                             double seconds);
 

@@ -41,12 +41,12 @@ void close_once(int& descriptor) {
   descriptor = -1;
 }
 
-// Closed unless released: six pipes, and any may fail.
+// Closes its ends unless they are released: there are six pipes, and any of them may fail.
 class Pipe {
  public:
   Pipe() {
     if (pipe2(ends_.data(), O_CLOEXEC) != 0) throw io::io_error("cannot open a pipe", errno);
-    // The program's standard streams must not be AutoRef's, even if AutoRef has closed its own.
+    // The program must not get AutoRef's standard streams, even if AutoRef has closed its own.
     for (int& end : ends_) {
       if (end > STDERR_FILENO) continue;
       const int higher = fcntl(end, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
@@ -72,7 +72,7 @@ class Pipe {
   std::array<int, 2> ends_{-1, -1};
 };
 
-// Writes to a pipe; if its reader is gone, returns -1 with EPIPE and no signal.
+// Writes to a pipe. If its reader is gone, returns -1 with EPIPE but raises no signal.
 ssize_t write_without_signal(int descriptor, std::string_view bytes) {
   sigset_t pipe_signal;
   sigset_t former;
@@ -108,14 +108,14 @@ std::string start_failure(const ProgramSpec& spec, const SupervisorReport& repor
   }
 }
 
-// What follows a failure of a program that may do less than AutoRef.
+// Added to the message if a program fails that has fewer rights than AutoRef.
 constexpr const char* kMayDoLess =
     "AutoRef runs as root, and therefore starts programs under a user that may read only what "
     "everybody may";
 constexpr const char* kHowToLetIt =
     "start AutoRef as a user, or give the program a folder that everybody may read";
 
-// What the specification gives goes before what is added.
+// The specification's own variables take precedence over the added ones.
 ProgramSpec with_environment(ProgramSpec spec, const std::vector<std::string>& added) {
   for (const std::string& entry : added) {
     const std::string name = entry.substr(0, entry.find('=') + 1);
@@ -127,7 +127,7 @@ ProgramSpec with_environment(ProgramSpec spec, const std::vector<std::string>& a
   return spec;
 }
 
-// How many processes the system has killed since it was started, because memory had run out.
+// The number of processes that the system has killed since boot because it ran out of memory.
 std::uint64_t kills_for_memory() {
   std::ifstream counters("/proc/vmstat");
   std::string name;
@@ -152,7 +152,7 @@ ProgramProcess::ProgramProcess(ProgramSpec spec) : spec_(std::move(spec)) {
   stderr_.emplace(err.release(0), spec_);
   if (runs_as_root()) {
     user_.emplace();
-    // Programs open /dev/stderr and the like by name, which only the owner of a pipe may.
+    // Programs open /dev/stderr and the like by name, which is allowed only for a pipe's owner.
     for (const int end : {in.reader(), out.writer(), err.writer()}) user_->give(end);
   }
   supervisor_ = start_supervisor(
@@ -168,7 +168,7 @@ ProgramProcess::ProgramProcess(ProgramSpec spec) : spec_(std::move(spec)) {
   wait_for_start(started.reader());
 }
 
-// The pipe is closed without a word when the program has replaced the process that starts it.
+// The pipe is closed without a report when the program has replaced the process that starts it.
 void ProgramProcess::wait_for_start(int started) {
   SupervisorReport failure;
   ssize_t size = 0;
@@ -257,13 +257,13 @@ bool ProgramProcess::take_report(Clock::time_point deadline) {
   return true;
 }
 
-// Without a report, the supervisor was killed. In a namespace of its own, a program can kill
-// itself, but not its supervisor.
+// If there is no report, the supervisor was killed. In its own namespace, a program can kill itself
+// but not its supervisor.
 bool ProgramProcess::was_killed_from_outside() const {
   return out_ < 0 && !report_ && has_reports_ended_ && supervisor_.has_namespace;
 }
 
-// The system ends processes with much memory, and only counts how many.
+// The system kills processes that use much memory, but only counts them.
 bool ProgramProcess::lacked_memory() const {
   const bool is_killed = report_ && report_->kind == SupervisorReport::kEnded &&
                          WIFSIGNALED(report_->value) && WTERMSIG(report_->value) == SIGKILL;
@@ -294,7 +294,7 @@ ProgramError ProgramProcess::fault(std::string_view what) const {
 std::string ProgramProcess::end(double grace_s) {
   if (supervisor_.pid <= 0) return how_it_ended();
   close_input();
-  // Output that nobody reads must not keep the program from ending.
+  // Unread output must not keep the program from ending.
   close_once(out_);
   if (!take_report(after(grace_s)) && grace_s > 0.0) {
     write_without_signal(life_, "T");

@@ -13,26 +13,26 @@
 
 namespace autoref::game {
 
-// Owns the program and every process that it starts, in a session of their own; they end with this
-// object, or with AutoRef. Knows nothing of messages. Nothing here blocks beyond its deadline,
-// whatever the program does.
+// Owns the program and every process that it starts. They run in their own session and end with
+// this object or with AutoRef. This class knows nothing about messages. Whatever the program does,
+// no function blocks beyond its deadline.
 class ProgramProcess {
  public:
   using Clock = std::chrono::steady_clock;
 
-  // Starts the program, under a user of its own if this process runs as root. Throws ProgramError
-  // if it cannot be started, InputOutputError if AutoRef has no process, descriptor or file for it,
-  // or that user may not read it.
+  // Starts the program, under a separate user if this process runs as root. Throws ProgramError if
+  // the program cannot be started, and InputOutputError if AutoRef runs out of processes,
+  // descriptors or files, or if that user may not read the program.
   explicit ProgramProcess(ProgramSpec spec);
   ~ProgramProcess() { end(0.0); }
   ProgramProcess(const ProgramProcess&) = delete;
   ProgramProcess& operator=(const ProgramProcess&) = delete;
 
-  // Sends bytes without waiting. What the program does not take yet goes out during read(). A
-  // closed input is not an error: read() reports what became of the program.
+  // Sends bytes without waiting. Bytes that the program does not accept yet are sent during read().
+  // A closed input is not an error here: read() reports what happened to the program.
   void write(std::string_view bytes);
 
-  // When an answer that is asked for now is late.
+  // The deadline for an answer requested now.
   Clock::time_point answer_deadline() const;
 
   // Waits for output and returns what has arrived, at least one byte; valid until the next call.
@@ -43,11 +43,12 @@ class ProgramProcess {
   // Whether there is output that has not been read. Does not wait.
   bool has_output() const;
 
-  // A ProgramError that says what the program did, "sent ..." for example.
+  // A ProgramError that describes what the program did, for example "sent ...".
   ProgramError fault(std::string_view what) const;
 
-  // Closes the program's input, gives it the time to end by itself, then SIGTERM and as much time
-  // again, then SIGKILL to all of its processes. Returns how it ended, "ended with status 0".
+  // Closes the program's input and gives it the grace period to end by itself. Then sends SIGTERM,
+  // waits just as long again and sends SIGKILL to all of its processes. Returns how the program
+  // ended, for example "ended with status 0".
   std::string end(double grace_s);
 
   bool has_namespace() const { return supervisor_.has_namespace; }
@@ -69,12 +70,12 @@ class ProgramProcess {
   int out_ = -1;
   int life_ = -1;
   int reports_ = -1;
-  std::uint64_t kills_before_ = 0;   // by the system, for lack of memory
+  std::uint64_t kills_before_ = 0;   // kills by the system for lack of memory
   std::optional<ProgramUser> user_;  // unless the program runs under this process's
   std::optional<ProgramStderr> stderr_;
   Supervisor supervisor_;
   std::optional<SupervisorReport> report_;
-  bool has_reports_ended_ = false;  // without a report
+  bool has_reports_ended_ = false;  // ended without a report
   bool has_output_begun_ = false;
   std::string pending_;
   std::string received_;

@@ -21,7 +21,8 @@ constexpr const char* kLocks = "/run/autoref-users";
 constexpr const char* kCannot =
     "AutoRef runs as root, but cannot start programs under another user; start it as a user";
 
-// Whether root of this user namespace is an ordinary user outside, who cannot become another one.
+// Whether root of this user namespace is an ordinary user outside, who cannot switch to another
+// user.
 bool is_a_user_outside() {
   std::ifstream map("/proc/self/uid_map");
   std::int64_t inside = 0;
@@ -44,8 +45,9 @@ bool has_account(int id) {
   return found != nullptr;
 }
 
-// Locks the byte of the id in a file of root's. The lock ends with the descriptor, however the
-// process ends. Returns whether nobody else holds it; throws if that cannot be known.
+// Locks the byte that stands for the id in a file owned by root. The lock ends with the descriptor,
+// however the process ends. Returns false if another process holds the lock; throws if that cannot
+// be determined.
 bool lock(int file, int id) {
   struct flock byte {};
   byte.l_type = F_WRLCK;

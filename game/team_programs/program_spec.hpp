@@ -1,4 +1,4 @@
-// The program of a team, and the user it runs as.
+// The program of a team and the user under which it runs.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ namespace autoref::game {
 struct ProgramLimits {
   std::uint64_t memory_bytes = 4ULL << 30;  // written to by each process
   std::uint64_t open_files = 256;           // of each process
-  int processes = 64;                       // at once, threads not counted; more end the program
-  std::uint64_t tasks = 512;            // processes and threads at once; the kernel refuses more
+  int processes = 64;                       // at a time, not counting threads; more end the program
+  std::uint64_t tasks = 512;            // processes and threads at a time; the kernel refuses more
   std::uint64_t cpu_s = 3600;           // of each process
   double answer_s = 10.0;               // wall clock; only to detect programs that hang
   std::size_t stderr_bytes = 1U << 20;  // in the file of standard error; the rest is dropped
@@ -25,28 +25,29 @@ struct ProgramSpec {
   std::string directory = {};            // working directory; empty: AutoRef's
   std::vector<std::string> environment;  // "NAME=value", in addition to AutoRef's environment
   std::string stderr_file = {};          // empty: only the last lines are kept
-  int stderr_copy = -1;                  // descriptor that also takes standard error; -1: none
+  int stderr_copy = -1;                  // descriptor that also receives standard error; -1: none
   ProgramLimits limits = {};
 };
 
-// A fault of the program. what() says what it did, followed by its last lines on standard error.
+// A fault of the program. what() describes the fault, followed by the program's last lines on
+// standard error.
 class ProgramError : public std::runtime_error {
  public:
   explicit ProgramError(const std::string& what, bool is_from_outside = false)
       : std::runtime_error(what), was_killed_from_outside(is_from_outside) {}
 
-  bool was_killed_from_outside;  // so that it is not to blame
+  bool was_killed_from_outside;  // so it is not to blame
 };
 
-// Whether this process has the rights of root, here or outside its user namespace. If so, a program
-// must not run under its user.
+// Whether this process has root rights, here or outside its user namespace. If so, a program must
+// not run under the same user.
 bool runs_as_root();
 
-// A user id without an account, different from those of all programs that run at once, and a folder
+// A user id without an account, different from those of all other running programs, and a folder
 // that belongs to it. Both last as long as this object.
 class ProgramUser {
  public:
-  // Throws InputOutputError if every id is in use, or the lock or the folder cannot be had.
+  // Throws InputOutputError if every id is in use, or if the lock or the folder cannot be obtained.
   ProgramUser();
 
   int id() const { return id_; }  // also of its group
@@ -54,7 +55,7 @@ class ProgramUser {
   // Makes the user the owner of an open file.
   void give(int descriptor) const;
 
-  // "NAME=value": the folder as HOME and TMPDIR.
+  // "NAME=value" entries that set HOME and TMPDIR to the folder.
   std::vector<std::string> environment() const;
 
  private:

@@ -25,7 +25,7 @@ ProgramStderr::ProgramStderr(int descriptor, const ProgramSpec& spec)
       file_name_(spec.stderr_file),
       copy_(spec.stderr_copy),
       room_(spec.limits.stderr_bytes) {
-  // An earlier attempt at the game may have left one.
+  // An earlier attempt at the game may have left a file.
   if (!file_name_.empty()) unlink(file_name_.c_str());
 }
 
@@ -58,8 +58,8 @@ void ProgramStderr::keep(const char* text, std::size_t size) {
   [[maybe_unused]] const ssize_t ignored = copy_ < 0 ? 0 : write(copy_, text, written);
 }
 
-// The name must be free: what the program has put there since may be a FIFO, or a link to a file
-// that must not change.
+// The name must be unused: the program may have put a FIFO there, or a link to a file that must not
+// change.
 void ProgramStderr::write_to_file(const char* text, std::size_t size) {
   if (file_name_.empty()) return;
   if (file_ < 0) file_ = open(file_name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);

@@ -33,7 +33,7 @@ ProgramTeam::ProgramTeam(const ProgramSpec& spec, const strategies::TeamContext&
   blame_program([&] { process_.emplace(spec); });
 }
 
-// Keeps the first thing that the program does wrong, and does nothing after it.
+// Records the program's first fault and does nothing after that.
 template <typename Action>
 void ProgramTeam::blame_program(const Action& action) {
   if (!fault_.empty()) return;
@@ -54,7 +54,7 @@ void ProgramTeam::send(const Message& message) {
   process_->write(bytes_);
 }
 
-// The greeting, and nothing after it, is answered with START.
+// Reads the greeting, which must be the only output so far, and answers with START.
 void ProgramTeam::begin() {
   const ProgramProcess::Clock::time_point deadline = process_->answer_deadline();
   std::string received;
@@ -93,7 +93,7 @@ void ProgramTeam::decide(const TeamView& view, TeamCommands& commands) {
   std::transform(output_.commands.begin(), output_.commands.end(), commands.begin(), transmitted);
 }
 
-// One output, and nothing after it.
+// Reads one output, which must be the only one.
 void ProgramTeam::receive(std::int64_t frame) {
   using Result = league::OutputDecoder::Result;
   const ProgramProcess::Clock::time_point deadline = process_->answer_deadline();

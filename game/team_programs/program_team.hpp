@@ -1,4 +1,4 @@
-// A team that is a program of its own.
+// A team that runs as a separate program.
 #pragma once
 
 #include <memory>
@@ -12,17 +12,16 @@
 
 namespace autoref::game {
 
-// The program was killed from outside, so that it is not to blame.
+// The program was killed from outside, so it is not to blame.
 class ProgramKilled : public strategies::StrategyFault {
  public:
   using StrategyFault::StrategyFault;
 };
 
 // Plays by the program's commands (docs/team-programs.md), as transmitted() sends them to robots.
-// The program is started by the constructor and ended, with all processes that it started, by the
-// destructor. Whatever it does wrong, decide() throws as a strategies::StrategyFault, which is a
-// ProgramKilled if the program was killed from outside. Throws InputOutputError as well
-// (program_process.hpp).
+// The constructor starts the program; the destructor ends it and all processes that it started. For
+// any fault of the program, decide() throws a strategies::StrategyFault, which is a ProgramKilled
+// if the program was killed from outside. It can also throw InputOutputError (program_process.hpp).
 class ProgramTeam final : public strategies::Strategy {
  public:
   ProgramTeam(const ProgramSpec& spec, const strategies::TeamContext& context);
@@ -34,9 +33,9 @@ class ProgramTeam final : public strategies::Strategy {
   TeamRequests requests() const override { return output_.requests; }
   void end(const strategies::GameEnd& end) override;
 
-  // What the program asked for; nullopt until it has been asked for a decision.
+  // The program's greeting; nullopt until it has been asked for a decision.
   const std::optional<league::Greeting>& greeting() const { return greeting_; }
-  // How it ended after end(), "ended with status 0".
+  // How it ended after end(), for example "ended with status 0".
   const std::string& ending() const { return ending_; }
 
  private:
@@ -48,7 +47,7 @@ class ProgramTeam final : public strategies::Strategy {
   void send(const Message& message);
 
   std::optional<ProgramProcess> process_;  // nullopt if it could not be started
-  std::string fault_;                      // empty until there is one
+  std::string fault_;                      // empty until a fault occurs
   bool was_killed_ = false;
   std::string ending_;
   league::TeamStart start_;

@@ -22,7 +22,8 @@
 
 #include "io/errors.hpp"
 
-// Between fork and exec only async-signal-safe functions are called: text is made before.
+// Between fork and exec, only async-signal-safe functions may be called, so text is prepared
+// before.
 namespace autoref::game {
 namespace {
 
@@ -32,7 +33,7 @@ constexpr std::size_t kMostCounted = 4096;
 // A word of the command that names a file or folder.
 struct NamedFile {
   int argument;
-  std::string path;  // absolute, as many programs open it
+  std::string path;  // absolute, since many programs open it
 };
 
 struct PreparedProgram {
@@ -41,7 +42,7 @@ struct PreparedProgram {
   std::vector<NamedFile> files;
   std::string uid_map;
   std::string gid_map;
-  int user;  // kSameUser, or of the program
+  int user;  // kSameUser or the program's user
 };
 
 std::vector<char*> pointers(const std::vector<std::string>& words) {
@@ -94,7 +95,8 @@ void limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
   setrlimit(resource, &wanted);
 }
 
-// Gives up root's user, groups and rights, for good. Returns false if this process may not.
+// Permanently gives up root's user, groups and rights. Returns false if this process is not allowed
+// to.
 bool leave_root(int user) {
   __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
   std::array<__user_cap_data_struct, _LINUX_CAPABILITY_U32S_3> none{};
@@ -112,7 +114,7 @@ void check_files(const ProgramEnds& ends, const PreparedProgram& prepared) {
 }
 
 void limit_all(const ProgramLimits& limits, bool has_own_user) {
-  // Without a user of its own, the limit would count all processes of AutoRef's user.
+  // Without a separate user, the limit would count all processes of AutoRef's user.
   if (has_own_user) limit(RLIMIT_NPROC, limits.tasks, limits.tasks);
   limit(RLIMIT_DATA, limits.memory_bytes, limits.memory_bytes);
   limit(RLIMIT_NOFILE, limits.open_files, limits.open_files);
@@ -148,7 +150,8 @@ void default_signals() {
   fail_to_start(ends.started, SupervisorReport::kNoProgram);
 }
 
-// Reads the children of a process as the kernel lists them, "12 34 ". Returns how many were added.
+// Reads the children of a process from the kernel's list, such as "12 34 ". Returns how many were
+// added.
 std::size_t read_children(pid_t pid, pid_t* list, std::size_t room) {
   std::array<char, 64> path{};
   char digits[12];
@@ -193,7 +196,7 @@ std::size_t read_children(pid_t pid, pid_t* list, std::size_t room) {
   return count;
 }
 
-// Number of descendants of this process. Numbers are those of /proc, not of the namespace.
+// Number of descendants of this process. Process ids are those in /proc, not in the namespace.
 std::size_t count_descendants() {
   static std::array<pid_t, kMostCounted> found;
   std::size_t count = read_children(0, found.data(), found.size());
@@ -203,7 +206,7 @@ std::size_t count_descendants() {
   return count;
 }
 
-// Orphans come to this process (it is their subreaper), so all are found in the end.
+// Orphans are reparented to this process (it is their subreaper), so all are found eventually.
 void kill_all(bool has_namespace) {
   static std::array<pid_t, kMostCounted> children;
   for (int round = 0; round < 2000; ++round) {
@@ -228,7 +231,7 @@ void kill_all(bool has_namespace) {
   _exit(0);
 }
 
-// Reaps; ends if the program itself has ended.
+// Reaps child processes; ends if the program itself has ended.
 void reap(const ProgramEnds& ends, pid_t program, bool has_namespace) {
   int status = 0;
   pid_t ended = 0;
@@ -307,7 +310,8 @@ Supervisor start_supervisor(const ProgramSpec& spec, const ProgramEnds& ends, in
                                  fmt::format("{0} {0} 1", geteuid()),
                                  fmt::format("{0} {0} 1", getegid()),
                                  user};
-  // Root can make PID namespaces, unless a container forbids them. Users need a user namespace.
+  // Root can create PID namespaces unless a container forbids it. Other users need a user
+  // namespace.
   const unsigned long namespaces = user == kSameUser ? CLONE_NEWUSER | CLONE_NEWPID : CLONE_NEWPID;
   for (const unsigned long flags : {namespaces, 0UL}) {
     const auto pid =

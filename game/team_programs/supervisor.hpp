@@ -1,5 +1,5 @@
-// The process between AutoRef and a team's program. It starts the program, counts the processes,
-// and ends all of them when the program ends or AutoRef does. Used by program_process.cpp.
+// The process between AutoRef and a team's program. It starts the program, counts its processes,
+// and ends all of them when the program or AutoRef ends. Used by program_process.cpp.
 #pragma once
 
 #include <sys/types.h>
@@ -8,12 +8,12 @@
 
 namespace autoref::game {
 
-// What the supervisor reports, in one write.
+// A report of the supervisor, sent in one write.
 struct SupervisorReport {
   enum Kind : int {
     kEnded,
     kTooManyProcesses,
-    kNoUser,  // failures to start, from here on
+    kNoUser,  // failures to start from here on
     kNoDirectory,
     kUnreadable,
     kNoProgram,
@@ -29,9 +29,9 @@ struct ProgramEnds {
   int in = -1;  // the program's standard input, output and error
   int out = -1;
   int err = -1;
-  int life = -1;     // a byte asks for SIGTERM; the end of the file ends everything
-  int reports = -1;  // takes SupervisorReports
-  int started = -1;  // takes a SupervisorReport if the program cannot start; closed if it does
+  int life = -1;     // a byte requests SIGTERM; end of file ends everything
+  int reports = -1;  // receives SupervisorReports
+  int started = -1;  // gets a SupervisorReport if the program cannot start, else is closed
 };
 
 struct Supervisor {
@@ -43,8 +43,8 @@ struct Supervisor {
 inline constexpr int kSameUser = -1;
 
 // Starts a supervisor, in a PID namespace if the system allows one. `user` is the id under which
-// the program runs without further rights, which only root can choose; the supervisor itself
-// keeps its user. Throws InputOutputError.
+// the program runs without further rights (only root can choose one); the supervisor keeps its own
+// user. Throws InputOutputError.
 Supervisor start_supervisor(const ProgramSpec& spec, const ProgramEnds& ends, int user);
 
 }  // namespace autoref::game

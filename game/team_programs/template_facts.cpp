@@ -1,4 +1,4 @@
-// What can be read from the beginners' teams. Declared in team_templates.hpp.
+// Facts read from the beginners' teams. Declared in team_templates.hpp.
 #include <sstream>
 
 #include "game/team_programs/team_templates.hpp"

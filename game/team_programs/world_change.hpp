@@ -1,4 +1,5 @@
-// Changes from outside of a game: of its world while it is played, of its robots' limits before it.
+// Changes made to a game from outside: to its world while it is played, and to its robots' limits
+// before it.
 #pragma once
 
 #include <variant>
@@ -21,11 +22,11 @@ struct RemovedRobot {
 
 using WorldChange = std::variant<sim::BallState, PlacedRobot, RemovedRobot>;
 
-// Changes the world between two steps. A robot that is off the field returns to it if there is room
-// where it is placed; otherwise nothing changes.
+// Changes the world between two steps. A robot that is off the field returns if there is room at
+// its new position; otherwise nothing changes.
 void apply(const WorldChange& change, Game& game);
 
-// A robot whose limits a program on the network has set before the game.
+// A robot with limits that a program on the network has set before the game.
 struct ChangedRobot {
   RobotId robot;
   double mass_kg = 0;
@@ -39,7 +40,7 @@ struct ChangedRobot {
   double chip_limit_mps = 0;
 };
 
-// The robot as it is.
+// The robot with its present limits.
 ChangedRobot unchanged(RobotId robot, const GameConfiguration& game);
 
 // Sets the robot's limits. Throws std::invalid_argument, and changes nothing, if a number is out of

@@ -176,7 +176,7 @@ double Progress::elapsed_s() const {
   return std::chrono::duration<double>(Clock::now() - began_).count();
 }
 
-// Writes the final state, however recent the last update was.
+// Writes the final state, no matter how recent the last update was.
 void Progress::end() {
   next_publishing_ = Clock::now();
   next_view_ = next_publishing_;

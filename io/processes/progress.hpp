@@ -19,7 +19,7 @@ struct GameCounts {
   int total = 0;
   int done = 0;                   // by this run and earlier ones
   int played = 0;                 // by this run
-  std::optional<int> voids = {};  // among those done; nullopt if not counted
+  std::optional<int> voids = {};  // among the games done; nullopt if not counted
 };
 
 // "1 h 05 min", "2 min 05 s", "9 s".
@@ -40,7 +40,7 @@ enum class ProgressStyle {
 // Parses "plain", "json" or "none"; nullopt for other words.
 std::optional<ProgressStyle> progress_style_of(std::string_view name);
 
-// Results so far, besides the counts.
+// The results so far, to be shown in addition to the counts.
 struct ProgressView {
   std::string heading;                // line above the tables
   std::vector<ProgressTable> tables;  // shown on a terminal
@@ -66,12 +66,12 @@ class Progress {
   // the first call, only messages are written.
   void expect(const GameCounts& counts);
 
-  // Sets what to show besides the counts. `view` is called at most once a second, and rarely enough
-  // to take at most 1 % of the time.
+  // Sets what to show in addition to the counts. `view` is called at most once a second, and so
+  // rarely that it takes at most 1 % of the time.
   void show(std::function<ProgressView()> view) { view_of_ = std::move(view); }
 
-  // Hands the counts and progress_text() to `publish`, whatever the style, at most once a second
-  // and at the end. The view of show() is renewed before if it is due.
+  // Passes the counts and progress_text() to `publish` at most once a second and at the end,
+  // whatever the style. If the view of show() is due, it is updated first.
   using Publish = std::function<void(const GameCounts& counts, const std::string& text)>;
   void publish(Publish publish) { publish_ = std::move(publish); }
 
@@ -83,7 +83,7 @@ class Progress {
   // Writes a message on its own line; as JSON, {"event": "note", "text": "..."}.
   void say(const std::string& message);
 
-  // Leaves the tables on a terminal at the end, not only the bar.
+  // At the end, leaves not only the bar but also the tables on a terminal.
   void keep_tables() { keeps_tables_ = true; }
 
  private:

@@ -20,9 +20,9 @@ Screen screen_of(std::FILE* stream);
 
 // A table that can be shortened for small screens.
 struct ProgressTable {
-  std::vector<std::vector<std::string>> rows;  // the head, then the rows by decreasing importance
+  std::vector<std::vector<std::string>> rows;  // the header, then the rows by decreasing importance
   std::vector<Align> columns = {};
-  std::string noun = "rows";                  // what a row stands for, in the plural: "teams"
+  std::string noun = "rows";                  // plural noun for what a row describes: "teams"
   std::vector<std::size_t> dispensable = {};  // columns to drop first if space is short
   std::string text = {};                      // text below the table, wrapped if too long
 };
@@ -42,11 +42,11 @@ std::string bar_line(int done, int total, const std::string& text, int columns);
 // Clears the cursor's line and everything below it.
 inline constexpr std::string_view kClearTable = "\r\033[J";
 
-// Draws `bar` at the cursor and `table` (possibly empty) below it, and leaves the cursor in the
-// bar's line, for kClearTable or the next view. Cuts off what does not fit the screen.
+// Draws `bar` at the cursor and `table` (possibly empty) below it, and leaves the cursor on the
+// bar's line, for kClearTable or the next view. Cuts off whatever does not fit on the screen.
 std::string standings_table(std::string_view bar, std::string_view table, const Screen& screen);
 
-// The same for a final view: the cursor ends in the line below.
+// The same for a final view: the cursor ends on the line below.
 std::string last_standings_table(std::string_view bar, std::string_view table,
                                  const Screen& screen);
 

@@ -36,8 +36,8 @@ struct JobMessage {
 // the whole process group; only the parent decides what to do about it.
 [[noreturn]] void live_as_worker(int socket, pid_t parent, const sigset_t& former_mask,
                                  const WorkerProcess::Work& work) {
-  // The kernel kills the worker when its parent dies, however that happens. If the parent died
-  // before this call, the signal never comes, hence the check.
+  // The kernel kills the worker when its parent dies, for whatever reason. If the parent died
+  // before this call, the signal would never come, hence the check.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(1);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);

@@ -13,7 +13,7 @@
 
 namespace autoref::io {
 
-// Blocks SIGINT, SIGTERM and SIGHUP during its lifetime, and counts them.
+// Blocks SIGINT, SIGTERM and SIGHUP during its lifetime and counts them.
 class EndSignals {
  public:
   EndSignals();
@@ -58,7 +58,7 @@ class WorkerProcess {
   // Starts the process unless it is running. Throws InputOutputError.
   void start(const EndSignals& signals, const Work& work);
 
-  // Sends a job. Fails silently if the worker is dead; that is noticed when its answer is read.
+  // Sends a job. Fails silently if the worker is dead, which is noticed when its answer is read.
   void give(const Job& job);
 
   // Returns the answer to the job, or nullopt if the worker is dead.

@@ -68,7 +68,8 @@ class Pool {
     }
   }
 
-  // Waits for an answer or a signal, at most one tick, so that time limits are checked regularly.
+  // Waits for an answer or a signal, but at most one tick, so that time limits are checked
+  // regularly.
   void wait() {
     std::vector<pollfd> watched = {{signals_.descriptor(), POLLIN, 0}};
     std::vector<WorkerProcess*> busy;
@@ -93,7 +94,7 @@ class Pool {
       failure_ = answer->failure;
       return;
     }
-    // The worker plays on while the result is written to disk.
+    // The worker continues to play while the result is written to disk.
     if (!calls_.is_enough && goes_on()) hand_out();
     calls_.done({job.number, std::move(answer->payload), "", job.attempt, wall_s});
   }
@@ -103,13 +104,13 @@ class Pool {
     const Job job = worker.job();
     const double wall_s = worker.busy_s();
     worker.end();
-    // A job that hangs once will hang again, so a retry would only waste as much time again.
+    // A job that hangs once will hang again, so a retry would only waste the same time again.
     give_up(job, fmt::format("it took longer than {} s", options_.longest_job_s), wall_s, true);
   }
 
   void lose(const Job& job, const std::string& reason, double wall_s) {
     if (job.attempt < options_.attempts) {
-      // Retry at once, so that jobs keep their order as far as possible.
+      // Retry immediately, so that jobs keep their order as far as possible.
       queue_.push_front({job.number, job.attempt + 1});
     } else {
       give_up(job, reason, wall_s);
@@ -127,7 +128,7 @@ class Pool {
   std::deque<Job> queue_;
   std::vector<WorkerProcess> workers_;
   bool is_ending_ = false;
-  std::string failure_;  // of the machine with a job; no more are started
+  std::string failure_;  // of the machine during a job; no more are started
 };
 
 }  // namespace

@@ -2,7 +2,7 @@
 //
 // Each worker is a fork of this process and does one job at a time. If a worker dies, its job is
 // retried; a job that takes too long is given up. Workers never outlive this process. The parent
-// stays single-threaded and alone receives results.
+// stays single-threaded, and only it receives results.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +17,8 @@ namespace autoref::io {
 
 struct WorkerOptions {
   int workers = 1;
-  int attempts = 3;            // how often a job is tried if its workers die
-  double longest_job_s = 600;  // a job that takes longer is assumed to hang and given up at once
+  int attempts = 3;            // attempts at a job if its workers die
+  double longest_job_s = 600;  // a longer job is assumed to hang and is given up
 };
 
 struct Job {
@@ -39,7 +39,7 @@ struct WorkerCalls {
   std::function<std::string(const Job& job)> work;    // runs in a worker
   std::function<void(const JobResult& result)> done;  // runs here for each result; may throw
   std::function<void()> tick;                         // runs here, about four times a second
-  // Runs here; true stops new jobs. Without it, results never stop them, so a worker gets its next
+  // Runs here; true stops new jobs. Without it, results never stop jobs, so a worker gets its next
   // job before `done` runs for its last one.
   std::function<bool()> is_enough = {};
   std::function<void(int running)> ending = {};        // runs here once, after the first signal
@@ -57,16 +57,16 @@ enum class Ending { kDone, kInterrupted };
 int processors();
 
 // The environment has failed: a job threw such an error (environment_failure()), or no process can
-// be started for it. Thrown once the running jobs have ended.
+// be started for a job. Thrown once the running jobs have ended.
 class EnvironmentError : public InputOutputError {
  public:
   using InputOutputError::InputOutputError;
 };
 
 // Runs `jobs` in order, as workers become free. After SIGINT, SIGTERM or SIGHUP no more jobs are
-// started; a second signal kills the workers at once. Returns kInterrupted after a signal, whether
-// or not jobs are left. Throws what `done` throws, and EnvironmentError if no process can be
-// started or `work` reports a failure of the environment; the job then has no result.
+// started; a second signal kills the workers immediately. Returns kInterrupted after a signal,
+// whether or not jobs are left. Throws whatever `done` throws, and EnvironmentError if no process
+// can be started or `work` reports a failure of the environment; the job then has no result.
 Ending do_jobs(const std::vector<std::size_t>& jobs, const WorkerOptions& options,
                const WorkerCalls& calls);
 

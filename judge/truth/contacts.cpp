@@ -11,12 +11,12 @@ namespace {
 constexpr double kAgainMargin_m = 10_mm;      // noise of two detected positions of the ball
 constexpr double kDribblingMargin_m = 50_mm;  // uncertainty of a contact's starting point
 constexpr double kHoldingMargin_s = 0.2;
-// If the ball would have got too far within this time after the end of play, the call was early.
+// If the ball would have gone too far within this time after the end of play, the call was early.
 constexpr double kContactLead_s = 0.05;
 
-// The kicker of a restart touches the ball, again or still, once it has been more than 50 mm away
-// from its position, and before another robot has (Laws 2014, law 9, decision 1; 2026, Double
-// Touch). In 2026, not at penalty kicks.
+// The kicker of a restart touches the ball, again or still, after the ball has moved more than 50
+// mm from its position and before another robot touches it (Laws 2014, law 9, decision 1; 2026,
+// Double Touch). In 2026, this does not apply to penalty kicks.
 class DoubleTouch final : public GroundTruthRule {
  public:
   void watch(const TrueFrame& frame, TrueEvents& all) override {
@@ -62,7 +62,7 @@ class DoubleTouch final : public GroundTruthRule {
 
   int count_ = -1;
   std::optional<RobotId> kicker_;
-  double farthest_m_ = 0;  // from where the ball lay
+  double farthest_m_ = 0;  // from the ball's position
   bool is_over_ = false;   // another robot has touched the ball
   bool is_near_reported_ = false;
   std::optional<std::size_t> reported_at_;  // index of the event
@@ -85,7 +85,7 @@ class Dribbling final : public GroundTruthRule {
       }
       int& reported = excess_m > 0 ? reported_ : nearly_reported_;
       if (reported == contact.count) {
-        // Near the limit only if it ends there.
+        // An event is borderline only if it ends near the limit.
         if (excess_m > kDribblingMargin_m) all[reported_at_].is_borderline = false;
         continue;
       }
@@ -96,7 +96,7 @@ class Dribbling final : public GroundTruthRule {
   }
 
  private:
-  // Whether the referee has just ended play while the ball was about to get too far.
+  // Whether the referee has just stopped play while the ball was about to go too far.
   static bool is_prevented(const TrueFrame& frame, const Contact& contact, double excess_m) {
     const Vec2 path_m = frame.now.ball.position_m - contact.ball_from_m;
     const double away_mps = frame.now.ball.velocity_mps.dot(direction_of(path_m, Vec2(1.0, 0.0)));

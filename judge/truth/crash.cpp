@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kCrashMargin_mps = 0.2_mps;
 constexpr double kDrawnMargin_mps = 0.1_mps;
-// Robots whose hulls come this close are a near miss.
+// If hulls come this close, it is a near miss.
 constexpr double kNearlyMet_m = 8_mm;
 // If robots would have collided within this time after the end of play, the call was early.
 constexpr double kCrashLead_s = 0.05;
@@ -42,7 +42,7 @@ class Crash final : public GroundTruthRule {
     return (met.velocities_mps[0] - met.velocities_mps[1]).dot(line);
   }
 
-  // Reports robots that have not collided but are about to.
+  // Reports robots that are about to collide.
   static void foresee(const TrueFrame& frame, const sim::RobotCollision& met, TrueEvents& all) {
     const double gap_m = (met.centres_m[1] - met.centres_m[0]).norm() - 2 * kRobotRadius_m;
     const double closes_mps = closing_mps(met);

@@ -52,7 +52,7 @@ void GroundTruthObserver::write_message(const TrueFrame& frame) {
   for (const auto& ground_truth : rules_of_truth_) {
     const std::size_t from = true_events_.size();
     ground_truth->watch(frame, true_events_);
-    note_fouls(from);  // at once, since a goal in this frame depends on them
+    note_fouls(from);  // immediately, since a goal in this frame depends on them
   }
 }
 

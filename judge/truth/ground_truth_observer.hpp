@@ -20,7 +20,7 @@ class GroundTruthObserver {
 
   // Call once per frame, after the referee; `signal` is its latest signal.
   void see(const sim::World& world, const RefereeSignal& signal);
-  // The same with separate touches and collisions, for staged games.
+  // The same with touches and collisions given separately, for staged games.
   void see(const sim::WorldState& now, std::span<const sim::Touch> touches,
            std::span<const sim::RobotCollision> collisions, const RefereeSignal& signal);
 

@@ -1,5 +1,5 @@
-// Factories of the ground-truth rules (ground_truth_rules.def), and what several files share: fouls
-// that are counted per team.
+// Factories of the ground-truth rules (ground_truth_rules.def), and code shared by several files:
+// fouls that are counted per team.
 #pragma once
 
 #include <memory>
@@ -35,8 +35,8 @@ struct WorstRobot {
 };
 
 // A foul of the 2026 rules that is counted per team, whichever of its robots commits it. Several
-// offending robots of a team within the grace period are a single foul. After it, the foul is
-// raised again as soon as the team commits it again, or at once if it still does.
+// offending robots of a team within the grace period count as a single foul. After that, the foul
+// is raised again as soon as the team commits it again, or immediately if it still does.
 class TeamFoul {
  public:
   // `margin`: distance to the threshold within which the rules leave a foul open to interpretation,

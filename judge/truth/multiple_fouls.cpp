@@ -25,8 +25,9 @@ constexpr std::array<std::string_view, 11> kCounted = {"attacker_stays_near_area
 // A card shown this soon after a third foul belongs to that foul.
 constexpr double kShownWithin_s = 1_s;
 
-// A missed or wrong call would shift all later cards of the referee. Therefore each card shown, due
-// or not, restarts the count: a card is judged only by the fouls since the previous one.
+// A missed or wrong call would shift all of the referee's later cards. Therefore each card shown,
+// whether due or not, restarts the count: a card is judged only by the fouls since the previous
+// one.
 class MultipleFouls final : public GroundTruthRule {
  public:
   void watch(const TrueFrame& frame, TrueEvents& all) override {
@@ -80,7 +81,7 @@ class MultipleFouls final : public GroundTruthRule {
     return frame.rules.yellows_per_red > 0 && active + 1 >= frame.rules.yellows_per_red;
   }
 
-  std::size_t next_ = 0;  // index of the next event to look at
+  std::size_t next_ = 0;  // index of the next event to examine
   PerSide<int> fouls_;    // since the previous card
   PerSide<int> shown_;
   PerSide<int> allowed_without_cards_;

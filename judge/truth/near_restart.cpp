@@ -13,7 +13,7 @@ constexpr int kMostNearArea = 2;
 
 // 2026 rules, "Attacker Too Close To Defense Area": during stop, and during free kicks until the
 // ball is in play. A team's grace period starts with the stop, however late a robot arrives, and
-// again with the team's first foul. Kick-offs and penalty kicks have their own positions.
+// starts again with the team's first foul. Kick-offs and penalty kicks have their own positions.
 class AttackersNearArea final : public GroundTruthRule {
  public:
   void watch(const TrueFrame& frame, TrueEvents& all) override {

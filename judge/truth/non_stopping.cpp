@@ -11,7 +11,7 @@ namespace autoref::judge::ground_truth {
 namespace {
 
 // Decides when a non-stopping violation of the 2026 rules is raised: when it starts, and every 2 s
-// while it lasts. After it has ended, the next one counts at once.
+// while it lasts. After it has ended, the next one counts immediately.
 class NonStopping {
  public:
   // Call in each frame in which a robot commits the violation. Returns whether it is raised.
@@ -45,7 +45,7 @@ class KickSpeed final : public GroundTruthRule {
         speed_mps(frame, frame.before.ball.velocity_mps, frame.before.ball.vertical_mps);
     for (const sim::Touch& touch : frame.touches) {
       const double after_mps = speed_mps(frame, touch.ball_mps, touch.vertical_mps);
-      // A fast ball that only glances off was not accelerated by this robot.
+      // A fast ball that only glances off the robot was not accelerated by it.
       if (after_mps > former_mps) evaluate(frame, touch, after_mps, all);
       former_mps = after_mps;
     }
@@ -72,7 +72,7 @@ class KickSpeed final : public GroundTruthRule {
     add_measured(all, kick, excess_mps, kKickMargin_mps);
   }
 
-  // Under the Laws, the referee ends play with the kick. Under the 2026 rules play continues:
+  // Under the Laws, the referee stops play at the kick. Under the 2026 rules play continues:
   // another kick by the same robot counts once the ball has been slow enough, or after 2 s.
   bool is_same(const TrueFrame& frame, RobotId kicker, bool is_foul) {
     const bool is_raised = frame.time_s - raised_s_ < kOneKick_s;
@@ -82,7 +82,7 @@ class KickSpeed final : public GroundTruthRule {
   }
 
   double raised_s_ = -kOneKick_s;
-  double nearly_s_ = -kOneKick_s;  // of the latest near miss
+  double nearly_s_ = -kOneKick_s;  // time of the latest near miss
   std::optional<RobotId> kicker_;  // of the latest foul
   NonStopping fast_;               // robots whose kick is still too fast
 };

@@ -1,5 +1,5 @@
-// Distances of a robot's hull, computed from sampled points of its outline, where the ball crosses
-// the lines, and whether only a keeper may keep it.
+// Distances of a robot's hull, computed from sampled points of its outline; the ball's crossings of
+// the lines; and whether only a keeper may hold the ball.
 #pragma once
 
 #include <optional>
@@ -23,18 +23,18 @@ Reach reach_to_area(const Field& field, Side side, const sim::RobotState& robot)
 // Distances from the halfway line into the half of `side`, negative in the other half.
 Reach reach_into_half(Side side, const sim::RobotState& robot);
 
-// Distance from a robot's hull to the ball's centre, which rules call the distance to the ball.
+// Distance from a robot's hull to the ball's centre, which the rules call the distance to the ball.
 double hull_to_ball_m(const sim::RobotState& robot, const sim::BallState& ball);
 
-// Returns whether two robots are in contact, treated as discs, as in the simulated physics. They
-// may be slightly apart in some frames of a lasting contact.
+// Returns whether two robots are in contact, treated as discs, as in the simulated physics. During
+// a lasting contact, they may be slightly apart in some frames.
 bool are_in_contact(const sim::RobotState& a, const sim::RobotState& b);
 
-// Where and when the true ball completely crossed a boundary of the field.
+// Where and when the true ball crossed a boundary of the field completely.
 struct Crossing {
   bool over_goal_line = false;  // otherwise over a touch line
   bool into_goal = false;       // between the posts and below the bar
-  Side end = Side::kWest;       // side whose goal line or half of the touch line was crossed
+  Side end = Side::kWest;       // the side that defends the crossed goal line or half of touch line
   Vec2 point_m{0, 0};           // of the ball's centre
   double height_m = 0;          // of its lowest point
   double share = 0;             // of the step from the previous state, 0 to 1
@@ -49,8 +49,9 @@ double inside_m(const Field& field, const Vec2& ball_m);
 std::optional<Crossing> find_crossing(const Field& field, const sim::BallState& before,
                                       const sim::BallState& now);
 
-// Whether only the keeper of `side` may keep the ball. Laws 2014: the ball is inside its defence
-// area, in contact with it. 2026: the ball is inside the area, for whatever reason.
+// Whether only the keeper of `side` may hold the ball. Laws 2014: the ball is inside the keeper's
+// defence area and in contact with the keeper. 2026: the ball is inside the area, for whatever
+// reason.
 bool is_keepers_ball(const TrueFrame& frame, Side side);
 
 }  // namespace autoref::judge::ground_truth

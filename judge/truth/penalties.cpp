@@ -23,11 +23,11 @@ constexpr std::array<std::string_view, 8> kDeciding = {
     "bot_crash_drawn",          "bot_pushed_bot",
     "defender_in_defense_area", "attacker_touched_ball_in_defense_area"};
 
-// By how much each side's worst robot violated its position just before the kick.
+// How far each side's worst robot was from a legal position just before the kick.
 using Breaches = PerSide<double>;
 
-// How far the keeper is off its goal line, measured to the front of its hull, or beside the goal,
-// measured to its centre.
+// How far the keeper is off its goal line (measured to the front of its hull) or to the side of the
+// goal (measured to its centre).
 double off_its_line_m(const Field& field, Side side, const sim::RobotState& keeper) {
   const double in_front_m = field.half_length_m() - reach_into_half(side, keeper).farthest_m;
   const double behind_m = reach_into_half(side, keeper).nearest_m - field.half_length_m();
@@ -82,7 +82,7 @@ class Penalty final : public GroundTruthRule {
     farthest_m_ = -std::numeric_limits<double>::infinity();
   }
 
-  // 2026: whether a foul decides the kick; reports the outcome.
+  // 2026: returns whether a foul decides the kick, and reports the outcome.
   bool is_decided(const TrueFrame& frame, TrueEvents& all) {
     if (frame.play.entered_now && frame.rules.has(RuleId::kPenaltyPositions)) {
       report_breaches(frame, all);
@@ -120,7 +120,8 @@ class Penalty final : public GroundTruthRule {
     }
   }
 
-  // "The ball has to only move towards the opponent goal": back by more than brings it into play.
+  // "The ball has to only move towards the opponent goal": returns whether it has moved back by
+  // more than the distance that brings it into play.
   bool is_moved_back(const TrueFrame& frame) {
     const Side attacker = *frame.play.taker;
     const double now_m = goal_sign(opponent_of(attacker)) * frame.now.ball.position_m.x();
@@ -139,7 +140,7 @@ class Penalty final : public GroundTruthRule {
       TrueEvent again;
       again.name = "penalty_positions";
       again.time_s = frame.time_s;
-      // If both sides were wrong, neither is solely at fault.
+      // If both sides broke the rules, neither is solely at fault.
       if (!(others_m > 0 && excess_m > 0)) again.offender = side;
       again.position_m = frame.play.ball_from_m;
       add_measured(all, again, excess_m, kPenaltyMargin_m);
@@ -150,7 +151,7 @@ class Penalty final : public GroundTruthRule {
         {"penalty_kick_failed", frame.time_s, attacker, std::nullopt, frame.now.ball.position_m});
   }
 
-  // Turned by at least a right angle: the rest of the ball's path leads back.
+  // Whether the ball has turned by at least a right angle, so that the rest of its path leads back.
   static bool is_turned(const TrueFrame& frame) {
     const Vec2& former_mps = frame.before.ball.velocity_mps;
     if (former_mps.norm() < kPushed_mps) return false;
@@ -166,8 +167,8 @@ class Penalty final : public GroundTruthRule {
   }
 
   Breaches breaches_;
-  int seen_ = -1;         // count of the play that began last
-  std::size_t next_ = 0;  // index of the next event to look at
+  int seen_ = -1;         // count of the latest play
+  std::size_t next_ = 0;  // index of the next event to examine
   PerSide<bool> fouled_;
   double farthest_m_ = -std::numeric_limits<double>::infinity();
   int kicked_ = -1;

@@ -28,7 +28,7 @@ struct Worst {
 };
 
 // Counts how often the current restart has been retaken in a row. A restart is retaken at most
-// three times; after that, play continues wherever the robots are.
+// three times; after that, play continues regardless of the robots' positions.
 class Retakes {
  public:
   void enter(const TruePlay& play) {
@@ -66,7 +66,7 @@ class PositionsAtEntry final : public GroundTruthRule {
   }
 
  private:
-  // Looks for violations that cause a retake, from index `reported` on; removes them if no more
+  // Looks for violations that cause a retake, from index `reported` on, and removes them if no more
   // retakes are allowed.
   void note_breaches(std::size_t reported, TrueEvents& all) {
     const auto is_breach = [](const TrueEvent& event) {
@@ -90,8 +90,8 @@ class PositionsAtEntry final : public GroundTruthRule {
                  worst.excess_m, kEntryMargin_m);
   }
 
-  // "A member of the kicker's team" (Laws 2014, law 9); "each robot" (the paper, section 4.2), of
-  // which one call is enough for both sides, and the side taking the kick is checked first.
+  // The Laws 2014 say "a member of the kicker's team" (law 9), the paper "each robot" (section
+  // 4.2). One call is enough for both sides, and the side taking the kick is checked first.
   static void near_area(const TrueFrame& frame, Side taker, TrueEvents& all) {
     for (const Side side : {taker, opponent_of(taker)}) {
       if (side != taker && frame.rules.edition == Edition::kLaws2014) return;
@@ -118,7 +118,8 @@ class PositionsAtEntry final : public GroundTruthRule {
     add(frame, "defender_too_close_to_kick_point", worst, all);
   }
 
-  // The kicker may be beyond the halfway line. If both sides are wrong, neither is solely at fault.
+  // The kicker may be beyond the halfway line. If both sides break the rule, neither is solely at
+  // fault.
   static void half(const TrueFrame& frame, TrueEvents& all) {
     Worst worst;
     PerSide<bool> is_wrong;

@@ -61,7 +61,7 @@ class Pushing final : public GroundTruthRule {
       return contact;
     }
     contacts_.push_back({west, east, a.position_m, b.position_m, a.velocity_mps, b.velocity_mps});
-    // A robot that has just been put on the field was not there a frame ago.
+    // A robot that has just been put on the field was not in the previous frame.
     if (const sim::RobotState* before = find_robot(frame.before, west)) {
       contacts_.back().west_mps = before->velocity_mps;
     }

@@ -49,7 +49,7 @@ class TooManyRobots2026 final : public GroundTruthRule {
   }
 
  private:
-  // The number of robots allowed until a card.
+  // The number of robots that was allowed before a card.
   struct Former {
     int allowed = 0;
     double until_s = 0;

@@ -1,4 +1,4 @@
-// Number of robots that a side has on the field.
+// The number of a side's robots on the field.
 #pragma once
 
 #include "judge/truth/true_frame.hpp"

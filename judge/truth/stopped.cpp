@@ -23,8 +23,8 @@ class GraceTimer {
   GraceTimer(std::string_view name, double margin) : name_(name), margin_(margin) {}
 
   // Call for every robot in every frame in which the rule applies. `excess` is how far the robot is
-  // beyond the threshold, in the unit of the margin; it commits an offence if it stays beyond for
-  // longer than `grace_s`. Each command starts a phase.
+  // beyond the threshold, in the unit of the margin; it commits an offence if it stays beyond the
+  // threshold for longer than `grace_s`. Each command starts a phase.
   void watch(const TrueFrame& frame, RobotId id, const sim::RobotState& robot, double excess,
              double grace_s, TrueEvents& all);
 
@@ -172,8 +172,8 @@ class LongEnough {
   ConditionTimer nearly_;
 };
 
-// "Robot Stop Speed": after the grace period at the start of the stop, not during ball placement;
-// each robot once per stop.
+// "Robot Stop Speed": applies after the grace period at the start of the stop, but not during ball
+// placement. Each robot is counted once per stop.
 class StopSpeed2026 final : public GroundTruthRule {
  public:
   void watch(const TrueFrame& frame, TrueEvents& all) override {
@@ -208,9 +208,10 @@ class StopSpeed2026 final : public GroundTruthRule {
   TeamFoul fast_{"bot_too_fast_in_stop", kFastMargin_mps};
 };
 
-// "Ball Placement Interference": counts once per placement. Every further one extends the time of a
-// team that places the ball; it is an event only then. It is a foul of "the non-placing team", and
-// "the referee has to place the ball for all kickoffs and all penalty kicks": never before those.
+// "Ball Placement Interference": counts once per placement. Further ones extend the placing team's
+// time and are events only if a team places the ball. It is a foul of "the non-placing team", and
+// it never occurs before kick-offs and penalty kicks: "the referee has to place the ball for all
+// kickoffs and all penalty kicks".
 class PlacementInterference final : public GroundTruthRule {
  public:
   void watch(const TrueFrame& frame, TrueEvents& all) override {
@@ -233,7 +234,7 @@ class PlacementInterference final : public GroundTruthRule {
   }
 
  private:
-  // The simulator places the ball in place of the side that takes the free kick.
+  // The simulator places the ball on behalf of the side that takes the free kick.
   static std::optional<Side> placer_of(const TrueFrame& frame) {
     if (frame.play.placer) return frame.play.placer;
     const std::optional<Command>& next = frame.signal.next_command;
@@ -243,7 +244,7 @@ class PlacementInterference final : public GroundTruthRule {
     return is_free_kick ? std::optional(next->side) : std::nullopt;
   }
 
-  // A new stop, a team's order or another target starts a new placement.
+  // A new stop, a new placing team or a new target starts a new placement.
   void begin(const TrueFrame& frame) {
     const Vec2& target_m = frame.signal.placement->target_m;
     const int stop = frame.play.placer ? -frame.play.count : frame.play.stop_count;
@@ -260,7 +261,7 @@ class PlacementInterference final : public GroundTruthRule {
     return distance_to_hull(nearest_m, robot.position_m, robot.heading);
   }
 
-  int stop_ = 0;  // number of the stop, or of the order to place the ball, negative
+  int stop_ = 0;  // number of the stop, or minus that of the placement command
   Vec2 target_m_{0, 0};
   bool is_counted_ = false;
   LongEnough near_for_{kLaneMargin_m};

@@ -29,7 +29,7 @@ class BallOut final : public GroundTruthRule {
   }
 
  private:
-  // A penalty kick that does not score has failed, which another rule reports.
+  // A penalty kick that does not score has failed; another rule reports that.
   static bool is_failed_penalty(const TrueFrame& frame, const Crossing& crossing) {
     if (!frame.play.is_penalty() || !frame.may_penalty_fail()) return false;
     return !crossing.into_goal || (frame.is_shootout() && crossing.end == frame.play.taker);
@@ -128,7 +128,7 @@ class BallOut final : public GroundTruthRule {
       return "indirect_goal";
     }
     const bool too_high = shot_height_m(frame, scorer) > frame.rules.chip_height_m;
-    // In a shoot-out no free kick can follow, so the kick has failed.
+    // In a shoot-out, no free kick can follow, so the kick has failed.
     if (too_high && frame.rules.has(RuleId::kChippedGoal))
       return frame.is_shootout() ? "penalty_kick_failed" : "chipped_goal";
     const bool has_fouled = frame.time_s - frame.fouled_s[scorer] <= frame.rules.goal_after_foul_s;

@@ -14,7 +14,7 @@ namespace autoref::judge::ground_truth {
 // How certain it is that the event happened.
 enum class Standing : std::uint8_t {
   kTrue,
-  kPrevented,  // was about to happen when the referee ended play, so it cannot be verified
+  kPrevented,  // about to happen when the referee stopped play; cannot be verified
   kNearMiss,   // did not happen, but was within the margin given in the rule's file
 };
 
@@ -25,15 +25,15 @@ struct TrueEvent {
   std::optional<RobotId> robot{};
   std::optional<Vec2> position_m{};
   Standing standing = Standing::kTrue;
-  bool is_borderline = false;  // happened, but by less than the same margin
+  bool is_borderline = false;  // happened, but by less than that margin
   bool is_in_air = false;      // the ball was in the air: a referee without heights must guess
-  std::string_view or_name{};  // the event may as well be called this
-  bool is_counted = true;      // towards a card, if the foul is one that counts
+  std::string_view or_name{};  // an equally valid name for the event
+  bool is_counted = true;      // towards a card, if fouls of this kind count
 };
 
 using TrueEvents = std::vector<TrueEvent>;
 
-// Adds `event` depending on how far it is beyond its threshold (`excess`, in the threshold's unit):
+// Adds `event` according to how far it is beyond its threshold (`excess`, in the threshold's unit):
 // as true above 0, as a near miss above `-margin`, otherwise not at all.
 inline void add_measured(TrueEvents& all, TrueEvent event, double excess, double margin) {
   if (!(excess > -margin)) return;

@@ -100,7 +100,7 @@ void BallHistory::update(const sim::WorldState& now, std::span<const sim::Touch>
   for (Contact& contact : contacts_) contact.is_new = contact.is_touching = false;
   const double top_m = now.ball.height_m + 2 * kBallRadius_m;
   if (inside_m(field_, now.ball.position_m) < 0) {
-    // The path leads outwards, so the touches that count come first.
+    // The path leads out of the field, so the touches that count come first.
     const auto is_in = [this](const sim::Touch& touch) {
       return inside_m(field_, touch.ball_m) >= 0;
     };
@@ -144,8 +144,8 @@ void BallHistory::note_heights(Side toucher, double top_m) {
   chip_m = *chip_m > chip_height_m_ ? std::optional(top_m) : std::nullopt;
 }
 
-// The world notes a new contact when it begins, and a lasting one in the first sub-step of each
-// frame, so the last touch noted is not always the last one.
+// The world records a new contact when it begins and a lasting one in the first sub-step of each
+// frame, so the last touch recorded is not always the last one.
 void BallHistory::settle_last(const sim::WorldState& now, std::span<const sim::Touch> counted) {
   if (counted.empty()) return;
   const sim::Touch& last = counted.back();

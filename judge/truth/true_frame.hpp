@@ -14,12 +14,13 @@
 
 namespace autoref::judge::ground_truth {
 
-// What the referee's commands allow, and how the true ball enters play. `restart` is the command
-// that started play; for a kick-off or penalty its preparation.
+// The state of play according to the referee's commands, and how the true ball enters play.
+// `restart` is the command that started play; for a kick-off or penalty, it is the preparation
+// command.
 struct TruePlay {
   bool is_on = false;          // from the restart's signal until play is stopped
   bool is_stop = false;        // STOP is in force
-  std::optional<Side> placer;  // the side that BALL_PLACEMENT tells to place the ball
+  std::optional<Side> placer;  // the side that BALL_PLACEMENT requests to place the ball
   Command restart;
   std::optional<Side> taker;  // nullopt after a force start
   double began_s = 0;         // time of the restart's signal
@@ -28,10 +29,10 @@ struct TruePlay {
   bool entered_now = false;   // in this frame
   double entered_s = 0;
   double stopped_s = 0;   // when STOP was sent
-  bool ends_now = false;  // the referee has just ended play
+  bool ends_now = false;  // the referee has just stopped play
   int count = 0;          // number of commands obeyed; identifies a restart or stop
   int stops = 0;          // number of STOPs among them; the same in a stop and its restart
-  // A repeated STOP continues the same stop; a free kick continues the stop before it.
+  // A repeated STOP continues the same stop; a free kick continues the stop that precedes it.
   int stop_count = 0;
   double stop_began_s = 0;
 
@@ -77,7 +78,7 @@ using Contacts = boost::container::static_vector<Contact, 2 * kMaxRobots>;
 
 // Maximum height of the ball's top.
 struct Heights {
-  // Since the side's last touch; since play began if there was none.
+  // Since the side's last touch, or since play began if there was none.
   double since_touch_m = 0;
   // The same, but restarted when the ball rolls, when a robot of this side touches it low enough,
   // and when a chip hits an opponent (Laws 2014, law 12, decision 7). nullopt if no touch of this
@@ -87,7 +88,7 @@ struct Heights {
 
 // Tracks who has touched the ball since play began, for how long, and how high the ball has been.
 //
-// Touches of a ball that is wholly beyond the lines do not count: it is out of play (Laws 2014, law
+// Touches of a ball completely outside the lines do not count: it is out of play (Laws 2014, law
 // 9), and an exit belongs to the touch before it.
 class BallHistory {
  public:
@@ -99,8 +100,8 @@ class BallHistory {
 
   const std::optional<BallTouch>& first() const { return first_; }
   const std::optional<BallTouch>& last() const { return last_; }
-  // Whether robots of both sides touched the ball last, at the same time as far as the simulation
-  // knows: contacts of one sub-step have no order.
+  // Whether robots of both sides touched the ball last at the same time, as far as the simulation
+  // knows: contacts within one sub-step have no order.
   bool is_last_shared() const { return is_last_shared_; }
   bool has_second_robot_touched() const { return has_second_; }
   const Contacts& contacts() const { return contacts_; }
@@ -144,9 +145,10 @@ struct TrueFrame {
 
   bool is_keeper(RobotId robot) const { return keepers[robot.side] == robot.number; }
   bool is_shootout() const { return signal.stage == Stage::kShootout; }
-  // Whether a penalty kick that does not score has failed. In shoot-outs, under all rule books.
+  // Whether a penalty kick that does not score has failed. In shoot-outs, this applies under all
+  // rule books.
   bool may_penalty_fail() const { return is_shootout() || rules.has(RuleId::kPenaltyKickFailed); }
-  // A team or, in its place, the simulator is bringing the ball to where the referee wants it.
+  // Whether a team or, on its behalf, the simulator is bringing the ball to the referee's target.
   bool is_ball_being_placed() const {
     if (!signal.placement || !(play.placer || (play.is_stop && signal.placement->by_hand)))
       return false;
@@ -154,7 +156,7 @@ struct TrueFrame {
   }
 };
 
-// Detects one kind of event, or several that exclude each other. Called once per frame.
+// Detects one kind of event, or several mutually exclusive ones. Called once per frame.
 class GroundTruthRule {
  public:
   virtual ~GroundTruthRule() = default;

@@ -1,5 +1,5 @@
 // Offside, an experimental rule (referee/README.md has its definition): a robot gets the ball from
-// a team-mate, and it was in an offside position when the ball left the team-mate.
+// a team-mate, and was in an offside position when the ball left that team-mate.
 #include <algorithm>
 #include <optional>
 #include <vector>
@@ -10,7 +10,7 @@
 namespace autoref::judge::ground_truth {
 namespace {
 
-// How far a fast robot moves in a frame: the moment of a touch is known only to a frame.
+// How far a fast robot moves in a frame, since the time of a touch is known only to within a frame.
 constexpr double kOffsideMargin_m = 50_mm;
 
 class Offside final : public GroundTruthRule {
@@ -30,12 +30,12 @@ class Offside final : public GroundTruthRule {
  private:
   struct Beyond {
     RobotId robot;
-    double excess_m = 0;  // beyond the line that a robot must not be beyond
+    double excess_m = 0;  // beyond the offside line
   };
   // A robot's touches in a row; the last one is the pass.
   struct Pass {
     RobotId robot;
-    int touches = 0;  // how many robots, this one included, have touched the ball in this play
+    int touches = 0;  // touches by different robots in this play, including this one
     std::vector<Beyond> mates;
   };
 

@@ -12,7 +12,7 @@ namespace {
 // If play ends this soon before the time is up, the call was early.
 constexpr double kWaitLead_s = 0.2;
 
-// Adds the event once its time is up, or if it was about to be up when play ended.
+// Adds the event if its time is up, or if it was about to be up when play ended.
 bool add_timed(const TrueFrame& frame, TrueEvent event, double excess_s, TrueEvents& all) {
   const double half_frame_s = frame.frame_s / 2;
   if (excess_s < -half_frame_s && !(frame.play.ends_now && excess_s > -kWaitLead_s)) return false;
@@ -61,8 +61,8 @@ class StuckBall final : public GroundTruthRule {
     positions_m_.push_back(frame.now.ball.position_m);
     const double limit_s = frame.rules.stuck_time_s;
     const auto frames = static_cast<std::size_t>(limit_s / frame.frame_s + 1.5);
-    // A sliding window as long as the limit: the ball is stuck if the whole window is near its
-    // first position.
+    // A sliding window as long as the limit: the ball is stuck if all positions in the window are
+    // near its first one.
     if (positions_m_.size() > frames) positions_m_.pop_front();
     const double excess_s = static_cast<double>(positions_m_.size() - 1) * frame.frame_s - limit_s;
     if (excess_s < -kWaitLead_s || !has_stayed(frame.rules.stuck_distance_m)) {

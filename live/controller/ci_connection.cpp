@@ -34,7 +34,7 @@ Addresses addresses_of(const Address& address) {
 
 int milliseconds_of(std::chrono::milliseconds time) { return static_cast<int>(time.count()); }
 
-// Whether the socket is ready for `events` within the time; an interrupted wait is not.
+// Whether the socket becomes ready for `events` within this time; false if the wait is interrupted.
 bool is_ready(int socket, short events, std::chrono::milliseconds longest_wait) {
   pollfd entry{socket, events, 0};
   return poll(&entry, 1, milliseconds_of(longest_wait)) > 0;

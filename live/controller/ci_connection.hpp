@@ -13,25 +13,25 @@ namespace autoref::live {
 inline constexpr int kCiPort = 10009;
 
 // Sends inputs and reads outputs; every wait is bounded. All functions throw InputError if the
-// controller is not there, closes the connection, or says something that cannot be understood.
+// controller cannot be reached, closes the connection or sends something invalid.
 class CiConnection {
  public:
   // The longest wait for an output.
   static constexpr std::chrono::seconds kLongestAnswer{10};
 
-  // `controller.host` may be a name.
+  // `controller.host` can be a name.
   explicit CiConnection(const Address& controller);
   ~CiConnection();
   CiConnection(const CiConnection&) = delete;
   CiConnection& operator=(const CiConnection&) = delete;
 
-  // Sends an input, waits for an output, and reads those that follow at once. An input has one or
-  // more outputs, so some of an earlier input's may be among them. Returns the newest.
+  // Sends an input, waits for an output, and reads those that follow immediately. Each input causes
+  // one or more outputs, so some may still belong to an earlier input. Returns the newest output.
   league::CiOutput exchange(const league::CiInput& input);
 
  private:
   void write(const std::string& bytes);
-  // Reads what has come within the time. Returns whether there was anything.
+  // Reads what arrives within this time. Returns whether there was anything.
   bool read(std::chrono::milliseconds longest_wait);
   std::optional<league::CiOutput> next_output();
   [[noreturn]] void fail(const std::string& what) const;

@@ -24,7 +24,7 @@
 namespace autoref::live {
 namespace {
 
-// Of the first frame on the controller's clock: 1 January 2026.
+// The time of the first frame on the controller's clock: 1 January 2026.
 constexpr double kStart_s = 1767225600;
 constexpr double kGeometryEvery_s = 1;
 constexpr std::chrono::milliseconds kLongestReply{500};  // to an event
@@ -91,7 +91,7 @@ class ControlledGame::Impl final : public game::Observer {
   }
 
  private:
-  // Waits until the condition holds, at most for that time.
+  // Waits until the condition holds, but at most this long.
   template <typename Condition>
   void await(const Condition& condition, std::chrono::milliseconds longest) {
     const auto deadline = std::chrono::steady_clock::now() + longest;
@@ -101,8 +101,8 @@ class ControlledGame::Impl final : public game::Observer {
     }
   }
 
-  // The controller's clock stands still until it has answered, so that it counts an event from the
-  // frame in which it was reported.
+  // The controller's clock stands still until it has answered, so it dates an event to the frame in
+  // which it was reported.
   void report_events(const game::Game& game) {
     if (std::optional<GameEvent> event = placement_.update(signal_, game.tracks()))
       events_.push_back(*std::move(event));
@@ -146,7 +146,7 @@ class ControlledGame::Impl final : public game::Observer {
     game.follow(signal_);
   }
 
-  // The controller names a position during play as well.
+  // The controller also names a position during play.
   void set_placement() {
     if (!is_before_restart(signal_.command.kind)) signal_.placement.reset();
     if (!signal_.placement) return;

@@ -115,7 +115,7 @@ class ControllerClient::Impl : public std::enable_shared_from_this<ControllerCli
     });
   }
 
-  // One message at a time: the next one follows the reply.
+  // Sends one message at a time; the next one follows the reply.
   void write(double now_s) {
     if (is_writing_) return;
     guarded([&] { output_ = session_.send(now_s); });
@@ -146,7 +146,7 @@ class ControllerClient::Impl : public std::enable_shared_from_this<ControllerCli
   void close(const std::string& problem) {
     if (phase_ == Phase::kOpen) ++losses_;
     phase_ = Phase::kClosed;
-    ++connection_;  // what is still under way does not count
+    ++connection_;  // answers still in transit do not count
     is_writing_ = false;
     retry_s_ = steady_s() + kRetry_s;
     if (!problem.empty()) problem_ = problem;

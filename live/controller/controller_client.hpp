@@ -15,20 +15,20 @@ struct ControllerStatus {
   bool is_registered = false;
   std::size_t waiting = 0;  // events
   ControllerCounts counts;
-  std::string problem;      // of the last connection; empty: none
-  std::int64_t losses = 0;  // connections that ended
+  std::string problem;      // with the last connection; empty: none
+  std::int64_t losses = 0;  // number of lost connections
 };
 
-// Works in the network's thread. After a lost or refused connection it tries again every second.
+// Works in the network's thread. If the connection is lost or refused, it tries again every second.
 class ControllerClient {
  public:
-  // `host` is an IPv4 address; empty: not known yet (set_host()).
+  // `host` is an IPv4 address; if it is empty, the host is not known yet (set_host()).
   ControllerClient(NetworkThread& thread, const Address& controller, std::string identifier);
-  ~ControllerClient();  // sends events that wait, for at most a second
+  ~ControllerClient();  // sends waiting events for at most a second
   ControllerClient(const ControllerClient&) = delete;
   ControllerClient& operator=(const ControllerClient&) = delete;
 
-  // Connects to this host from now on, unless it is the present one.
+  // Switches to this host unless it is already the present one.
   void set_host(const std::string& host);
 
   void report(const GameEvent& event);

@@ -1,4 +1,4 @@
-// What the league's game controller decided otherwise than AutoRef would have.
+// The league's game controller's decisions that differ from AutoRef's.
 #pragma once
 
 #include <optional>
@@ -12,9 +12,10 @@
 
 namespace autoref::live {
 
-// One restart that differs: another one, another position, or none where the other stopped play.
+// One difference: another restart, another position, or no restart where the other referee stopped
+// play.
 struct ControllerDifference {
-  double time_s = 0;  // when AutoRef called, or the controller stopped
+  double time_s = 0;  // when AutoRef made a call or the controller stopped play
   std::string text;
 };
 
@@ -22,13 +23,13 @@ class ControllerDifferences {
  public:
   void on_decision(const referee::Decision& decision);
 
-  // The controller's newest message and the signal in it, at a time of the game.
+  // Adds the controller's newest message and the signal in it, at this time of the game.
   void add(const league::RefereePacket& packet, const RefereeSignal& signal, double time_s);
 
-  int restarts() const { return restarts_; }  // the controller's, apart from those of a half
+  int restarts() const { return restarts_; }  // the controller's, except those that start a half
   const std::vector<ControllerDifference>& differences() const { return differences_; }
 
-  // The restarts that differ, one per line, and the table of both referees' game events.
+  // The differing restarts, one per line, and the table of both referees' game events.
   std::string text() const;
 
  private:
@@ -43,9 +44,9 @@ class ControllerDifferences {
   void compare_restart(Command restart, double stopped_s);
   void note(double time_s, std::string text);
 
-  std::optional<OwnCall> call_;  // AutoRef's, since play was on last
+  std::optional<OwnCall> call_;  // AutoRef's, since play was last on
   std::optional<std::uint32_t> command_counter_;
-  std::optional<double> stopped_s_;  // by the controller, since play was on last
+  std::optional<double> stopped_s_;  // by the controller, since play was last on
   std::string reason_;               // its last event
   std::optional<Vec2> position_m_;
   int restarts_ = 0;

@@ -14,7 +14,7 @@ using referee::Event;
 
 constexpr double kBetweenActions_s = 1_s;
 constexpr double kReady_s = 3_s;          // robots go to their positions for a kick-off
-constexpr double kLongestReady_s = 10_s;  // then play starts even if the ball is elsewhere
+constexpr double kLongestReady_s = 10_s;  // after that, play starts even if the ball is elsewhere
 constexpr double kLongestStop_s = 40_s;   // longer than the controller waits for a ball placement
 constexpr double kBallInPosition_m = 0.1_m;
 constexpr int kMostHalts = 3;
@@ -38,7 +38,7 @@ ControllerInput input_of(const league::ControllerChange& change) {
   return input;
 }
 
-// The serialized event of the goal that the controller halted for; empty if there is none.
+// The serialized event of the goal for which the controller halted; empty if there is none.
 std::string possible_goal_in(const league::RefereePacket& packet) {
   if (packet.game_events().empty()) return "";
   const std::string& newest = *packet.game_events().rbegin();
@@ -136,8 +136,8 @@ std::optional<ContinueAction::Type> ControllerOperator::next_action(
   return signal.command.kind == CommandKind::kHalt ? in_halt(packet) : at_restart(signal, tracks);
 }
 
-// A goal that the controller still waits for is decided; else the game is resumed. If that has no
-// effect, the goal is decided once more, since it may look like the one before.
+// Decides a goal for which the controller is still waiting; otherwise resumes the game. If that has
+// no effect, decides the goal once more, since it may look like the previous one.
 std::optional<ContinueAction::Type> ControllerOperator::in_halt(
     const league::RefereePacket& packet) {
   const std::string goal = possible_goal_in(packet);
@@ -152,7 +152,7 @@ std::optional<ContinueAction::Type> ControllerOperator::in_halt(
   return is_goal_valid_ ? Action::ACCEPT_GOAL : Action::REJECT_GOAL;
 }
 
-// Kick-offs and penalty kicks are started; from a stop that lasts too long, play goes on.
+// Starts kick-offs and penalty kicks, and continues play after a stop that lasts too long.
 std::optional<ContinueAction::Type> ControllerOperator::at_restart(const RefereeSignal& signal,
                                                                    const Tracks& tracks) const {
   const double waited_s = now_s_ - command_s_;

@@ -1,4 +1,4 @@
-// Does at the league's game controller what a person would do there.
+// Operates the league's game controller in place of a person.
 #pragma once
 
 #include <cstdint>
@@ -16,22 +16,23 @@
 namespace autoref::live {
 
 // Sets up the match, resumes from halts, confirms goals, starts kick-offs and penalty kicks, and
-// ends stages. It decides from the controller's messages and its own state, and does one thing a
-// second at most; what had no effect is done again.
+// ends stages. It decides based on the controller's messages and its own state, and acts at most
+// once a second. Actions without effect are repeated.
 class ControllerOperator {
  public:
   using Inputs = google::protobuf::RepeatedPtrField<league::ControllerInput>;
 
   explicit ControllerOperator(const game::GameConfiguration& game);
 
-  // Before the first frame: a new match with these teams, continued by the controller itself where
-  // it can.
+  // To be sent before the first frame: sets up a new match with these teams, which the controller
+  // continues by itself where it can.
   Inputs set_up(const PerSide<TeamRequests>& requests) const;
 
-  // AutoRef's decision on a shot at goal is what it answers when the controller asks.
+  // Notes AutoRef's decision on a shot at goal, to be given when the controller asks for it.
   void on_decision(const referee::Decision& decision);
 
-  // Once per frame: what to do now, with the controller's newest message and the signal in it.
+  // Called once per frame: the inputs to send now, given the controller's newest message and the
+  // signal in it.
   Inputs act(const league::RefereePacket& packet, const RefereeSignal& signal,
              const Tracks& tracks);
 
@@ -47,16 +48,16 @@ class ControllerOperator {
 
   game::GameConfiguration game_;
   double now_s_ = 0;
-  std::optional<double> before_s_;  // of the frame before
+  std::optional<double> before_s_;  // of the previous frame
   std::optional<Stage> stage_;
-  double stage_s_ = 0;  // time spent in the stage; of a half, time played
+  double stage_s_ = 0;  // time spent in the stage; in a half, time played
   std::uint32_t command_counter_ = 0;
   double command_s_ = 0;  // when the command was first seen
-  double acted_s_ = -1;   // when it last did something
+  double acted_s_ = -1;   // when it last acted
   bool is_goal_valid_ = true;
   std::string decided_goal_;  // the event of the last goal that was accepted or rejected
   int halted_ = 0;            // attempts to resume from the present halt
-  int for_team_ = 0;          // of the next action
+  int for_team_ = 0;          // used for the next action
 };
 
 }  // namespace autoref::live

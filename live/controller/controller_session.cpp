@@ -50,7 +50,7 @@ void ControllerSession::report(GameEvent event, double now_s) {
   if (events_.size() == kMostWaiting) {
     events_.pop_front();
     ++counts_.dropped;
-    if (sent_ == Sent::kEvent) sent_ = Sent::kSignOfLife;  // its reply is still to come
+    if (sent_ == Sent::kEvent) sent_ = Sent::kSignOfLife;  // its reply is still outstanding
   }
   events_.push_back({std::move(event), now_s});
 }

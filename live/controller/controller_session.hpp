@@ -11,23 +11,23 @@
 
 namespace autoref::live {
 
-// The game controller said something that cannot be understood.
+// The game controller sent something invalid.
 class ControllerFault : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
 struct ControllerCounts {
-  std::int64_t accepted = 0;  // events that the controller took
+  std::int64_t accepted = 0;  // events that the controller accepted
   std::int64_t rejected = 0;
-  std::int64_t dropped = 0;    // not sent: too old, or too many waited
+  std::int64_t dropped = 0;    // not sent: too old, or too many were waiting
   std::string last_rejection;  // the controller's reason
 };
 
-// Speaks without sockets and clocks: the caller moves the bytes and says the time, in seconds on
-// any clock. One message at a time waits for its reply. After a lost connection, the event that was
-// not answered is sent again. Events that could not be sent for kLongestWait_s are dropped, since
-// the controller would take them for new ones.
+// Works without sockets and clocks: the caller transfers the bytes and supplies the time, in
+// seconds on any clock. Only one message at a time awaits its reply. After a lost connection, the
+// unanswered event is sent again. Events that could not be sent for kLongestWait_s are dropped,
+// since the controller would take them for new ones.
 class ControllerSession {
  public:
   static constexpr double kLongestWait_s = 10;
@@ -37,18 +37,17 @@ class ControllerSession {
 
   explicit ControllerSession(std::string identifier) : identifier_(std::move(identifier)) {}
 
-  // A new connection. The controller speaks first.
+  // Starts a new connection. The controller speaks first.
   void begin(double now_s);
 
-  // Takes an event to report.
+  // Queues an event to report.
   void report(GameEvent event, double now_s);
 
-  // Takes bytes from the controller. Throws ControllerFault if they are not its replies, or if it
-  // refuses the registration.
+  // Processes bytes from the controller. Throws ControllerFault if they are not valid replies or if
+  // it refuses the registration.
   void receive(std::string_view bytes, double now_s);
 
-  // What to send now; empty: nothing. Throws ControllerFault if the controller owes a reply for too
-  // long.
+  // The bytes to send now, if any. Throws ControllerFault if a reply is overdue for too long.
   std::string send(double now_s);
 
   bool is_registered() const { return phase_ == Phase::kRegistered; }
@@ -68,7 +67,7 @@ class ControllerSession {
 
   std::string identifier_;
   Phase phase_ = Phase::kGreeting;
-  Sent sent_ = Sent::kNothing;  // and not answered
+  Sent sent_ = Sent::kNothing;  // and not yet answered
   double sent_s_ = 0;
   std::deque<Report> events_;
   std::string input_;

@@ -122,7 +122,7 @@ DatagramSender& DatagramSender::operator=(DatagramSender&&) noexcept = default;
 void DatagramSender::send(std::string_view bytes) { impl_->send(bytes); }
 std::int64_t DatagramSender::dropped() const { return impl_->dropped(); }
 
-// Kept alive by the asynchronous wait, so that it can end after its owner.
+// The asynchronous wait keeps this alive, so it can outlive its owner.
 class DatagramReceiver::Impl : public std::enable_shared_from_this<DatagramReceiver::Impl> {
  public:
   Impl(NetworkThread& thread, const Place& place, Handler handler)
@@ -150,7 +150,7 @@ class DatagramReceiver::Impl : public std::enable_shared_from_this<DatagramRecei
     });
   }
 
-  // Returns once the handler is not called any more.
+  // Returns once the handler is no longer called.
   void stop() {
     std::promise<void> stopped;
     asio::post(socket_.get_executor(), [&] {
@@ -171,7 +171,7 @@ class DatagramReceiver::Impl : public std::enable_shared_from_this<DatagramRecei
       error_code error;
       const std::size_t size = socket_.receive_from(asio::buffer(buffer_), from_, 0, error);
       if (error == asio::error::would_block) return;
-      if (error) continue;  // such as a port that refused a reply
+      if (error) continue;  // for example, a port refused a reply
       if (size == buffer_.size()) {
         ++oversized_;
         continue;
@@ -182,7 +182,7 @@ class DatagramReceiver::Impl : public std::enable_shared_from_this<DatagramRecei
     }
   }
 
-  // Datagrams that are left do not wake the thread again.
+  // Datagrams that are left unread do not wake the thread again.
   void read_more() {
     asio::post(socket_.get_executor(), [self = shared_from_this()] {
       if (self->socket_.is_open()) self->read_all();

@@ -1,4 +1,4 @@
-// Datagrams of the league's network. Nothing leaves this computer unless an interface is chosen.
+// Datagrams on the league's network. Nothing leaves this computer unless an interface is chosen.
 #pragma once
 
 #include <cstdint>
@@ -17,12 +17,11 @@ inline constexpr std::size_t kLongestDatagram = 8192;
 inline constexpr std::size_t kLongestSent = 65'507;
 
 struct Address {
-  std::string host;  // IPv4, in numbers
+  std::string host;  // numeric IPv4 address
   int port = 0;
 };
 
-// Where packets for all hosts of the interface's network are sent to; nullopt if it has no such
-// address.
+// The broadcast address of the interface's network; nullopt if it has none.
 std::optional<std::string> broadcast_address(const std::string& interface);
 
 // A thread that waits for packets and timers. All functions that it calls must return soon.
@@ -40,13 +39,13 @@ class NetworkThread {
   std::unique_ptr<Context> context_;
 };
 
-// Sends datagrams to a multicast group, to a host or to all hosts of a network, without ever
-// waiting: what the system cannot take at once is dropped and counted. Multicast goes to one
-// interface only, and no further than its own network.
+// Sends datagrams to a multicast group, to a host or to all hosts of a network. It never waits:
+// datagrams that the system cannot accept immediately are dropped and counted. Multicast goes to
+// one interface only and does not leave its network.
 class DatagramSender {
  public:
   // `interface` is the address of the interface to send on. Throws InputError if an address is
-  // wrong or not this computer's.
+  // invalid or not this computer's.
   DatagramSender(const std::string& interface, const Address& to);
   ~DatagramSender();
   DatagramSender(DatagramSender&&) noexcept;
@@ -60,16 +59,16 @@ class DatagramSender {
   std::unique_ptr<Impl> impl_;
 };
 
-// Reads datagrams at a port, or those of a multicast group.
+// Receives datagrams at a port or those of a multicast group.
 class DatagramReceiver {
  public:
-  // Called in the network's thread. What it returns is sent back to the sender: an empty message,
-  // too, is an answer.
+  // Called in the network's thread. Its result is sent back to the sender; an empty message is an
+  // answer as well.
   using Handler =
       std::function<std::optional<std::string>(std::string_view bytes, const Address& from)>;
 
-  // Port 0: any free port. For a group, `group` is its address, otherwise empty. Throws InputError
-  // if the port is in use or an address is wrong; `flag` is the option that would change it.
+  // Port 0: any free port. `group` is the address of a group, otherwise empty. Throws InputError if
+  // the port is in use or an address is invalid; `flag` is the option that sets it.
   struct Place {
     std::string interface = kLoopback;
     std::string group = {};
@@ -77,11 +76,11 @@ class DatagramReceiver {
     std::string flag = {};
   };
   DatagramReceiver(NetworkThread& thread, const Place& place, Handler handler);
-  ~DatagramReceiver();  // after this, the handler is not called any more
+  ~DatagramReceiver();  // after this, the handler is no longer called
   DatagramReceiver(DatagramReceiver&&) noexcept;
   DatagramReceiver& operator=(DatagramReceiver&&) noexcept;
 
-  // Sends a datagram from this port; may be called in any thread.
+  // Sends a datagram from this port; can be called in any thread.
   void send(std::string bytes, const Address& to);
 
   int port() const;

@@ -26,7 +26,7 @@ class NetworkThread::Context {
   boost::asio::io_context io{1};
 
  private:
-  // Leaves signals to the main thread.
+  // Runs the context with signals blocked, so that the main thread gets them.
   void run() {
     sigset_t all{};
     sigfillset(&all);
@@ -38,8 +38,8 @@ class NetworkThread::Context {
   std::thread thread_;
 };
 
-// Opens and binds the socket, and joins the group, unless that is an address for all hosts of a
-// network. Throws InputError if the port is in use or an address is wrong.
+// Opens and binds the socket, and joins the group unless it is a broadcast address. Throws
+// InputError if the port is in use or an address is invalid.
 void open_for_group(boost::asio::ip::udp::socket& socket, const DatagramReceiver::Place& place,
                     int receive_buffer_bytes);
 

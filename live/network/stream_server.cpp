@@ -30,8 +30,7 @@ namespace {
 using boost::asio::ip::tcp;
 using boost::system::error_code;
 
-constexpr std::chrono::milliseconds kAcceptPause{
-    100};  // after a connection that could not be accepted
+constexpr std::chrono::milliseconds kAcceptPause{100};  // after a failure to accept a connection
 
 tcp::endpoint endpoint_of(const DatagramReceiver::Place& place) {
   error_code error;
@@ -55,9 +54,9 @@ class StreamConnection : public std::enable_shared_from_this<StreamConnection> {
   enum class End { kClosed, kInvalid, kUnread };
   using Clock = std::chrono::steady_clock;
 
-  // Returns the response; nullopt: none at once.
+  // Returns the response; nullopt if there is none yet.
   using OnMessage = DatagramReceiver::Handler;
-  // Called once, just before the connection is closed, unless close() is.
+  // Called once, just before the connection is closed, unless close() closes it.
   using OnEnd = std::function<void(const StreamConnection& connection, End why)>;
 
   StreamConnection(boost::asio::ip::tcp::socket socket, OnMessage on_message, OnEnd on_end);
@@ -67,7 +66,7 @@ class StreamConnection : public std::enable_shared_from_this<StreamConnection> {
   void close();
 
   const Address& peer() const { return peer_; }
-  // When the last message came, or the connection was made.
+  // When the last message arrived or the connection was made.
   Clock::time_point last_heard() const { return last_heard_; }
 
  private:
@@ -84,7 +83,7 @@ class StreamConnection : public std::enable_shared_from_this<StreamConnection> {
   Address peer_;
   Clock::time_point last_heard_ = Clock::now();
   std::array<char, kChunk> chunk_{};
-  std::string received_;  // not yet a whole message
+  std::string received_;  // not yet a complete message
   std::string waiting_;   // to be written
   std::string written_;   // being written
   bool is_writing_ = false;
@@ -111,7 +110,7 @@ void StreamConnection::read() {
                           });
 }
 
-// What remains is less than a message, so that memory is bounded.
+// Less than a message remains, so memory is bounded.
 void StreamConnection::take_messages() {
   std::string_view rest = received_;
   try {
@@ -162,7 +161,7 @@ void StreamConnection::close() {
   socket_.close(error);
 }
 
-// Kept alive by the asynchronous operations, so that they can end after their owner.
+// The asynchronous operations keep this alive, so they can outlive its owner.
 class StreamServer::Impl : public std::enable_shared_from_this<StreamServer::Impl> {
  public:
   Impl(NetworkThread& thread, const DatagramReceiver::Place& place, Handler handler,
@@ -203,7 +202,7 @@ class StreamServer::Impl : public std::enable_shared_from_this<StreamServer::Imp
                       });
   }
 
-  // Returns once the handler is not called any more.
+  // Returns once the handler is no longer called.
   void stop() {
     std::promise<void> stopped;
     boost::asio::post(acceptor_.get_executor(), [&] {
@@ -227,7 +226,7 @@ class StreamServer::Impl : public std::enable_shared_from_this<StreamServer::Imp
  private:
   using Connection = std::shared_ptr<StreamConnection>;
 
-  // For example when the process has too many files open.
+  // Called, for example, when the process has too many open files.
   void start_later() {
     pause_.expires_after(kAcceptPause);
     pause_.async_wait([self = shared_from_this()](const error_code&) {

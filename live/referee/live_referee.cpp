@@ -28,8 +28,8 @@ constexpr std::chrono::milliseconds kIdle{20};
 constexpr double kGather_s = 2;
 constexpr double kLongestGather_s = 10;
 constexpr std::size_t kMostGathered = 50'000;  // packets
-// Parsed, packets take two to three times as much memory; malicious ones thirty times, so at most
-// 3 GB.
+// Parsed packets take two to three times as much memory, and malicious ones thirty times as much:
+// at most 3 GB.
 constexpr std::size_t kMostGathered_bytes = 100'000'000;
 constexpr double kNs = 1e-9;
 
@@ -63,7 +63,7 @@ class EndFinder final : public league::LogVisitor {
 
 }  // namespace
 
-// Passes everything on to the first and then to the second.
+// Passes everything on to the first visitor and then to the second.
 class VisitorPair final : public league::LogVisitor {
  public:
   VisitorPair(league::LogVisitor& first, league::LogVisitor& second)
@@ -91,7 +91,7 @@ class VisitorPair final : public league::LogVisitor {
   league::LogVisitor& second_;
 };
 
-// A packet of the network.
+// A packet from the network.
 struct LiveMessage {
   league::ParsedMessage message;
   double time_s = 0;  // since the first packet
@@ -106,7 +106,7 @@ class LiveSession final : league::LogVisitor {
 
   void add(const LiveMessage& live);
 
-  // Call it often: sends what is due, and calls on_idle every 50 ms.
+  // Sends what is due, and calls on_idle every 50 ms. Call this often.
   void idle();
 
  private:
@@ -199,7 +199,7 @@ void LiveSession::report(const GameEvent& event) {
   if (watch_.on_game_event) watch_.on_game_event(event);
 }
 
-// The time on the frames' clock, also while no frames arrive.
+// The time on the frames' clock, even while no frames arrive.
 double LiveSession::frame_time_s(Clock::time_point now) const {
   return status_.time_s + std::chrono::duration<double>(now - judged_).count();
 }
@@ -249,7 +249,7 @@ class LiveReferee::Impl {
  private:
   bool is_tracked() const { return options_.source == league::FrameSource::kTracker; }
 
-  // The next packet; nullopt if none arrives for a moment.
+  // The next packet; nullopt if none arrives within a short time.
   std::optional<LiveMessage> next_message() {
     const std::optional<ReceivedRecord> record = source_.next(Clock::now() + kIdle);
     if (!record) return std::nullopt;

@@ -1,4 +1,4 @@
-// AutoRef at a real field or beside any simulator: it judges the packets of the league's network.
+// AutoRef at a real field or with any simulator: it judges the packets on the league's network.
 #pragma once
 
 #include <cstdint>
@@ -23,52 +23,51 @@ namespace autoref::live {
 
 struct LiveRefereeOptions {
   std::string interface = kLoopback;
-  std::string unicast;  // host to send to instead of the groups
+  std::string unicast;  // host to send to instead of the multicast groups
   LivePorts ports;      // of vision, referee and tracker
   league::FrameSource source = league::FrameSource::kVision;  // or kTracker
   bool commands = false;  // AutoRef commands the game; otherwise it follows the referee packets
-  // Where to report game events: an address whose host is empty if the sender of the referee
-  // packets is meant. nullopt: nowhere; then nothing is sent at all unless AutoRef commands the
-  // game.
+  // Where to report game events; an empty host means the sender of the referee packets. If nullopt,
+  // nothing is sent at all unless AutoRef commands the game.
   std::optional<Address> controller;
-  double seconds = 0;  // after which it stops; 0: when interrupted
+  double seconds = 0;  // when to stop; 0: only when interrupted
 };
 
-// What a person is shown.
+// The status shown to the user.
 struct LiveRefereeStatus {
   double time_s = 0;  // of the last frame
   std::int64_t frames = 0;
   league::MessageFaults faults;
-  bool has_referee = false;  // packets of another referee arrive
+  bool has_referee = false;  // whether packets from another referee arrive
   RefereeSignal signal;
   PerSide<std::string> names;
   VisionReport vision;
   std::optional<ControllerStatus> controller;
 };
 
-// Callbacks in the thread of run().
+// Callbacks, called in the thread of run().
 struct LiveRefereeCallbacks {
   std::function<void(const referee::Decision& decision)> on_decision;
-  // The league's event for a decision, or a ball placement that has succeeded.
+  // Called with the league's event for a decision or for a successful ball placement.
   std::function<void(const GameEvent& event)> on_game_event;
-  // After each frame, with the signal in force; positions are the field's.
+  // Called after each frame, with the signal in force and positions in the field's coordinates.
   std::function<void(const Frame& frame, const RefereeSignal& signal)> on_frame;
-  // At least every 50 ms; may throw to stop.
+  // Called at least every 50 ms; can throw to stop.
   std::function<void(const LiveRefereeStatus& status)> on_idle;
 };
 
 class LiveReferee {
  public:
-  // Listens from now on. Throws InputError if the network cannot be used.
+  // Starts listening. Throws InputError if the network cannot be used.
   explicit LiveReferee(const LiveRefereeOptions& options);
   ~LiveReferee();
 
-  // Waits for the first frames and finds out about the field and the teams: for 2 s, or for 10 s if
+  // Waits for the first frames to find out about the field and the teams: for 2 s, or for 10 s if
   // no geometry arrives. `check` is called several times a second while it waits, with the packets
   // received so far, and may throw.
   logs::RecordedFacts gather(const std::function<void(std::int64_t packets)>& check);
 
-  // Judges all packets, those of gather() included, until the time is over or on_idle throws.
+  // Judges all packets, including those of gather(), until the time is over or on_idle throws.
   // Throws std::invalid_argument if the configuration is not valid.
   void run(const referee::Configuration& configuration, const logs::RecordedFacts& facts,
            const LiveRefereeCallbacks& watch);

@@ -17,7 +17,7 @@ namespace autoref::live {
 namespace {
 
 constexpr int kSourceBuffer_bytes = 1 << 22;
-constexpr int kMostFromSocket = 4096;  // packets of a socket before those of the others
+constexpr int kMostFromSocket = 4096;  // packets read from a socket before others get their turn
 constexpr std::int64_t kNsPerS = 1'000'000'000;
 constexpr const char* kEveryHost = "255.255.255.255";
 
@@ -42,7 +42,7 @@ class RecordSource::Socket {
     open_for_group(socket_, {interface, group.group, group.port, group.flag}, kSourceBuffer_bytes);
     const int on = 1;
     ::setsockopt(handle(), SOL_SOCKET, SO_TIMESTAMPNS, &on, sizeof on);
-    // Beyond the system's limit, if the user may.
+    // Exceeds the system's limit if the user is allowed to.
     ::setsockopt(handle(), SOL_SOCKET, SO_RCVBUFFORCE, &kSourceBuffer_bytes,
                  sizeof kSourceBuffer_bytes);
   }
@@ -50,7 +50,7 @@ class RecordSource::Socket {
   int handle() { return socket_.native_handle(); }
   int port() const { return socket_.local_endpoint().port(); }
 
-  // Adds the packets that wait to `records`; returns how many were too long.
+  // Adds the waiting packets to `records` and returns how many were too long.
   int read(std::deque<ReceivedRecord>& records) {
     int oversized = 0;
     for (int i = 0; i < kMostFromSocket; ++i) {

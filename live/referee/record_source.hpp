@@ -16,14 +16,14 @@
 namespace autoref::live {
 
 struct ReceivedRecord {
-  std::int64_t arrived_ns = 0;  // Unix time at which the system received it
+  std::int64_t arrived_ns = 0;  // Unix time of its arrival at this computer
   league::MessageKind kind = league::MessageKind::kUnknown;
   std::string bytes;
   std::string host;  // of the sender
 };
 
 // A group to listen to; packets that are broadcast to its port are received as well. `flag` is the
-// option that would change the port.
+// option that sets the port.
 struct RecordGroup {
   league::MessageKind kind = league::MessageKind::kUnknown;
   std::string group;  // empty: packets sent to this computer
@@ -31,15 +31,15 @@ struct RecordGroup {
   std::string flag;
 };
 
-// Reads the sockets in the caller's thread. The system keeps up to 4 MB of packets that have not
-// been read, or what it allows; datagrams longer than kLongestDatagram are dropped and counted.
+// Reads the sockets in the caller's thread. The system buffers up to 4 MB of unread packets, or as
+// much as it allows; datagrams longer than kLongestDatagram are dropped and counted.
 class RecordSource {
  public:
   using Clock = std::chrono::steady_clock;
 
-  // Throws InputError if a group cannot be joined. Packets of several groups that wait are read in
-  // the order of their arrival; the first group is read last, so that a packet of it that arrives
-  // meanwhile does not overtake those of the others.
+  // Throws InputError if a group cannot be joined. Waiting packets of several groups are read in
+  // the order of their arrival. The first group is read last, so that its packets that arrive
+  // meanwhile do not overtake those of the others.
   RecordSource(const std::string& interface, const std::vector<RecordGroup>& groups);
   ~RecordSource();
   RecordSource(const RecordSource&) = delete;

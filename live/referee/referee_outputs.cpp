@@ -14,7 +14,7 @@ namespace autoref::live {
 namespace {
 
 constexpr double kRefereePacketEvery_s = 0.025;
-constexpr double kNoGeometry_s = 1e9;  // the field's geometry is vision's to send
+constexpr double kNoGeometry_s = 1e9;  // vision sends the field's geometry
 constexpr const char* kIdentifier = "AutoRef";
 
 Address destination_of(const LiveRefereeOptions& options, const char* group, int port) {

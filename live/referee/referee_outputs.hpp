@@ -1,4 +1,4 @@
-// What a live referee sends, and the status that it prints.
+// The packets that a live referee sends, and the status that it prints.
 #pragma once
 
 #include <deque>
@@ -27,17 +27,17 @@ class RefereeOutputs final : league::PacketSink {
   RefereeOutputs(const LiveRefereeOptions& options, const Field& field,
                  const PerSide<std::string>& names);
 
-  // The Unix time of the frames' time 0.
+  // Sets the Unix time of the frames' time 0.
   void set_start(const std::optional<double>& start_unix_s);
 
-  // The sender of the referee packets is taken to be the game controller's host, unless another one
-  // was given.
+  // Notes the sender of the referee packets, which is assumed to be the game controller's host
+  // unless another one was given.
   void note_referee(const std::string& host);
 
   // Sends the tracks of a frame. `is_turned`: they are rotated with respect to the field.
   void send_tracks(const Tracks& tracks, bool is_turned);
 
-  // Notes a command or event for the next referee packets.
+  // Records a command or event for the next referee packets.
   void note(const referee::Decision& decision);
 
   // Sends a referee packet if the signal has changed, and every 25 ms. `time_s` is on the frames'
@@ -69,7 +69,8 @@ class RefereeOutputs final : league::PacketSink {
   std::string bytes_;
 };
 
-// "12:34.5  ball_left_field yellow: ..." Empty for decisions that only follow somebody's commands.
+// "12:34.5  ball_left_field yellow: ..." Empty for decisions that only follow another referee's
+// commands.
 std::string call_line(const referee::Decision& decision);
 
 // "stage FIRST_HALF, STOP, yellow 1 : 0 blue".
@@ -78,8 +79,8 @@ std::string state_line(const LiveRefereeStatus& status);
 // "registered; 12 events accepted, 1 rejected ...".
 std::string controller_line(const ControllerStatus& controller);
 
-// The whole view, one piece of text with line breaks, at most `columns` wide. `calls` are the last
-// ones, the newest last.
+// The whole view: text with line breaks, at most `columns` wide. `calls` are the latest calls, the
+// newest last.
 std::string status_text(const LiveRefereeStatus& status, const std::deque<std::string>& calls,
                         std::size_t columns);
 

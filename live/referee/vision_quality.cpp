@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMostKept = 20'000;  // of each list
 constexpr double kSameFrame_s = 0.008;     // between detections of two cameras
-constexpr double kOtherRobot_m = 0.5;      // farther apart, one of two numbers is misread
+constexpr double kOtherRobot_m = 0.5;      // if farther apart, one of the two numbers is misread
 
 template <typename List, typename TimeOf>
 void forget(List& list, double now_s, const TimeOf& time_of) {

@@ -1,4 +1,4 @@
-// How well vision works: for the person beside a real field.
+// The quality of vision, for the person at a real field.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace autoref::live {
 
-// Of the last kWindow_s seconds.
+// Covers the last kWindow_s seconds.
 struct VisionReport {
   std::map<std::uint32_t, double> rates_hz;  // packets per second, by camera
   double ball_seen = 0;                      // share of the frames with a ball
@@ -23,12 +23,12 @@ struct VisionReport {
                                              // of a robot; nullopt if they see none together
 };
 
-// Looks at the packets and frames of the last seconds. Cameras beyond the first 16 are ignored.
+// Examines the packets and frames of the last few seconds. Cameras beyond the first 16 are ignored.
 class VisionQuality {
  public:
   static constexpr double kWindow_s = 5;
 
-  // Times in s, increasing.
+  // Times are in s and must increase.
   void add(double time_s, const league::VisionPacket& packet);
   void add(const Frame& frame);
 
@@ -58,7 +58,7 @@ class VisionQuality {
   std::deque<Distance> distances_;
 };
 
-// One or two lines for a person.
+// The report as one or two lines of text.
 std::string text_of(const VisionReport& report);
 
 }  // namespace autoref::live

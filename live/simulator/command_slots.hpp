@@ -1,5 +1,5 @@
-// The newest command of each robot, between the network's thread and the game's, and the team that
-// carries them out.
+// The newest command of each robot, passed from the network's thread to the game's, and the team
+// that carries them out.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace autoref::live {
 
-// What the commands of a side refer to.
+// The state to which a side's commands refer.
 struct SideState {
   std::array<Vec2, kMaxRobots> headings{};  // in the frame of vision, by number
   std::array<league::WheelPositions, kMaxRobots> wheels{};
@@ -28,13 +28,13 @@ class CommandSlots {
  public:
   using Clock = std::chrono::steady_clock;
 
-  // Commands older than this many frames lapse: their robots stand still.
+  // Commands older than this many frames lapse, and their robots stop.
   explicit CommandSlots(int lapse_frames) : lapse_frames_(lapse_frames) {}
 
-  // In the network's thread: takes over a packet's updates.
+  // Called in the network's thread: accepts a packet's updates.
   void add(Side side, const std::vector<league::CommandUpdate>& updates);
 
-  // How many packets each side has sent so far.
+  // The number of packets that each side has sent so far.
   PerSide<std::int64_t> packets() const;
 
   // Waits until each side in `is_awaited` has sent more packets than in `before`. Returns false if
@@ -43,7 +43,7 @@ class CommandSlots {
             Clock::time_point deadline);
 
   // The commands of a side for the step after `frame`, as transmitted() sends them to robots.
-  // Commands that have arrived since the last call count as of this frame.
+  // Commands that have arrived since the last call are attributed to this frame.
   TeamCommands commands_for(Side side, std::int64_t frame, const SideState& state);
 
  private:
@@ -62,7 +62,7 @@ class CommandSlots {
   PerSide<std::int64_t> packets_;
 };
 
-// What a team on the network does in the next step.
+// The input for a team on the network in the next step.
 struct NetworkInput {
   TeamCommands commands{};
   std::string fault;  // empty: none

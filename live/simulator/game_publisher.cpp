@@ -20,7 +20,7 @@ PerSide<league::LoggedTeam> published_teams(const game::GameConfiguration& game)
   return {{league::LoggedTeam{names[Side::kWest]}, league::LoggedTeam{names[Side::kEast]}}};
 }
 
-// Random, unless the game's packets are to be the same each time.
+// A random UUID, unless the game's packets must be the same each time.
 std::string tracker_uuid(bool is_repeatable) {
   return is_repeatable ? "00000000-0000-4000-8000-000000000000" : random_uuid();
 }

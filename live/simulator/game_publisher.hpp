@@ -17,10 +17,10 @@
 
 namespace autoref::live {
 
-// All packets of a frame are sent as late as the teams' view of the game is (sim.latency_s, whole
-// frames), so that nobody learns of a decision before the frame that led to it; the times in them
-// are the frame's. The referee's packets follow every 25 ms of the game, and the tracker's with
-// every frame.
+// All packets of a frame are delayed like the teams' view of the game (sim.latency_s, whole
+// frames), so that nobody learns of a decision before the frame that led to it. The times in them
+// are the frame's. Referee packets follow every 25 ms of the game, and tracker packets with every
+// frame.
 class GamePublisher final : public game::Observer, league::PacketSink {
  public:
   // `start_unix_s` is the time of the game's first frame in all packets. Throws InputError if the
@@ -32,17 +32,17 @@ class GamePublisher final : public game::Observer, league::PacketSink {
   void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World& world) override;
   void on_decision(const referee::Decision& decision) override;
 
-  // Publishes the world while the game waits. The times of later packets are as much later.
+  // Publishes the world while the game waits. The times of later packets are shifted accordingly.
   void add_waiting_frame(const sim::WorldState& world, const RefereeSignal& signal);
 
-  // Takes the tracks of the frame of the last on_frame(), and sends the packets of the frame that
+  // Takes the tracks for the frame of the last on_frame() and sends the packets of the frame that
   // is due. Does nothing if there has been no new frame.
   void publish(const Tracks& tracks);
 
-  // In lock-step, before the game: publishes the geometry and the signal, for programs that wait
-  // for them. They do not depend on how long anybody waits.
+  // Used in lock-step before the game: publishes the geometry and the signal for programs that wait
+  // for them. Their content does not depend on how long anybody waits.
   void send_standing_field(const RefereeSignal& signal);
-  // Sends both again until the first frame has been published; then does nothing.
+  // Sends both again until the first frame has been published; after that, does nothing.
   void repeat_standing_field();
 
   // The serialized detections of the last frame sent.
@@ -51,7 +51,7 @@ class GamePublisher final : public game::Observer, league::PacketSink {
   // Sends vision to another port from now on.
   void set_vision_port(int port);
 
-  std::int64_t dropped() const;  // datagrams that the system did not take
+  std::int64_t dropped() const;  // datagrams that the system did not accept
 
  private:
   struct PublishedFrame {
@@ -80,7 +80,7 @@ class GamePublisher final : public game::Observer, league::PacketSink {
   DatagramSender vision_;
   DatagramSender referee_;
   DatagramSender tracker_;
-  std::string standing_geometry_;  // empty: the game has begun
+  std::string standing_geometry_;  // empty once the game has begun
   std::string standing_signal_;
   PublishedFrame newest_;
   bool has_newest_ = false;

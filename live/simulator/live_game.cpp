@@ -20,9 +20,10 @@ namespace autoref::live {
 namespace {
 
 constexpr double kAfterEnd_s = 1;
-constexpr std::chrono::milliseconds kSlice{50};  // of waits, after which interrupts are noticed
+constexpr std::chrono::milliseconds kSlice{50};  // length of a wait before checking for interrupts
 constexpr std::chrono::milliseconds kLastSlice{500};  // for the last requests after the game
-// Of the first frame in lock-step, so that the packets are the same in each run: 1 January 2026.
+// The time of the first frame in lock-step, so that the packets are the same in each run: 1 January
+// 2026.
 constexpr double kLockstepStart_s = 1767225600;
 
 double now_unix_s() {
@@ -70,9 +71,9 @@ class LiveGame::Impl {
       await_teams(game);
     }
     if (change_robots(programs)) game = game::Game(game_, observers, programs.maker());
-    be_prompt();  // after the start of programs, which would inherit it
+    be_prompt();  // after starting programs, since they would inherit it
     for (;;) {
-      // Taken before the frame is sent: a fast team may answer at once.
+      // Read this before the frame is sent: a fast team may answer immediately.
       const PerSide<std::int64_t> before = slots_.packets();
       if (!game.begin_step()) break;
       check_();
@@ -96,7 +97,7 @@ class LiveGame::Impl {
  private:
   bool has_network_teams() const { return is_network_[Side::kWest] || is_network_[Side::kEast]; }
 
-  // The signal before the game, whose own one begins with the first frame.
+  // The signal before the game; the game's own signal begins with the first frame.
   RefereeSignal waiting_signal(const game::Game& game) const {
     RefereeSignal signal = game.signal();
     for (const Side side : kSides)
@@ -104,7 +105,7 @@ class LiveGame::Impl {
     return signal;
   }
 
-  // Sends the field as it is before the game, until every team has commanded a robot.
+  // Sends the field in its state before the game until every team has commanded a robot.
   void await_teams(const game::Game& game) {
     const RefereeSignal waiting = waiting_signal(game);
     while (!slots_.wait({{0, 0}}, is_network_, CommandSlots::Clock::now() + frame_period())) {
@@ -115,13 +116,13 @@ class LiveGame::Impl {
     pacer_.set_rate(game_.sim.frame_rate_hz * options_.speed.factor);
   }
 
-  // Why packets do not let the game go on.
+  // Prints why packets do not let the game continue.
   void print_notices() {
     for (const std::string& notice : ports_.take_notices())
       io::write_message(stderr, fmt::format("autoref: {}\n", notice));
   }
 
-  // Takes over what programs have set before the game.
+  // Applies what programs have set before the game.
   bool change_robots(game::GamePrograms& programs) {
     const std::vector<game::ChangedRobot> changed = robot_updates_.close();
     for (const game::ChangedRobot& robot : changed) {
@@ -163,8 +164,8 @@ class LiveGame::Impl {
     }
   }
 
-  // Calls `wait` until it returns true, with a check in between. When the longest answer has
-  // passed, `give_up` decides whether to stop waiting.
+  // Calls `wait` until it returns true, with a check in between. When the time limit for answers
+  // has passed, `give_up` decides whether to stop waiting.
   template <typename Wait, typename GiveUp>
   void wait_in_slices(const Wait& wait, const GiveUp& give_up) {
     const auto deadline =
@@ -204,7 +205,8 @@ class LiveGame::Impl {
     }
   }
 
-  // Does what the control port has asked for. While the speed is 0, the field is sent as it is.
+  // Carries out the requests of the control port. While the speed is 0, the field is sent
+  // unchanged.
   void control(game::Game& game, game::GamePrograms& programs) {
     do {
       for (const league::SimulatorRequest& request : requests_.take_all())
@@ -229,15 +231,15 @@ class LiveGame::Impl {
     set_speed(*request.speed);
   }
 
-  // A factor of real time; 0 pauses the game.
+  // Sets the speed as a factor of real time; 0 pauses the game.
   void set_speed(double speed) {
     is_paused_ = speed == 0;
     if (!is_paused_ && speed != speed_) pacer_.set_rate(game_.sim.frame_rate_hz * speed);
     speed_ = speed;
   }
 
-  // Sends the frame in which the game has ended, and goes on sending it, so that everybody learns
-  // how.
+  // Sends the frame in which the game ended, and keeps sending it, so that everybody learns how it
+  // ended.
   void publish_end(const game::Game& game) {
     Frame frame = game.frame();
     Tracks tracks = game.tracks();
@@ -250,7 +252,7 @@ class LiveGame::Impl {
     }
   }
 
-  // Returns false if nobody asks for a later frame.
+  // Returns false if nobody requests a later frame.
   bool wait_after_end(std::int64_t frame) {
     if (options_.speed.pace == Pace::kClock) pacer_.wait();
     if (options_.speed.pace != Pace::kLockStep) return true;
@@ -274,7 +276,7 @@ class LiveGame::Impl {
   FrameClock* clock_;
   FramePacer pacer_;
   bool is_paused_ = false;
-  double speed_ = 0;  // asked for at the control port; 0: never
+  double speed_ = 0;  // requested at the control port; 0: never
   PerSide<SideState> states_;
   PerSide<NetworkInput> inputs_;
   PerSide<int> silent_frames_;  // since the newest packet

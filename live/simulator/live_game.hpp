@@ -20,28 +20,28 @@ namespace autoref::live {
 // How a live game went, apart from its result.
 struct LiveReport {
   Punctuality punctuality;
-  std::int64_t dropped = 0;  // datagrams that the system did not take
+  std::int64_t dropped = 0;  // datagrams that the system did not accept
   PerSide<TeamTraffic> traffic;
   StreamTroubles connections;
-  std::int64_t wrong_control = 0;  // packets to the control port with errors
-  // Frames by the age of the newest packet of a network team, in frames: 0, 1, and older.
+  std::int64_t wrong_control = 0;  // packets with errors at the control port
+  // Number of frames by the age of a network team's newest packet, in frames: 0, 1, and older.
   PerSide<std::array<std::int64_t, 3>> command_ages;
 };
 
-// Plays one game. A frame: the camera looks and the referee decides; vision, referee and tracker
-// packets are sent; the teams have until the next frame is due; then the world advances with their
-// newest commands. With unlimited speed, the next frame is due when every network team has sent a
-// packet since this one. In lock-step, it is due when every network team, and the control port if
-// it takes part, has asked for it.
+// Plays one game. In each frame, the camera sees the world, the referee decides, and vision,
+// referee and tracker packets are sent. The teams have time until the next frame is due; then the
+// world advances with their newest commands. At unlimited speed, the next frame is due when every
+// network team has sent a packet since this one. In lock-step, it is due when every network team
+// (and the control port if it takes part) has requested it.
 class LiveGame {
  public:
-  // Opens the ports of the network teams. `check` is called about once per frame and may throw, for
-  // example because the user has had enough. Throws InputError if the network cannot be used.
+  // Opens the ports of the network teams. `check` is called about once per frame and can throw, for
+  // example because the user interrupts. Throws InputError if the network cannot be used.
   LiveGame(const game::GameConfiguration& game, const LiveOptions& options, FrameClock& clock,
            std::function<void()> check);
   ~LiveGame();
 
-  // The team on the network, for a TeamMaker.
+  // Makes the team on the network, for a TeamMaker.
   std::unique_ptr<strategies::Strategy> make_network_team(const strategies::TeamContext& context);
 
   // Plays the game and sends its last frame for another second.

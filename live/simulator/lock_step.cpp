@@ -12,9 +12,9 @@ namespace autoref::live {
 namespace {
 
 constexpr std::size_t kMostWaitingRequests = 64;
-constexpr std::size_t kReserved_bytes = 4096;  // of a response: errors, and what robots feel
+constexpr std::size_t kReserved_bytes = 4096;  // of a response: for errors and robot feedback
 constexpr std::size_t kFraming_bytes = 6;      // of a detection in a response
-constexpr double kRoundingFrames = 1e-3;       // of steps, which are floats
+constexpr double kRoundingFrames = 1e-3;       // tolerance of steps, which are floats
 constexpr std::array<Participant, 3> kParticipants = {Side::kWest, Side::kEast, std::nullopt};
 
 }  // namespace
@@ -87,7 +87,7 @@ void LockStep::answer(Member& member, std::int64_t frame, const std::bitset<kMax
   member.answered = frame;
 }
 
-// From now on if its next request asks for a step.
+// The participant joins if its next request asks for a step.
 void LockStep::let_join(Member& member, std::int64_t frame) const {
   if (member.takes_part || member.waiting.front().request.step_s <= 0) return;
   member.takes_part = true;
@@ -102,7 +102,8 @@ void LockStep::begin_next(const Participant& from, Member& member, CommandSlots&
   if (from) slots.add(*from, member.current->request.commands.updates);
 }
 
-// Answers and begins what can be; returns whether everybody has asked for a later frame.
+// Answers and starts all requests that it can. Returns whether everybody has requested a later
+// frame.
 bool LockStep::settle(std::int64_t frame, const PerSide<RobotReports>& reports,
                       CommandSlots& slots) {
   bool is_ready = true;
@@ -110,7 +111,7 @@ bool LockStep::settle(std::int64_t frame, const PerSide<RobotReports>& reports,
     Member& one = member(from);
     const auto contact = from ? reports[*from].ball_contact : std::bitset<kMaxRobots>();
     if (one.current && target(one) <= frame) answer(one, frame, contact);
-    // A request that asks for no step is answered at once.
+    // A request without a step is answered immediately.
     while (!one.current && !one.waiting.empty()) {
       let_join(one, frame);
       begin_next(from, one, slots);

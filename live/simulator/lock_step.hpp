@@ -1,4 +1,4 @@
-// Lock-step with programs on the network: the game goes on when all of them have asked for it.
+// Lock-step with programs on the network: the game continues when all of them have requested it.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@
 
 namespace autoref::live {
 
-// Who asks: a team, or nobody's team, the control port.
+// Who sends requests: a team, or the control port (nullopt).
 using Participant = std::optional<Side>;
 
 class LockStep {
@@ -27,29 +27,29 @@ class LockStep {
   using Clock = std::chrono::steady_clock;
   using Reply = std::function<void(std::string bytes)>;
 
-  // Teams in `is_network` take part from the beginning, the control port from its first request for
-  // a step. Until then, its requests are answered without detections.
+  // Teams in `is_network` take part from the beginning, and the control port from its first request
+  // for a step. Until then, requests at the control port are answered without detections.
   LockStep(const PerSide<bool>& is_network, double frame_rate_hz);
 
-  // In the network's thread: takes a request; `reply` will be called in the game's thread with a
-  // response of at most `longest_bytes`. Returns false if 64 requests of the participant wait
-  // already.
+  // Called in the network's thread: accepts a request. `reply` will be called in the game's thread
+  // with a response of at most `longest_bytes`. Returns false if 64 requests of the participant are
+  // already waiting.
   bool add(const Participant& from, league::SyncRequest request, Reply reply,
            std::size_t longest_bytes);
 
-  // What a camera saw, for the next responses. If not all detections since a participant's last
-  // response fit into the next one, the oldest are missing, and an error says how long its steps
-  // may be.
+  // Adds a camera's detections to the next responses. If the detections since a participant's last
+  // response do not all fit into the next one, the oldest are left out, and an error says how long
+  // the participant's steps may be.
   void add_detection(const std::string& detection);
 
-  // Answers every request that a frame completes, takes over the commands of the next ones, and
-  // waits until everybody has asked for a later frame, or until the deadline: then it returns
-  // false. `control` receives the requests for the simulator.
+  // Answers every request that a frame completes, applies the commands of the next requests, and
+  // waits until all participants have requested a later frame. Returns false if the deadline passes
+  // first. `control` receives the requests to the simulator.
   bool advance(std::int64_t frame, const PerSide<RobotReports>& reports, CommandSlots& slots,
                const std::function<void(const league::SimulatorRequest&)>& control,
                Clock::time_point deadline);
 
-  // The teams that have not asked for a later frame.
+  // The teams that have not requested a later frame.
   PerSide<bool> is_awaited() const;
 
  private:
@@ -60,7 +60,7 @@ class LockStep {
   };
   struct Member {
     bool takes_part = false;
-    double granted_s = 0;  // until when it lets the game go on
+    double granted_s = 0;  // time until which it lets the game continue
     std::deque<Waiting> waiting;
     std::optional<Waiting> current;      // answered when its frame is reached
     std::deque<std::string> detections;  // since the last response, or the newest

@@ -1,4 +1,4 @@
-// What robots of the simulated world report to network teams, and what their commands refer to.
+// The simulated robots' reports to network teams, and the robot data to which commands refer.
 #pragma once
 
 #include <array>
@@ -11,13 +11,13 @@
 
 namespace autoref::live {
 
-// What the robots of a side report.
+// The reports of a side's robots.
 struct RobotReports {
   std::bitset<kMaxRobots> ball_contact;  // the ball is in the dribbler zone
   std::array<league::GrsimStatus, kMaxRobots> status{};
 };
 
-// The reports after a step of the world.
+// The reports after a step of the simulation.
 PerSide<RobotReports> reports_of(const game::GameConfiguration& game, const sim::World& world);
 
 // The wheels of a team's robots.

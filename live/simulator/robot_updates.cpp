@@ -27,13 +27,13 @@ game::ChangedRobot changed_by(const league::SpecUpdate& update, game::ChangedRob
   return robot;
 }
 
-// Positions and velocities turn alike between the frames of vision and of the world.
+// Rotates positions and velocities between the frame of vision and that of the world.
 class Turn {
  public:
   explicit Turn(bool blue_on_positive_half) : blue_on_positive_half_(blue_on_positive_half) {}
   Vec2 operator()(const Vec2& vector) const { return published(vector, blue_on_positive_half_); }
 
-  // The vector with the coordinates that are given in the frame of vision.
+  // The vector after replacing the coordinates that are given, in the frame of vision.
   Vec2 with(const std::optional<double>& x, const std::optional<double>& y,
             const Vec2& vector) const {
     const Vec2 seen = (*this)(vector);

@@ -1,5 +1,5 @@
-// What programs on the network change besides commands: robots' limits before a game, and the world
-// by teleports.
+// Changes by programs on the network other than commands: robots' limits before a game, and
+// teleports.
 #pragma once
 
 #include <bitset>
@@ -20,13 +20,14 @@ class RobotUpdates {
  public:
   explicit RobotUpdates(const game::GameConfiguration& game) : game_(game) {}
 
-  // In the network's thread. What cannot be done is added to `errors`. Codes: ROBOT_SPECS (a number
-  // is out of range), GAME_BEGUN. A wheel's acceleration changes in proportion to the robot's.
+  // Called in the network's thread. Updates that cannot be applied are added to `errors`, with the
+  // codes ROBOT_SPECS (a number is out of range) and GAME_BEGUN. A wheel's acceleration changes in
+  // proportion to the robot's.
   void add(const std::vector<league::SpecUpdate>& updates,
            std::vector<league::PacketError>& errors);
 
-  // In the game's thread, when the game begins: the robots that differ, each once. Later changes
-  // are refused.
+  // Called in the game's thread when the game begins: returns each changed robot once. Later
+  // changes are refused.
   std::vector<game::ChangedRobot> close();
 
  private:
@@ -38,9 +39,9 @@ class RobotUpdates {
   bool is_closed_ = false;
 };
 
-// The change of the simulated world by a teleport in the frame of vision; what the teleport leaves
-// out stays as it is in `world`. Positions beyond the walls are moved inside. nullopt if a robot
-// that is off the field is not placed completely.
+// The change of the simulated world by a teleport in the frame of vision. Values missing from the
+// teleport stay as they are in `world`. Positions beyond the walls are moved inside. Returns
+// nullopt if the teleport of a robot off the field is incomplete.
 std::optional<game::WorldChange> change_of(const league::Teleport& teleport,
                                            const sim::WorldState& world, const Field& field,
                                            bool blue_on_positive_half);

@@ -135,7 +135,7 @@ bool TeamPorts::commands_from(Side side, const Address& from) const {
   return is_present_[side] && sources_[side].host() == from.host;
 }
 
-// Anybody can send garbage, so that only commands show that a team is there.
+// Anybody can send garbage, so only commands show that a team is there.
 void TeamPorts::count(Side side, league::CommandPacket& packet, const Address& from,
                       bool has_commands) {
   const std::lock_guard lock(mutex_);
@@ -156,7 +156,7 @@ void TeamPorts::count_wrong_control() {
   ++wrong_control_;
 }
 
-// With the lock held.
+// Must be called with the lock held.
 void TeamPorts::note_stranger(Side side, const Address& from, const std::string& error) {
   if (std::exchange(is_noted_[side], true)) return;
   notices_.push_back(
@@ -212,7 +212,7 @@ std::string TeamPorts::answer_control(std::string_view bytes) {
   return response.SerializeAsString();
 }
 
-// The field and the robots are the scenario's, and without a clock the teams set the pace.
+// The field and the robots are set by the scenario, and without a clock the teams set the pace.
 void TeamPorts::refuse_unsupported(league::SimulatorRequest& request,
                                    std::vector<league::PacketError>& errors) const {
   if (request.field && !is_same_size(*request.field, field_))
@@ -235,7 +235,7 @@ std::optional<std::string> TeamPorts::answer_sync_request(const Participant& par
   const bool goes_on = is_lock_step && (request.step_s > 0 || !request.commands.updates.empty());
   if (participant && !is_admitted(*participant, from, goes_on))
     return response_to(refused_packet(), {});
-  // Detections are for those who command: nobody else may take them from a team.
+  // Detections are for those in command: nobody else may take them away from a team.
   const bool is_stranger = participant && !goes_on && !commands_from(*participant, from);
   if (!is_lock_step || !request.is_readable || is_stranger) {
     participant ? count(*participant, request.commands, from, false) : count_wrong_control();
@@ -270,7 +270,7 @@ void TeamPorts::read_grsim(std::string_view bytes, const Address& from) {
   league::GrsimPacket packet = league::read_grsim_packet(bytes, robots_);
   const bool has_commands = !packet.commands.updates.empty();
   if (!is_network_[packet.side] || !is_admitted(packet.side, from, has_commands)) return;
-  // Replacements have no team: they are not a mistake of blue's.
+  // Replacements have no team, so they are not blue's mistake.
   const bool only_replaces = !has_commands && !packet.teleports.empty();
   if (!only_replaces) count(packet.side, packet.commands, from, has_commands);
   if (targets_.lock_step == nullptr) take_over(packet.side, packet.commands);

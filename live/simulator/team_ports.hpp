@@ -26,11 +26,11 @@
 
 namespace autoref::live {
 
-// What has arrived for a team.
+// The traffic that has arrived for a team.
 struct TeamTraffic {
-  std::int64_t packets = 0;  // those that were read, with errors or without
+  std::int64_t packets = 0;  // those that were read, with or without errors
   std::int64_t wrong = 0;    // with at least one error
-  std::int64_t foreign = 0;  // dropped because they came from another computer than the team's
+  std::int64_t foreign = 0;  // dropped because they came from a computer other than the team's
   std::string last_error;    // with its sender; empty: none
 };
 
@@ -38,24 +38,25 @@ struct TeamTraffic {
 // 2 s.
 class SourceLock {
  public:
-  // A packet without commands is admitted unless another computer commands, but excludes nobody.
+  // A packet without commands is admitted unless another computer is in command, but does not lock
+  // out others.
   bool admits(const std::string& host, std::chrono::steady_clock::time_point now,
               bool has_commands = true);
 
-  const std::string& host() const { return host_; }  // empty: nobody's yet
+  const std::string& host() const { return host_; }  // empty if there is none yet
 
  private:
   std::string host_;
   std::chrono::steady_clock::time_point last_{};
 };
 
-// Requests to the simulator that wait for the game's thread; at most 64.
+// Requests to the simulator that are waiting for the game's thread, at most 64.
 class ControlRequests {
  public:
-  // In the network's thread. Returns false if there is no room.
+  // Called in the network's thread. Returns false if there is no room.
   bool add(league::SimulatorRequest request);
   std::vector<league::SimulatorRequest> take_all();
-  // The speed that the latest of the waiting requests asks for, if any does.
+  // The speed in the latest waiting request that sets one, if any.
   std::optional<double> speed() const;
 
  private:
@@ -63,7 +64,7 @@ class ControlRequests {
   std::vector<league::SimulatorRequest> requests_;
 };
 
-// Where the packets of the ports go.
+// The destinations of the ports' packets.
 struct PortTargets {
   CommandSlots* slots = nullptr;
   ControlRequests* control = nullptr;
@@ -71,27 +72,27 @@ struct PortTargets {
   LockStep* lock_step = nullptr;  // null: SimulationSyncRequests are errors
 };
 
-// How a packet has come, and its answer goes.
+// How a packet arrived and its answer is sent.
 enum class Transport : std::uint8_t { kDatagram, kStream };
 
-// The sides whose teams play over the network.
+// The sides with teams that play over the network.
 PerSide<bool> network_sides(const game::GameConfiguration& game);
 
 class TeamPorts {
  public:
-  // Listens for the game's teams on the network and at the control port: to datagrams, and except
-  // at grSim's port to connections. Throws InputError if a port is in use.
+  // Listens for the game's network teams and at the control port. It accepts datagrams and, except
+  // at grSim's port, connections. Throws InputError if a port is in use.
   TeamPorts(NetworkThread& thread, const LiveOptions& options, const game::GameConfiguration& game,
             const PortTargets& targets);
 
-  // In the game's thread, once per frame: what the next responses report. Sends grSim's status to
-  // teams that command by grSim's packets if it has changed.
+  // Called in the game's thread once per frame: sets the content of the next responses. Sends
+  // grSim's status, if it has changed, to teams that command with grSim's packets.
   void report(const PerSide<RobotReports>& reports);
 
   PerSide<TeamTraffic> traffic() const;
-  std::int64_t wrong_control() const;  // packets to the control port with errors
+  std::int64_t wrong_control() const;  // packets with errors at the control port
 
-  // Sentences for the user that are new since the last call: the first packet to each team's port
+  // Messages for the user since the last call: they report the first packet at each team's port
   // that did not show that its team is there.
   std::vector<std::string> take_notices();
 
@@ -106,7 +107,7 @@ class TeamPorts {
   std::string answer_control(std::string_view bytes);
   void refuse_unsupported(league::SimulatorRequest& request,
                           std::vector<league::PacketError>& errors) const;
-  // nullopt: replies later, since the request takes part in the lock-step.
+  // Returns nullopt if the reply comes later because the request takes part in the lock-step.
   std::optional<std::string> answer_sync_request(const Participant& participant,
                                                  std::string_view bytes, const Address& from,
                                                  Transport transport);
@@ -117,11 +118,12 @@ class TeamPorts {
   std::int64_t oversized(std::size_t port) const;
   bool is_admitted(Side side, const Address& from, bool has_commands);
   bool commands_from(Side side, const Address& from) const;
-  // Counts the packet, and adds an error if it commands no robot before its team has commanded any.
+  // Counts the packet. Adds an error if it commands no robot and its team has not commanded any
+  // yet.
   void count(Side side, league::CommandPacket& packet, const Address& from, bool has_commands);
   void count_wrong_control();
   void note_stranger(Side side, const Address& from, const std::string& error);
-  // Takes over the commands; the packet counts as the team's answer to a frame.
+  // Applies the commands; the packet counts as the team's answer to a frame.
   void take_over(Side side, const league::CommandPacket& packet);
   void send_status(Side side, const RobotReports& reports);
 
@@ -134,7 +136,7 @@ class TeamPorts {
   PerSide<RobotReports> reports_;
   PerSide<TeamTraffic> traffic_;
   PerSide<bool> is_present_;  // the team has sent commands
-  PerSide<bool> is_noted_;    // that a packet did not show it
+  PerSide<bool> is_noted_;    // a packet that did not show it has been reported
   std::vector<std::string> notices_;
   std::int64_t wrong_control_ = 0;
   PerSide<SourceLock> sources_;

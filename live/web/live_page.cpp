@@ -31,7 +31,7 @@ bool has_calls(const view::GameRecording& part) {
   return !part.signals().empty() || !part.clock().empty() || !part.decisions().empty();
 }
 
-// Calls come before frames: the page needs the teams' ends first.
+// Calls come before frames because the page needs the teams' ends first.
 std::vector<std::size_t> kept_entries() {
   const view::LiveLimits limits;
   return {limits.signals, limits.clock_marks, limits.decisions, kKeptFrames};
@@ -41,7 +41,7 @@ std::vector<std::size_t> kept_entries() {
 
 void MessageList::add(view::CountedMessage message) {
   if (message.entries == 0) return;
-  message.text.shrink_to_fit();  // it is kept for long
+  message.text.shrink_to_fit();  // it is kept for a long time
   entries_ += message.entries;
   messages_.push_back({shared(std::move(message.text)), message.entries});
   while (entries_ - messages_.front().entries >= enough_) {
@@ -110,7 +110,7 @@ void LivePage::record(const Frame& frame) {
   skipped_.reset();
 }
 
-// The last frame is always sent: the page shows no signal later than that.
+// The last frame is always sent because the page shows no signal that is later.
 void LivePage::end() {
   if (skipped_) record(Frame(*skipped_));
   send_newest(clock_->now());

@@ -1,4 +1,4 @@
-// Turns a game, simulated or real, into messages for watchers, and shows it to them on the network.
+// Turns a simulated or real game into messages for watchers, and shows it to them on the network.
 #pragma once
 
 #include <cstddef>
@@ -21,13 +21,13 @@
 
 namespace autoref::live {
 
-// The newest messages of one kind. The oldest one goes as soon as the others contain enough
-// entries, so that what is kept is limited however long the game is.
+// The newest messages of one kind. The oldest one is dropped as soon as the others contain enough
+// entries, so the memory is limited regardless of the game's length.
 class MessageList {
  public:
   explicit MessageList(std::size_t enough) : enough_(enough) {}
 
-  void add(view::CountedMessage message);  // without entries, it is left out
+  void add(view::CountedMessage message);  // ignored if it has no entries
   std::size_t entries() const { return entries_; }
   void append_to(std::vector<WebText>& texts) const;
 
@@ -43,13 +43,13 @@ class MessageList {
 };
 
 // The messages that show a watcher the game so far: lists of messages, and single messages until
-// they are replaced by messages of the lists. One thread adds; any thread may ask for the backlog.
+// messages in the lists replace them. One thread adds; any thread can ask for the backlog.
 class MessageHistory {
  public:
-  // `enough` is how many entries of each list must be kept.
+  // `enough` is the number of entries that must be kept of each list.
   MessageHistory(std::string start, const std::vector<std::size_t>& enough);
 
-  // Numbers the message and keeps it.
+  // Numbers the message and stores it.
   WebMessage add(std::string text, bool is_frame);
 
   // Replaces the messages since the last call by one message for each list.
@@ -66,10 +66,11 @@ class MessageHistory {
   std::int64_t last_number_ = 0;
 };
 
-// Takes published positions (soccer/referee_signal.hpp). Sends about 30 frames per second of the
-// clock, and decisions and changed signals with the next frame that is added, at most 100 messages
-// per second. New watchers get the last ten minutes and as many calls as a page keeps (LiveLimits),
-// so that the memory for them is limited: to about 10 MB, most of it after 13 hours of a game.
+// Takes published positions (soccer/referee_signal.hpp). Sends about 30 frames per wall-clock
+// second, and decisions and changed signals with the next frame that is added, in at most 100
+// messages per second. New watchers get the last ten minutes and as many calls as a page keeps
+// (LiveLimits), so the memory for them is limited to about 10 MB, most of which is used only after
+// 13 hours of a game.
 class LivePage {
  public:
   using Send = std::function<void(const WebMessage&)>;
@@ -82,7 +83,7 @@ class LivePage {
   void add(const view::RecordedDecision& decision);
   void end();  // the game is over
 
-  // May be called in any thread.
+  // Can be called in any thread.
   WebBacklog backlog() const;
 
  private:
@@ -95,9 +96,9 @@ class LivePage {
   MessageHistory history_;
   WebText present_;
   std::optional<Frame> skipped_;  // the last frame, unless it was sent
-  view::GameRecording newest_;    // since the last message
-  view::GameRecording frames_;    // since the last fold
-  view::GameRecording calls_;     // likewise
+  view::GameRecording newest_;    // entries since the last message
+  view::GameRecording frames_;    // frames since the last fold
+  view::GameRecording calls_;     // other entries since the last fold
   FrameClock::Time next_frame_;
   FrameClock::Time next_message_;
 };
@@ -109,7 +110,7 @@ class WebView {
   // Throws InputError naming --web if the server cannot listen, or --web-host.
   WebView(const WebOptions& options, const view::PageContent& content);
 
-  // As those of LivePage.
+  // Like the functions of LivePage.
   void add(const Frame& frame, const RefereeSignal& signal) { page_.add(frame, signal); }
   void add(const view::RecordedDecision& decision) { page_.add(decision); }
   void end() { page_.end(); }

@@ -14,10 +14,11 @@ namespace websocket = watcher_beast::websocket;
 using boost::asio::ip::tcp;
 
 constexpr std::size_t kLongestFromWatcher = 16;
-constexpr int kMostFromWatcher = 100;  // messages
-// What waits in the system's buffer is not left out for newer frames.
+constexpr int kMostFromWatcher = 100;  // number of messages
+// Kept small because frames already in the system's buffer cannot be dropped in favour of newer
+// ones.
 constexpr int kWatcherSendBuffer = 64 * 1024;
-constexpr std::chrono::seconds kMostIdle{20};  // with a ping after half of it
+constexpr std::chrono::seconds kMostIdle{20};  // with a ping after half this time
 
 class Watcher final : public WebConnection, public std::enable_shared_from_this<Watcher> {
  public:
@@ -31,7 +32,7 @@ class Watcher final : public WebConnection, public std::enable_shared_from_this<
     tcp::socket& tcp_socket = socket_.next_layer().socket();
     tcp_socket.set_option(tcp::no_delay(true), ignored);
     tcp_socket.set_option(tcp::socket::send_buffer_size(kWatcherSendBuffer), ignored);
-    socket_.next_layer().expires_never();  // the WebSocket has timeouts of its own
+    socket_.next_layer().expires_never();  // the WebSocket has its own timeouts
     websocket::stream_base::timeout timeout{};
     timeout.handshake_timeout = hub_->options().header_time;
     timeout.idle_timeout = kMostIdle;
@@ -68,7 +69,7 @@ class Watcher final : public WebConnection, public std::enable_shared_from_this<
   }
 
  private:
-  // Watchers have nothing to say, but reading notices that they are gone.
+  // Watchers have nothing to say, but reading detects when they are gone.
   void read() {
     socket_.async_read(received_, [self = shared_from_this()](
                                       const watcher_beast::error_code& error, std::size_t) {

@@ -1,4 +1,4 @@
-// A watcher: a WebSocket that gets all messages, and the queue of those that wait for it.
+// A watcher: a WebSocket that gets all messages, and the queue of messages waiting for it.
 #pragma once
 
 #include <boost/beast/core/tcp_stream.hpp>
@@ -13,9 +13,9 @@
 
 namespace autoref::live {
 
-// Messages that wait for a watcher. Of frames, only the newest wait; other messages are kept, up to
-// limits of their number and of their bytes (kMostWaiting_bytes, with the frames). The backlog is
-// shared with the server, which limits it.
+// Messages waiting for a watcher. Only the newest frames wait; other messages are kept up to limits
+// on their number and their bytes (kMostWaiting_bytes, including the frames). The backlog is shared
+// with the server, which limits it.
 class WatcherQueue {
  public:
   static constexpr std::size_t kMostFrames = 3;
@@ -24,14 +24,14 @@ class WatcherQueue {
   // Puts the backlog before all other messages.
   void begin_with(const WebBacklog& backlog);
 
-  // Returns false if too many messages wait that cannot be left out. Ignores messages that the
-  // backlog contains.
+  // Returns false if too many messages that cannot be left out are waiting. Ignores messages that
+  // the backlog contains.
   bool push(const WebMessage& message);
 
-  // The next message; null if none waits.
+  // The next message; null if none is waiting.
   WebText pop();
 
-  std::int64_t left_out() const { return left_out_; }  // frames
+  std::int64_t left_out() const { return left_out_; }  // number of frames left out
 
  private:
   void leave_out_oldest_frame();
@@ -39,8 +39,8 @@ class WatcherQueue {
   std::deque<WebText> backlog_;
   std::int64_t last_number_ = 0;  // of the backlog
   std::deque<WebMessage> waiting_;
-  std::size_t frames_ = 0;  // of them
-  std::size_t bytes_ = 0;   // of all of them
+  std::size_t frames_ = 0;  // number of frames among them
+  std::size_t bytes_ = 0;   // total size of all of them
   std::int64_t left_out_ = 0;
 };
 

@@ -8,7 +8,7 @@
 namespace autoref::live {
 namespace {
 
-// Connections that may wait for the end of their answer.
+// Maximum number of connections that wait for the end of their answer.
 constexpr std::size_t kMostUnanswered = 32;
 
 std::size_t count_of(const std::string& computer, const WebHub::Connections& connections) {
@@ -51,7 +51,8 @@ void WebHub::drop(const std::shared_ptr<WebConnection>& connection) {
   connection->close();
 }
 
-// One computer cannot keep others out by connections that ask for nothing or take no answer.
+// Prevents one computer from keeping others out with connections that request nothing or read no
+// answer.
 void WebHub::make_room() {
   const Connections unanswered = those_who(false);
   if (unanswered.size() < kMostUnanswered) return;
@@ -67,13 +68,13 @@ bool WebHub::makes_room_for_watcher(const std::string& computer) {
   const Connections watchers = those_who(true);
   if (watchers.size() < options_.most_watchers) return true;
   const Connections busiest = of_busiest_computer(watchers);
-  // If it had only one more, the two would drive each other out for ever.
+  // If it had only one more, the two would displace each other forever.
   if (busiest.size() < count_of(computer, watchers) + 2) return false;
   drop(busiest.back());
   return true;
 }
 
-// Copies, since a connection that is closed removes itself.
+// Returns copies, since a closed connection removes itself.
 WebHub::Connections WebHub::those_who(bool watch) const {
   Connections chosen;
   std::copy_if(connections_.begin(), connections_.end(), std::back_inserter(chosen),

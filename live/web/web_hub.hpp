@@ -1,4 +1,4 @@
-// What the connections of a web server share. Used in the network's thread only.
+// The state shared by the connections of a web server. Used only in the network's thread.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@ namespace autoref::live {
 
 enum class WebState {
   kSilent,    // has not sent its request
-  kAnswered,  // is being sent the answer
+  kAnswered,  // the answer is being sent
   kWatching,  // gets messages
 };
 
@@ -48,21 +48,23 @@ class WebHub {
   WebBacklog backlog() const { return content_.backlog(); }
   std::optional<std::string> game_page(const std::string& id) const;
 
-  // Adds a connection that has sent nothing, or a watcher; another one may have to give way.
+  // Adds a watcher or a connection that has not sent anything yet; another one may have to give
+  // way.
   void add(const std::shared_ptr<WebConnection>& connection);
-  // Whether one more watcher from this computer may be added; another one may have to give way.
+  // Returns whether one more watcher from this computer can be added; another one may have to give
+  // way.
   bool makes_room_for_watcher(const std::string& computer);
   void remove(const std::shared_ptr<WebConnection>& connection);
 
   void send(const WebMessage& message);  // to all watchers
   void close_watchers();
-  void close();  // all connections, for ever
+  void close();  // all connections, permanently
   bool is_closed() const { return is_closed_; }
 
  private:
   Connections those_who(bool watch) const;
   void make_room();
-  // The caller holds the connection elsewhere than in connections_.
+  // The caller must hold the connection outside of connections_.
   void drop(const std::shared_ptr<WebConnection>& connection);
 
   WebOptions options_;

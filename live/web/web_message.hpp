@@ -11,10 +11,10 @@
 
 namespace autoref::live {
 
-// Shared by all watchers that it is sent to.
+// Shared by all watchers to which it is sent.
 using WebText = std::shared_ptr<const std::string>;
 
-// How long the messages that wait for one watcher, or for the network's thread, may be in total.
+// Maximum total length of the messages waiting for one watcher or for the network's thread.
 inline constexpr std::size_t kMostWaiting_bytes = 4 << 20;
 
 struct WebMessage {
@@ -23,17 +23,17 @@ struct WebMessage {
   std::int64_t number = 0;  // counts messages from 1
 };
 
-// What a new watcher gets first.
+// The messages that a new watcher gets first.
 struct WebBacklog {
   std::vector<WebText> texts;
-  std::int64_t last_number = 0;  // of the messages that are contained
+  std::int64_t last_number = 0;  // of the messages included
 };
 
-// What a server shows.
+// The content that a server shows.
 struct WebContent {
   std::string page;
   std::function<WebBacklog()> backlog;
-  // The page of a game; nullopt if there is none with that id.
+  // The page of a game; nullopt if there is no game with that id.
   std::function<std::optional<std::string>(const std::string& id)> game_page = {};
 };
 

@@ -53,8 +53,8 @@ bool is_letter_of_name(char letter) {
          letter == '-' || letter == '_';
 }
 
-// One text for all spellings of an address: without the interface's name, which browsers leave out,
-// and as IPv4 if that is in an IPv6 address.
+// Returns the same text for all spellings of an address: without the interface's name, which
+// browsers leave out, and as IPv4 if the IPv6 address contains one.
 std::string text_of_address(const boost::asio::ip::address& address) {
   if (!address.is_v6()) return address.to_string();
   const boost::asio::ip::address_v6::bytes_type bytes = address.to_v6().to_bytes();
@@ -63,7 +63,7 @@ std::string text_of_address(const boost::asio::ip::address& address) {
   return boost::asio::ip::make_address_v4(boost::asio::ip::v4_mapped, plain).to_string();
 }
 
-// A name that the user lists, as requests contain it.
+// Converts a name listed by the user to the form in which requests contain it.
 std::string name_of_host(const std::string& text) {
   boost::system::error_code error;
   const auto address = make_address(std::string(without_brackets(text)), error);
@@ -99,7 +99,7 @@ boost::beast::string_view path_of(const WebRequest& request) {
   return target.substr(0, target.find('?'));
 }
 
-// "a=b" of "a%3Db". Wrong codes are kept as they are.
+// "a=b" for "a%3Db". Invalid codes stay unchanged.
 std::string percent_decoded(std::string_view text) {
   std::string decoded;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -1,4 +1,4 @@
-// Where the web server listens, which requests it answers, and how.
+// The web server's address, the requests that it answers, and its answers.
 #pragma once
 
 #include <boost/beast/http/empty_body.hpp>
@@ -21,35 +21,35 @@ Address web_address(std::string_view text, const std::string& flag);
 // "http://127.0.0.1:8090/"
 std::string url_of(const Address& address);
 
-// The names by which requests may address a server.
+// The names by which requests can address a server.
 struct WebHosts {
   std::vector<std::string> names;  // in lower case and without port, IPv6 addresses in brackets
-  bool has_every_address = false;  // also every address in numbers
+  bool has_every_address = false;  // also every numeric address
 
-  // `host` is that of a request, in lower case; its port does not matter.
+  // `host` is a request's host in lower case; its port does not matter.
   bool has(std::string_view host) const;
 };
 
-// The address itself, and `further` names (--web-host). A server on the loopback, or on all
-// addresses of this computer, is also localhost; one on all addresses takes every address in
-// numbers. A web page can only pretend to be this server (DNS rebinding) by a name, so that
-// addresses need not be known. Throws InputError naming --web-host.
+// The address itself and the `further` names (--web-host). A server on the loopback or on all
+// addresses of this computer is also localhost; one on all addresses accepts every numeric address.
+// A web page can pretend to be this server (DNS rebinding) only by a name, so numeric addresses
+// need not be known. Throws InputError naming --web-host.
 WebHosts hosts_of(const Address& address, const std::vector<std::string>& further = {});
 
 using WebRequest = boost::beast::http::request<boost::beast::http::empty_body>;
 
 // ok: send the page. switching_protocols: accept the WebSocket. Otherwise the status of a refusal.
 //
-// Only GET is allowed, of /, of /game and, as a WebSocket, of /live. A web page from elsewhere must
-// not read the game: if the request names an origin, it must be this server, and a request for
-// another host than `hosts` is misdirected_request, which prevents DNS rebinding.
+// Only GET is allowed, for /, /game and (as a WebSocket) /live. A web page from elsewhere must not
+// read the game: if the request names an origin, it must be this server. A request for a host not
+// in `hosts` gets misdirected_request, which prevents DNS rebinding.
 boost::beast::http::status answer_to(const WebRequest& request, const WebHosts& hosts);
 
-// Says to a person why the request is refused, and what to do.
+// Explains in plain words why the request is refused and what to do.
 std::string refusal_text(const WebRequest& request, boost::beast::http::status refusal);
 
-// The id of a game whose page is asked for, "b.robots=5-p0001-2" of /game?b.robots%3D5-p0001-2;
-// nullopt if another page is.
+// The id of the game whose page is requested: "b.robots=5-p0001-2" for /game?b.robots%3D5-p0001-2.
+// nullopt if another page is requested.
 std::optional<std::string> game_in(const WebRequest& request);
 
 }  // namespace autoref::live

@@ -1,4 +1,4 @@
-// Shows an experiment and its games to watchers on the network, while they are played.
+// Shows an experiment and its games to watchers on the network while they are played.
 #pragma once
 
 #include <cstddef>
@@ -16,28 +16,28 @@
 
 namespace autoref::live {
 
-// Watchers get the newest message of each kind: their number and length do not grow with the
-// experiment's length.
+// Watchers get the newest message of each kind: their number and size do not grow with the
+// experiment.
 class WebRun {
  public:
-  static constexpr std::size_t kMostEnded = 32;    // games that are listed after their end
-  static constexpr std::size_t kMostRunning = 64;  // games that are listed while they are played
+  static constexpr std::size_t kMostEnded = 32;    // games listed after their end
+  static constexpr std::size_t kMostRunning = 64;  // games listed while they are played
 
-  // `title` is what the experiment is about, or its name. `game_page` is called in the network's
+  // `title` is the experiment's description or its name. `game_page` is called in the network's
   // thread. Throws InputError naming --web if the server cannot listen, or --web-host.
   WebRun(const WebOptions& options, const std::string& title,
          std::function<std::optional<std::string>(const std::string& id)> game_page);
 
-  // Also sends the list of games, if it has changed: short games begin and end far more often than
-  // anybody can read.
+  // Also sends the list of games if it has changed. It is sent only here because short games begin
+  // and end far more often than anybody could read.
   void show(const view::RunProgress& progress);
   void show_results(const std::string& html);
-  // Lists a game as being played, once, even if it is begun again.
+  // Lists a game as being played. A restarted game is listed only once.
   void start_game(const view::ListedGame& game);
-  // Lists a game that was started with its result. Returns the id of the game that is not listed
-  // any more in exchange, if any.
+  // Lists a started game with its result. Returns the id of the game that this removes from the
+  // list, if any.
   std::optional<std::string> end_game(const std::string& id, const std::string& text);
-  void end(const std::string& text);  // `text` is a sentence that says what is over
+  void end(const std::string& text);  // `text` is a sentence that says what has ended
 
   std::string url() const { return server_.url(); }
 

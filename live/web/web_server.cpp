@@ -55,7 +55,7 @@ Response refusal_of(const WebRequest& request, session_http::status status) {
   return response_with(status, refusal_text(request, status), "text/plain; charset=utf-8");
 }
 
-// Empty if the connection has ended already.
+// Empty if the connection has already ended.
 std::string computer_of(const tcp::socket& socket) {
   session_beast::error_code error;
   const tcp::endpoint endpoint = socket.remote_endpoint(error);
@@ -139,12 +139,12 @@ void start_session(tcp::socket socket, const std::shared_ptr<WebHub>& hub) {
 namespace web_asio = boost::asio;
 using web_asio::ip::tcp;
 
-constexpr std::size_t kMostHandedOver = 1024;          // messages that wait for the thread
-constexpr std::chrono::milliseconds kAfterError{100};  // such as too many open files
+constexpr std::size_t kMostHandedOver = 1024;          // messages waiting for the thread
+constexpr std::chrono::milliseconds kAfterError{100};  // for example, too many open files
 
 }  // namespace
 
-// Kept alive by its asynchronous operations, so that they can end after its owner.
+// Its asynchronous operations keep this alive, so they can outlive its owner.
 class WebServer::Impl : public std::enable_shared_from_this<WebServer::Impl> {
  public:
   Impl(NetworkThread& thread, const WebOptions& options, WebContent content)
@@ -182,7 +182,7 @@ class WebServer::Impl : public std::enable_shared_from_this<WebServer::Impl> {
     web_asio::post(acceptor_.get_executor(), [self = shared_from_this()] { self->send_all(); });
   }
 
-  // Returns once nothing of the owner is used any more.
+  // Returns once nothing that belongs to the owner is in use.
   void stop() {
     std::promise<void> stopped;
     web_asio::post(acceptor_.get_executor(), [&] {
@@ -217,7 +217,7 @@ class WebServer::Impl : public std::enable_shared_from_this<WebServer::Impl> {
     });
   }
 
-  // Watchers who would miss more than frames are disconnected; they connect again.
+  // Watchers that would miss messages other than frames are disconnected; they reconnect.
   void send_all() {
     std::vector<WebMessage> messages;
     bool is_incomplete = false;
@@ -238,7 +238,7 @@ class WebServer::Impl : public std::enable_shared_from_this<WebServer::Impl> {
   web_asio::steady_timer pause_;
   std::mutex mutex_;
   std::vector<WebMessage> handed_over_;
-  std::size_t handed_over_bytes_ = 0;  // with those left out
+  std::size_t handed_over_bytes_ = 0;  // including those left out
   bool is_posted_ = false;
   bool is_incomplete_ = false;
 };

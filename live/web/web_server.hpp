@@ -1,4 +1,4 @@
-// A web server that shows a game to watchers. It takes nothing from them.
+// A web server that shows a game to watchers. It accepts no input from them.
 #pragma once
 
 #include <chrono>
@@ -21,20 +21,21 @@ struct WebOptions {
 
 // Answers GET / with the page, GET /game?ID with a game's page and GET /live with a WebSocket that
 // sends the backlog and then each message (web_request.hpp says which requests are refused). A slow
-// watcher misses frames; one that takes nothing for `write_time`, misses other messages or sends
-// long messages is disconnected. Connections that wait for an answer are few: a new one takes the
-// place of one that has not sent its request, the oldest of the computer that has most. Likewise,
-// when as many watch as may, a new watcher takes the place of one of a computer with two more.
+// watcher misses frames. It is disconnected if it accepts nothing for `write_time`, misses other
+// messages or sends long messages. The number of connections waiting for an answer is limited: a
+// new one replaces one that has not sent its request, namely the oldest from the computer that has
+// most. Similarly, when the maximum number of watchers is reached, a new watcher replaces one from
+// a computer that has at least two more.
 class WebServer {
  public:
   // The content's functions are called in the network's thread. Throws InputError naming --web if
   // the port is in use or the address is not this computer's, or --web-host.
   WebServer(NetworkThread& thread, const WebOptions& options, WebContent content);
-  ~WebServer();  // disconnects everybody; then the content's functions are not called any more
+  ~WebServer();  // disconnects all; then the content's functions are no longer called
   WebServer(const WebServer&) = delete;
   WebServer& operator=(const WebServer&) = delete;
 
-  // Hands the message over to the network's thread; never waits for a watcher.
+  // Passes the message to the network's thread; never waits for a watcher.
   void send(WebMessage message);
 
   std::string url() const;

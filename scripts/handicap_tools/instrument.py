@@ -9,14 +9,14 @@ from statistics import mean
 from student import LEVEL, holm, interval_of_mean, p_of_zero_mean, text_of
 from sweep_results import ResultsError, changes, number_text
 
-PER = 0.1  # slopes are per so much of the handicap
+PER = 0.1  # slopes are per this change of the handicap
 COMPARED = (1.0, 0.8)  # values of the handicap at which goals are compared
 
 
 @dataclass
 class Condition:
     name: str
-    settings: str  # what it changes in the base, for the reader
+    settings: str  # its changes to the base, as text
     results: object  # its SweepResults
 
     @property

@@ -30,16 +30,16 @@ class Block:
         return self.language == "sh"
 
 
-# What a comment directly before a block may say, and the blocks it may stand before.
+# The marks allowed in a comment directly before a block, and the blocks to which they apply.
 KINDS = {
     "not run": "sh",  # the reason
-    "run shortened": "sh",  # options added to the verbs that play games
+    "run shortened": "sh",  # options added to verbs that play games
     "only shortened": "sh",  # the reason why it is not run at full length
-    "run for": "sh",  # "5 s": interrupted then, as with Ctrl-C
-    "first": "sh",  # a command that is run before, and not shown
+    "run for": "sh",  # "5 s": then interrupted, as with Ctrl-C
+    "first": "sh",  # a command that is run before and not shown
     "file": "",  # the block is a file of this name, for the commands that follow
-    "output": "",  # the block is what the commands before it print
-    "from": "",  # the block is part of this committed file, beside the page: tests/python/test_handicaps.py
+    "output": "",  # the block is the output of the commands before it
+    "from": "",  # the block is part of this committed file, relative to the page: tests/python/test_handicaps.py
 }
 
 
@@ -122,7 +122,7 @@ def pictures_without_command(root, page):
             yield PICTURE.match(line)[1]
 
 
-# Folders whose pages are not part of the manual: teams' templates, and what programs write.
+# Folders whose pages are not part of the manual: teams' templates, and the output of programs.
 OUTSIDE = re.compile(r"(build|results/runs|game/team_programs|tests|scripts|\.[^/]*)/")
 
 

@@ -63,8 +63,8 @@ def environment_in(folder):
     return os.environ | {"PATH": path, "AUTOREF": program, "AUTOREF_SHORTENED": ""}
 
 
-# Commands get a network of their own, in which they may set up the loopback; `sudo` is not needed there.
-# The addresses are those that the pages use as examples.
+# Commands get their own network, in which they may set up the loopback; `sudo` is not needed there. The addresses are
+# the examples used on the pages.
 NETWORK = """
 ip link set lo up multicast on
 for address in 192.168.1.5 192.168.1.20; do ip address add $address/24 dev lo; done

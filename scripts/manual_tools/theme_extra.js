@@ -1,2 +1,3 @@
-// Debian's mkdocs leaves this file of the theme out. Tables get the class that the theme styles and lets scroll.
+// Debian's mkdocs leaves out this file of the theme. It gives tables the class that the theme
+// styles and makes scrollable.
 $('div.rst-content table').addClass('docutils');

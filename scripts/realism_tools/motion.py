@@ -4,24 +4,24 @@ from bisect import bisect_left
 from math import ceil, cos, dist, floor, hypot, sin
 
 # A kick, as in the published analysis of the league's logs (docs/realism.md): within 3 frames the ball gains 1 m/s
-# while it is 0.03 to 0.24 m in front of a robot and at most 0.09 m beside its axis.
+# while it is 0.03 to 0.24 m in front of a robot and at most 0.09 m off its axis.
 KICK_GAIN_MPS = 1.0
 KICK_FRAMES = 3
 IN_FRONT_M = (0.03, 0.24)
 BESIDE_M = 0.09
-SAME_KICK_S = 0.1  # a kicker needs as long before its next kick
+SAME_KICK_S = 0.1  # a kicker needs this long before its next kick
 CHIP_HEIGHT_M = 0.03  # the ball's lowest point
-CHIP_WITHIN_S = 0.1  # after a chip kick it is that high
+CHIP_WITHIN_S = 0.1  # how soon after a chip kick it is that high
 
 TOUCH_M = 0.115  # between the centres: radii 0.09 and 0.0215 m, and 3.5 mm
 TOUCH_HEIGHT_M = 0.15  # a robot's height
-IN_PLAY_M = 0.05  # the ball is in play once it has moved so far
+IN_PLAY_M = 0.05  # the ball is in play once it has moved this far
 
-# Robots, as in that analysis, which smooths noise over as long and counts the same samples.
+# Robots, as in that analysis, which smooths noise over the same time and counts the same samples.
 WINDOW_S = 0.05  # before and after
 EVERY_S = 0.05
-JUMP_MPS, JUMP_MPS2 = 5.0, 25.0  # more is not motion, but a robot that was moved
-TANGENT_MPS = 0.3  # accelerations are those of robots faster than this
+JUMP_MPS, JUMP_MPS2 = 5.0, 25.0  # anything above is a robot that was moved by hand
+TANGENT_MPS = 0.3  # accelerations count for robots faster than this
 
 
 def percentile(values, share):
@@ -82,7 +82,7 @@ def kicks(positions, spells):
     for spell in spells:
         frames = frames_of(positions.times_s, spell)
         again_s = 0.0
-        for frame in range(frames.start, frames.stop - KICK_FRAMES - 1):  # a speed needs the next frame, too
+        for frame in range(frames.start, frames.stop - KICK_FRAMES - 1):  # a speed also needs the next frame
             if positions.times_s[frame] < again_s:
                 continue
             kick = _kick_at(positions, frame, frames.stop)

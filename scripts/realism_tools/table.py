@@ -34,7 +34,7 @@ def _of(column, factor=1.0):
 _SHOTS, _PASSES = _sum_of("shots"), _sum_of("passes_tried")
 _SHARE = {"is_share": True, "digits": 0}
 
-# Of all games, from results.csv.
+# Measures of all games, from results.csv.
 OF_RESULTS = [
     Measure("length", "length of a game with its stops, min", _of("sim_s", 1 / 60)),
     Measure("goals", "goals", _sum_of("goals"), digits=2),
@@ -50,7 +50,7 @@ OF_RESULTS = [
     Measure("fouls", "fouls called", _sum_of("fouls")),
 ]
 
-# Of some games, from logged.csv.
+# Measures of some games, from logged.csv.
 OF_LOGGED = [
     Measure("play_share", "share of time in play, halts left out", _of("play_s"), _of("without_halt_s"), **_SHARE),
     Measure("play", "time in play, min", _of("play_s", 1 / 60)),

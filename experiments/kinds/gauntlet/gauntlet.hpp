@@ -11,7 +11,7 @@ namespace autoref::experiments {
 struct Gauntlet : NamedTeams, ExperimentOf<Gauntlet> {  // `teams` is the field
   static const Kind kKind;
 
-  Teams challengers;  // no names in common with the field
+  Teams challengers;  // share no name with the field
   int pairs = 1;      // pairs of legs per matchup, 1 to 9999
 
   std::vector<Key> keys() override;

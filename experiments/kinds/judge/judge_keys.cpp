@@ -1,4 +1,4 @@
-// The keys of a judge's scenario file.
+// The keys of scenario files of kind judge.
 #include <fmt/format.h>
 
 #include <stdexcept>
@@ -96,7 +96,7 @@ std::vector<NamedSeed> seeds_in(const game::YamlFile& file, const game::YamlEntr
   return seeds;
 }
 
-// A list of values of a setting, which the file varies.
+// A key with a list of values for a setting that the file varies.
 Key values_key(const char* name, std::string value, std::string about, const char* path,
                std::vector<std::string>& values, bool is_required) {
   Key key{name, std::move(value), std::move(about)};

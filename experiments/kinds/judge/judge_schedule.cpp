@@ -18,7 +18,7 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
-// Fisher and Yates; std::shuffle differs between libraries.
+// Fisher-Yates shuffle; std::shuffle differs between standard libraries.
 template <typename Values>
 void shuffle(Values& values, RandomStream& random) {
   for (std::size_t left = values.size(); left > 1; --left) {
@@ -53,7 +53,7 @@ class Deal {
   }
 
  private:
-  // All i <= j with i + j = round (mod n): every team meets one opponent or itself, and over all n
+  // All i <= j with i + j = round (mod n): every team plays one opponent or itself, and over all n
   // rounds each pair occurs once.
   std::vector<std::pair<std::size_t, std::size_t>> pairs_of_round(std::size_t round) {
     const std::size_t n = teams_.size();

@@ -12,18 +12,18 @@
 
 namespace autoref::experiments {
 
-// The first `count` matchups (team a, team b) of an endless deal over all pairs of the teams, each
-// team also against itself: n (n + 1) / 2 pairs for n teams.
+// The first `count` matchups (team a, team b) of an endless deal over all pairs of teams, including
+// each team against itself: n (n + 1) / 2 pairs for n teams.
 //
 // Every pair is dealt once before any pair is dealt again, so after any number of matchups the
-// pairs' numbers of games differ by at most one. Within such a cycle come n rounds in which every
-// team plays, so the teams' numbers of games also stay close. A pair changes its order from one
-// cycle to the next. The rest of the order is random: it depends on `seed` alone. There must be at
+// pairs' numbers of games differ by at most one. Such a cycle contains n rounds in which every team
+// plays, so the teams' numbers of games also stay close. Teams a and b of a pair swap from one
+// cycle to the next. The rest of the order is random and depends only on `seed`. There must be at
 // least one team.
 std::vector<std::array<std::string, 2>> dealt_matchups(const std::vector<std::string>& teams,
                                                        std::uint64_t seed, std::size_t count);
 
-// A master seed, and what its games are for.
+// A master seed and the purpose of its games.
 struct NamedSeed {
   std::string name;        // "tuning" or "test"; empty if the file has a single seed
   std::string text = "1";  // as written in the file: "2016", or digits of a commit: "1c9f03ae"
@@ -38,9 +38,9 @@ struct JudgeSchedule : ExperimentOf<JudgeSchedule> {
   game::GameSettings base;
   std::vector<std::string> rules = {"paper"};
   std::vector<std::string> cameras;
-  // Strategies whose pairs are dealt evenly over the games. If there are none,
-  // the games cycle through `matchups`, strategies of teams a and b; if there are none either, the
-  // base's teams play.
+  // Strategies; their pairs are dealt evenly over the games. If empty, the games cycle through
+  // `matchups`, which are the strategies of teams a and b; if that is empty as well, the base's
+  // teams play.
   std::vector<std::string> teams;
   std::vector<std::array<std::string, 2>> matchups;
   int games_each = 2;  // per seed, rule book and camera, 1 to 9999
@@ -78,11 +78,11 @@ struct ScheduledJudgeGame {
 // "a~b", as written in scenario files.
 std::string name_of(const std::array<std::string, 2>& matchup);
 
-// "tuning 2016, test 1c9f03ae (480183214)": the numbers of seeds that are written as words.
+// "tuning 2016, test 1c9f03ae (480183214)": with the numbers of seeds that are written as words.
 std::string text_of(const std::vector<NamedSeed>& seeds);
 
 // Keeps only the games of the seed with this name. Throws std::invalid_argument, naming the known
-// ones, if there is none.
+// seeds, if there is none.
 void keep_seed(JudgeSchedule& schedule, const std::string& name);
 
 // Returns every game number with every seed, under every rule book and camera. A game number has

@@ -30,8 +30,8 @@ struct Pairing {
 std::vector<Seed> order_of_slots(std::size_t size) {
   std::vector<Seed> order = {0};
   while (order.size() < size) {
-    // Each doubling adds the next earlier round: it puts next to every seed the opponent with which
-    // it adds up to `last`. These seeds meet if the better seeds have won all earlier ties.
+    // Each doubling adds the preceding round: next to every seed, it puts the opponent for which
+    // the two numbers add up to `last`. These seeds meet if the better seeds win all earlier ties.
     const std::size_t last = 2 * order.size() - 1;
     std::vector<Seed> longer;
     for (const Seed seed : order) {

@@ -34,15 +34,15 @@ struct Tie {
 };
 
 // Returns the ties round by round; the final comes last, followed only by the tie for third place.
-// Standard seeding: the best seed meets the worst in the first round, and if the better seed wins
-// every tie, the two best meet in the final. If the number of teams is not a power of two, the best
-// seeds get a bye in the first round. `decide` is called for each tie with two known teams.
+// Standard seeding: the best seed plays the worst in the first round, and if the better seed wins
+// every tie, the two best seeds play the final. If the number of teams is not a power of two, the
+// best seeds get a bye in the first round. `decide` is called for each tie with two known teams.
 std::vector<Tie> bracket_of(const Knockout& knockout, const std::function<void(Tie&)>& decide);
 
 // The ties with their winners and the games played so far.
 std::vector<Tie> bracket_of(const Knockout& knockout, const RowsById& rows);
 
-// The games known so far: those that these ties have already played, and the next game of each
+// The games known so far: the games already played in these ties and the next game of each
 // undecided tie with two known teams.
 //
 // In ids, rows and seeds, the tie's number replaces the pair, and the attempt replaces the leg:

@@ -57,7 +57,7 @@ std::string decision_text(const Tie& tie) {
   return tie.void_games == 0 ? text : text + fmt::format(", {} void", tie.void_games);
 }
 
-// The name of the tie at this place; "" if its only team has a bye.
+// The name of the tie at this place; "" for a bye.
 std::string tie_at(const BracketPlace& place, const std::vector<Tie>& ties) {
   const auto tie = std::find_if(ties.begin(), ties.end(),
                                 [&place](const Tie& one) { return one.place == place; });

@@ -12,8 +12,8 @@
 namespace autoref::experiments {
 
 // summary.csv: one row per tie with its teams, the score and shoot-out of its last game that is not
-// void, its number of games, how many of them were void, what decided it and the winner. Cells that
-// are not known yet are empty.
+// void, the numbers of games and of void games, how it was decided and the winner. Cells that are
+// not known yet are empty.
 std::string ties_csv(const std::vector<Tie>& ties, const RowsById& rows);
 
 // The ties with their scores; the first row is the header.
@@ -22,7 +22,7 @@ inline const std::vector<io::Align> kBracketColumns = {io::Align::kLeft, io::Ali
                                                        io::Align::kLeft, io::Align::kLeft,
                                                        io::Align::kLeft, io::Align::kLeft};
 
-// The ties with what is known about them, in the same order.
+// The ties in the same order, with all that is known about them.
 std::vector<TieResult> tie_results(const std::vector<Tie>& ties, const RowsById& rows);
 
 // [{"tie": "final", "team_a": "cobalt", "team_b": null, "games": 1, "decided_by": "goals",

@@ -1,4 +1,4 @@
-// Numbers drawn from a distribution, and how scenario files write them.
+// Numbers drawn from a distribution, and their form in scenario files.
 #pragma once
 
 #include <cstdint>
@@ -27,15 +27,15 @@ struct Distribution {
   constexpr Distribution(Kind of, double one, double other) : kind(of), first(one), second(other) {}
 };
 
-// As scenario files write it: "1.5", "[1.0, 2.0]" or "{ mean: 1.5, sd: 0.2 }".
+// Its form in scenario files: "1.5", "[1.0, 2.0]" or "{ mean: 1.5, sd: 0.2 }".
 std::string text_of(const Distribution& distribution);
 
 // Draws a number. A normal distribution is cut off three standard deviations from its mean and at
 // the ends of `range`, which must contain the mean.
 double drawn(const Distribution& distribution, const Range& range, RandomStream& random);
 
-// Reads a number, [low, high] or { mean, sd }. Throws InputError if anything but the tails of a
-// normal distribution is outside `range`.
+// Reads a number, [low, high] or { mean, sd }. Throws InputError if the distribution extends beyond
+// `range`, except for the tails of a normal distribution.
 Distribution read_distribution(const game::YamlFile& file, const game::YamlEntry& entry,
                                const std::string& path, const Range& range, std::string_view unit);
 

@@ -19,7 +19,7 @@ game::Setting lasts_setting(const std::string& path, game::Scene& scene) {
   return {path, &scene.lasts_s, {0, 600, true}, {}, "s", ""};
 }
 
-// What may end a scene before its time.
+// The events that can end a scene early.
 std::vector<std::string> ends_of_scenes() {
   std::vector<std::string> ends = all_names<game::SceneEnd>();
   std::erase(ends, name_of(game::SceneEnd::kTime));

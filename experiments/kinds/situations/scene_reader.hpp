@@ -1,4 +1,4 @@
-// Reads how scenes are played and scored.
+// Reads the settings for playing and scoring scenes.
 #pragma once
 
 #include <memory>
@@ -15,10 +15,10 @@ namespace autoref::experiments {
 // The keys that read_scene() reads.
 std::vector<std::string> scene_key_names();
 
-// Those at the top level of a file, which are read into `scene`.
+// The keys at the top level of a file, which are read into `scene`.
 std::vector<Key> scene_keys(const std::shared_ptr<game::Scene>& scene);
 
-// Reads lasts_s, score and ends_on, as far as `entries` has them. `branch` is the path of their
+// Reads those of lasts_s, score and ends_on that `entries` contains. `branch` is the path of their
 // mapping, or empty. Throws InputError.
 void read_scene(const game::YamlFile& file, const std::vector<game::YamlEntry>& entries,
                 std::string_view branch, game::Scene& scene);

@@ -14,7 +14,7 @@ constexpr int kMostRedraws = 100;
 constexpr Range kDrawnSpeed_mps{-20, 20};
 constexpr Range kDrawnTurn_radps{-100, 100};
 
-// Bodies that touch may overlap by this much, the noise of a log. The world separates them.
+// Touching bodies may overlap by this much because of a log's noise. The simulation separates them.
 constexpr double kTouch_m = 10_mm;
 
 template <typename Place, typename Robot>
@@ -94,7 +94,7 @@ sim::RobotState drawn_robot(const DrawnRobot& robot, const std::string& branch, 
   return {robot.number, position_m, heading, {vx, vy}, turn};
 }
 
-// The command that the restart is announced with; the attackers are in the west.
+// The command that announces the restart; the attackers are in the west.
 std::optional<Command> command_of(const SituationSetup& situation) {
   const Side side = situation.is_attackers_restart ? Side::kWest : Side::kEast;
   switch (situation.restart) {

@@ -1,5 +1,5 @@
-// A situation: where robots and ball start, as numbers or distributions, and how its scenes are
-// played and scored.
+// A situation: the start positions of robots and ball, as numbers or distributions, and the
+// settings for playing and scoring its scenes.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace autoref::experiments {
 
-// In the attackers' frame: they defend the goal at -x.
+// Given in the attackers' frame: they defend the goal at -x.
 struct DrawnRobot {
   int number = 0;
   Distribution x_m;
@@ -66,7 +66,7 @@ struct SituationSetup {
   game::Scene scene;
 };
 
-// A number of a robot or ball: its key, its place, its range on this field, and its unit.
+// A number of a robot or ball: its key, where it is stored, its range on this field, and its unit.
 template <typename Place>
 struct DrawnNumber {
   std::string_view key;
@@ -85,10 +85,10 @@ std::array<DrawnNumber<const Distribution>, 6> numbers_of(const DrawnBall& ball,
                                                           const Field& field);
 inline constexpr Range kHeading_deg{-360, 360};
 
-// Draws a start state, with the attackers in the west. Each number has a random stream of its own,
-// which depends on `seed`, the situation's name, `scene`, counted from 1, and the number's path, so
-// it does not depend on other numbers. While bodies overlap, or the ball of a restart is not on the
-// field, the state is drawn again, at most 100 times. Throws SettingError naming the situation if
+// Draws a start state, with the attackers in the west. Each number has its own random stream, which
+// depends on `seed`, the situation's name, `scene` (counted from 1) and the number's path, so it
+// does not depend on other numbers. If bodies overlap or the ball of a restart is outside the
+// field, the state is drawn again, up to 100 times. Throws SettingError naming the situation if
 // that does not help.
 game::StartState drawn_state(const SituationSetup& situation, const std::string& name,
                              const Field& field, std::uint64_t seed, int scene);

@@ -74,7 +74,7 @@ const std::vector<std::string> kByHand = {"restart", "taken_by",  "after_stop",
                                           "ball",    "attackers", "defenders"};
 const std::vector<std::string> kTakers = {"attackers", "defenders"};
 
-// The name is part of the ids of games.
+// The name becomes part of the games' ids.
 void check_situation_name(const game::YamlFile& file, const game::YamlEntry& entry) {
   try {
     check_team_name(entry.key);
@@ -131,7 +131,7 @@ void take_from_log(const LoggedInstant& instant, const Field& field, int most_at
       instant.attackers == Side::kWest ? logged.start : game::mirrored(logged.start);
   logs::renumber(start.robots[Side::kWest], most_attackers);
   logs::renumber(start.robots[Side::kEast], most_defenders);
-  // Before a restart, the ball rests where it is taken.
+  // Before a restart, the ball is at rest where the restart is taken.
   const referee::MidwayStart& midway_start = start.referee;
   if (midway_start.restart) start.ball = {midway_start.ball_m, {0, 0}, 0, 0, true};
   const LoggedNumbers numbers(instant.spread_m);
@@ -203,7 +203,7 @@ void SituationReader::read_restart(const std::vector<game::YamlEntry>& entries,
     file_.refuse(stop->location, path + ".after_stop", "needs a restart to follow the stop");
 }
 
-// A kick-off and a penalty kick have a position of their own.
+// Kick-offs and penalty kicks have a fixed position.
 void SituationReader::read_ball(const std::vector<game::YamlEntry>& entries,
                                 const std::string& path, SituationSetup& situation) const {
   const game::YamlEntry* ball = game::find_entry(entries, "ball");

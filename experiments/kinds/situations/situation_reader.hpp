@@ -1,4 +1,4 @@
-// Reads one situation: positions by hand, or from a log.
+// Reads one situation: positions given by hand or taken from a log.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 
 namespace autoref::experiments {
 
-// A moment of a log, from which a situation is taken.
+// The time in a log from which a situation is taken.
 struct LoggedInstant {
   std::filesystem::path log;
   double at_s = 0;               // in seconds from the start of the log
@@ -25,7 +25,7 @@ struct LoggedInstant {
 void take_from_log(const LoggedInstant& instant, const Field& field, int most_attackers,
                    int most_defenders, SituationSetup& situation);
 
-// The numbers of robots that each side of a situation may have.
+// The permitted numbers of robots of each side in a situation.
 struct SituationTeams {
   int attackers = kMaxRobots;
   int defenders = kMaxRobots;
@@ -33,8 +33,8 @@ struct SituationTeams {
 
 class SituationReader {
  public:
-  // All must outlive the reader. `scene` is what the situation does not say itself. Records the
-  // locations of situations and robots in `locations`.
+  // All must outlive the reader. `scene` holds the defaults for what the situation leaves open.
+  // Records the locations of situations and robots in `locations`.
   SituationReader(const game::YamlFile& file, game::SettingLocations& locations, const Field& field,
                   const game::Scene& scene, const SituationTeams& teams)
       : file_(file), locations_(locations), field_(field), scene_(scene), teams_(teams) {}

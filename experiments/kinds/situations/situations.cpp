@@ -58,7 +58,7 @@ std::vector<KeyRow> situation_rows() {
           {"`lasts_s`, `score`, `ends_on`", "as above", "of this situation only"}};
 }
 
-// `scene` is what a situation does not say itself.
+// `scene` holds the defaults for what a situation leaves open.
 Key situations_key(Situations& all, std::shared_ptr<const game::Scene> scene) {
   Key key{"situations", "", "start positions by name"};
   key.below = []() -> KeysBelow { return {"one situation", kSituation, situation_rows()}; };
@@ -107,7 +107,7 @@ void check_all(const Situations& situations) {
   }
 }
 
-// Settings of the scenes of a matchup.
+// The settings of a matchup's scenes.
 SharedSettings settings_of(const Situations& situations, const SituationMatchup& matchup) {
   game::GameSettings game = situations.base;
   game.a = situations.attackers.at(matchup.attackers);

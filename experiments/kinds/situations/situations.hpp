@@ -12,8 +12,8 @@
 
 namespace autoref::experiments {
 
-// Every attacking team, as team a, plays every situation against every defending team. A name may
-// be in both lists.
+// Every attacking team, as team a, plays every situation against every defending team. A team name
+// can be in both lists.
 struct Situations : ExperimentOf<Situations> {
   static const Kind kKind;
 
@@ -26,10 +26,10 @@ struct Situations : ExperimentOf<Situations> {
 
   std::vector<Key> keys() override;
   // The games in playing order: each scene with all situations and teams before the next one, its
-  // two legs adjacent. In the second leg, the same start state is turned to the other side. A game
+  // two legs adjacent. In the second leg, the same start state is rotated to the other side. A game
   // depends only on its situation, teams, pair and leg; all teams get the same start states and
-  // seeds. Ids look like "corner+cobalt~possession-p0007-2". Throws std::invalid_argument, too, if
-  // a state cannot be drawn.
+  // seeds. Ids look like "corner+cobalt~possession-p0007-2". Also throws std::invalid_argument if a
+  // state cannot be drawn.
   std::vector<ScheduledGame> games() const override;
   RowKind row_kind() const override { return RowKind::kScene; }
   std::vector<std::string> value_columns() const override { return {"situation"}; }
@@ -42,10 +42,10 @@ struct SituationMatchup {
   std::string attackers;
   std::string defenders;
   auto operator<=>(const SituationMatchup&) const =
-      default;  // NOLINT(modernize-use-nullptr): no pointer
+      default;  // NOLINT(modernize-use-nullptr): not a pointer
 };
 
-// In the order of the names.
+// The matchups, in the order of the names.
 std::vector<SituationMatchup> matchups_of(const Situations& situations);
 
 }  // namespace autoref::experiments

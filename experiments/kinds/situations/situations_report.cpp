@@ -139,7 +139,7 @@ std::string score_of(const game::SceneWeights& weights) {
   return flow_text(values);
 }
 
-// What a situation says besides its bodies.
+// A situation's settings other than its robots and ball.
 Values values_of_scene(const SituationSetup& situation) {
   return {{"lasts_s", io::text_of(situation.scene.lasts_s)},
           {"score", score_of(situation.scene.weights)},

@@ -187,7 +187,7 @@ SprtMatchState state_of(const SprtMatch& match, const RowsById& rows) {
   SprtMatchState state{decided_by(match.sprt, first.differences), first.count};
   if (state.test.verdict != Verdict::kGoOn) {
     state.last_pair = first.numbers[static_cast<std::size_t>(state.test.pairs - 1)];
-  } else if (first.count == match.sprt.max_pairs) {  // fewer than max_pairs without a void leg
+  } else if (first.count == match.sprt.max_pairs) {  // void legs left fewer than max_pairs
     state.test.verdict = Verdict::kUndecided;
   }
   state.is_decided = state.test.verdict != Verdict::kGoOn;

@@ -1,5 +1,5 @@
-// SPRT matches: two teams play until a sequential test accepts one of two hypotheses. Their state,
-// and their results as a CSV file and as a text table.
+// SPRT matches: two teams play until a sequential test accepts one of two hypotheses. Contains
+// their state and their results as a CSV file and as a text table.
 #pragma once
 
 #include <string>
@@ -43,7 +43,7 @@ struct SprtMatchState {
   bool is_decided = false;  // no further pairs are needed
 };
 
-// Considers pairs by ascending number, until one lacks a row or decides the match. The verdict
+// Considers pairs by ascending number until one lacks a row or decides the match. The verdict
 // therefore depends neither on the number of workers nor on games played after the deciding pair.
 // Pairs with a void leg are left out of the test.
 SprtMatchState state_of(const SprtMatch& match, const RowsById& rows);

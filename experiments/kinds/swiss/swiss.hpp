@@ -11,9 +11,9 @@
 
 namespace autoref::experiments {
 
-// Two teams that meet in a round play `pairs` pairs of legs. The next round is paired once all
-// games of a round have rows, void or not (swiss_rounds.hpp). Any number of rounds up to half the
-// number of teams can be played without rematches (swiss_rounds.hpp).
+// In each round, two teams that are paired play `pairs` pairs of legs. The next round is paired
+// once all games of a round have rows, void or not (swiss_rounds.hpp). Any number of rounds up to
+// half the number of teams can be played without rematches (swiss_rounds.hpp).
 struct Swiss : NamedTeams, ExperimentOf<Swiss> {  // 2 to 64 teams
   static const Kind kKind;
 
@@ -32,7 +32,7 @@ struct Swiss : NamedTeams, ExperimentOf<Swiss> {  // 2 to 64 teams
 
 inline constexpr std::size_t kMostInSwiss = 64;  // teams
 
-// The number of rounds in which every team could meet every other once.
+// The number of rounds in which every team could play every other once.
 constexpr int most_rounds(std::size_t teams) {
   return static_cast<int>(teams % 2 == 0 ? teams - 1 : teams);
 }

@@ -23,7 +23,8 @@ std::vector<Standing> standings_of(const SwissRounds& played, const std::vector<
 // far, then a row for the bye.
 std::string rounds_csv(const SwissRounds& played);
 
-// Adds rounds.csv, the table of rounds before the others, and what a bye is worth after them.
+// Adds rounds.csv, a table of rounds before the other tables, and a note on the worth of a bye
+// after them.
 void add_rounds(ExperimentResults& results, const SwissRounds& played);
 
 }  // namespace autoref::experiments

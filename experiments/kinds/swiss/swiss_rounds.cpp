@@ -18,8 +18,8 @@ namespace {
 
 using NotMet = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
 
-// The least number of rematches if all of these teams are paired. Teams that a largest matching
-// leaves over have all met each other, so that each two of them make one rematch.
+// The least number of rematches if all of these teams are paired. The teams left over by a maximum
+// matching have all met each other, so every two of them give one rematch.
 std::size_t fewest_rematches(const std::vector<DrawnTeam>& teams, const Encounters& past) {
   NotMet graph(teams.size());
   for (std::size_t i = 0; i < teams.size(); ++i) {
@@ -36,8 +36,8 @@ std::vector<DrawnTeam> without(std::vector<DrawnTeam> teams, std::size_t positio
   return teams;
 }
 
-// Moves the first team and the next one that it can meet from `left` to the meetings. `rematches`
-// is the least number of those that are left.
+// Moves the first team and the next one that it can play from `left` to the meetings. `rematches`
+// is the least number of rematches that remain.
 void pair_first(std::vector<DrawnTeam>& left, std::size_t& rematches, RoundPairing& pairing,
                 const Encounters& past) {
   for (std::size_t i = 1; i < left.size(); ++i) {
@@ -54,7 +54,7 @@ void pair_first(std::vector<DrawnTeam>& left, std::size_t& rematches, RoundPairi
   throw std::logic_error("the teams of a round cannot be paired");
 }
 
-// The position of the team that gets a bye.
+// The position in the ranking of the team that gets the bye.
 std::size_t position_of_bye(const std::vector<DrawnTeam>& ranking, const Encounters& past) {
   std::optional<std::size_t> best;
   std::size_t fewest = 0;
@@ -72,7 +72,7 @@ std::size_t position_of_bye(const std::vector<DrawnTeam>& ranking, const Encount
 
 constexpr int kLegsOfPair = 2;
 
-// How a game ended, as far as the next rounds depend on it.
+// The part of a game's outcome on which the next rounds depend.
 struct GameOutcome {
   bool is_void = false;
   double lead = 0;     // of team a; 0 for a draw
@@ -223,7 +223,7 @@ std::vector<std::string> draw_of(const Swiss& swiss) {
   std::vector<std::string> names;
   for (const auto& [name, team] : swiss.teams) names.push_back(name);
   RandomStream random(swiss.seed);
-  // Fisher and Yates.
+  // Fisher-Yates shuffle.
   for (std::size_t left = names.size(); left > 1; --left) {
     const auto drawn = static_cast<std::size_t>(random.uniform() * static_cast<double>(left));
     std::swap(names[left - 1], names[drawn]);

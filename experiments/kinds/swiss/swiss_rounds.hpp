@@ -1,4 +1,4 @@
-// The rounds of a Swiss tournament: who plays whom, as far as its rows decide it.
+// The rounds of a Swiss tournament: the pairings that its rows decide so far.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ namespace autoref::experiments {
 
 using DrawnTeam = std::size_t;  // a team's number in the draw, from 0
 
-// What teams have done in earlier rounds.
+// The teams' meetings and byes in earlier rounds.
 class Encounters {
  public:
   explicit Encounters(std::size_t teams) : met_(teams, std::vector<bool>(teams)), had_bye_(teams) {}
@@ -34,37 +34,37 @@ class Encounters {
 
 struct RoundPairing {
   std::vector<std::pair<DrawnTeam, DrawnTeam>> meetings;  // from the top
-  std::optional<DrawnTeam> bye;                           // of an odd number of teams
+  std::optional<DrawnTeam> bye;                           // if the number of teams is odd
 };
 
 // The first round: the top half of the draw against the bottom half, in order. An odd team out,
 // the last of the draw, has a bye.
 RoundPairing first_pairing(std::size_t teams);
 
-// A later round. `ranking` has all teams, the best first.
+// A later round. `ranking` contains all teams, the best first.
 //
-// From the top, each team meets the next one below it that it has not met, provided that the teams
-// left over can still be paired without rematches: the first pairing that a search with
-// backtracking would find. Instead of backtracking, each choice is checked with a matching of the
-// teams left over that is as large as possible (J. Edmonds, "Paths, trees, and flowers", Canadian
-// Journal of Mathematics 17, 1965), so that the work is bounded by a polynomial.
+// From the top, each team plays the next one below it that it has not met, provided that the
+// remaining teams can still be paired without rematches. This is the first pairing that a search
+// with backtracking would find. Instead of backtracking, each choice is checked with a maximum
+// matching of the remaining teams (J. Edmonds, "Paths, trees, and flowers", Canadian Journal of
+// Mathematics 17, 1965), so the work is polynomial.
 //
-// Of an odd number of teams, the lowest that has had none gets a bye, unless that forces more
-// rematches than a bye of another such team.
+// If the number of teams is odd, the lowest-ranked team that has had no bye gets one, unless that
+// forces more rematches than giving it to another team without one.
 //
-// If n teams play, those of a bye left out, and each has met at most n / 2 - 1 others, a pairing
-// without rematches exists (G. A. Dirac, "Some theorems on abstract graphs", Proceedings of the
-// London Mathematical Society 2, 1952). After more rounds there may be none: if six teams have
-// played three rounds, those left to meet may be two groups of three. Then the round has as few
+// If n teams play (not counting a bye) and each has met at most n / 2 - 1 others, a pairing without
+// rematches exists (G. A. Dirac, "Some theorems on abstract graphs", Proceedings of the London
+// Mathematical Society 2, 1952). After more rounds there may be none: after three rounds of six
+// teams, those that have not met yet may form two groups of three. The round then has as few
 // rematches as possible.
 //
 // Throws std::logic_error if the number of teams is odd and all have had a bye.
 RoundPairing next_pairing(const std::vector<DrawnTeam>& ranking, const Encounters& past);
 
-// All games of two teams in a round.
+// All games between two teams in a round.
 struct Meeting {
-  Matchup teams;  // team a is the one whose name comes first
-  int games = 0;  // with rows, without void games
+  Matchup teams;  // team a is the one with the first name in order
+  int games = 0;  // that have rows and are not void
   int void_games = 0;
   int points_a = 0;  // 3 for each game won, 1 for each drawn one
   int points_b = 0;
@@ -76,18 +76,18 @@ struct SwissRound {
 };
 
 struct SwissRounds {
-  std::vector<SwissRound> rounds;    // those whose meetings are known
+  std::vector<SwissRound> rounds;    // those with known meetings
   std::vector<std::string> ranking;  // all teams, the best first
-  std::map<std::string, int> byes;   // of teams that have had one
+  std::map<std::string, int> byes;   // of teams that have had at least one
   int points_of_bye = 0;             // as many as for winning all games of a meeting
 };
 
 int games_per_meeting(const Swiss& swiss);
 
-// All teams in the order of a shuffle that depends on the master seed and their names only.
+// All teams in a shuffled order that depends only on the master seed and their names.
 std::vector<std::string> draw_of(const Swiss& swiss);
 
-// The rounds that follow from these rows: each complete round is followed by the next. Teams are
+// The rounds determined by these rows: when a round is complete, the next one is known. Teams are
 // ranked by points, then by goal difference per game, then by the draw. Void games count only in
 // `void_games`.
 SwissRounds rounds_of(const Swiss& swiss, const RowsById& rows);
@@ -95,8 +95,8 @@ SwissRounds rounds_of(const Swiss& swiss, const RowsById& rows);
 // All rounds, if every game is drawn.
 SwissRounds rounds_if_drawn(const Swiss& swiss);
 
-// The games of these rounds. In each round, a pair of legs is played in all meetings before the
-// next, and the legs of a pair are a unit.
+// The games of these rounds. In each round, all meetings play a pair of legs before the next pair.
+// The legs of a pair form a unit.
 //
 // Pair k of round r is pair number (r - 1) * pairs + k in ids, rows and seeds, "bold~zone-p0007-2",
 // so that games of different rounds have different seeds. A game depends only on its two teams, its

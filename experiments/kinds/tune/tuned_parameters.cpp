@@ -37,7 +37,7 @@ std::vector<game::Setting> settings_of(TunedParameter& parameter) {
            "whether only whole numbers are played"}};
 }
 
-// The strategy's own description of a parameter; nullptr if it has none, or for a program.
+// The strategy's own description of a parameter; nullptr if there is none or the team is a program.
 const strategies::Tunable* described(const game::TeamSettings& team, const std::string& name) {
   const strategies::Entry* strategy =
       team.program.command.empty() ? strategies::find_strategy(team.strategy) : nullptr;
@@ -69,7 +69,7 @@ class ParameterReader {
     game::SettingsReader settings(top_.file(), settings_of(parameter), top_.locations());
     top_.locations()[path_] = entry_.location;
     settings.read(entry_, path_);
-    for (const char* key : {"from", "to", "start", "step"}) {  // to report defaults somewhere
+    for (const char* key : {"from", "to", "start", "step"}) {  // so that defaults have a location
       top_.locations().try_emplace(fmt::format("{}.{}", path_, key), entry_.location);
     }
     given_ = top_.file().entries(entry_, path_, {});
@@ -111,7 +111,7 @@ class ParameterReader {
 void read_parameters(TopReader& top, Tuning& tuning) {
   const game::YamlEntry& entry = top.required("tune");
   for (const game::YamlEntry& parameter : top.file().entries(entry, "tune", {})) {
-    // Refuses a parameter that the strategy does not have, as `params` does.
+    // Refuses a parameter that the strategy does not have, just as `params` would.
     const strategies::Entry* strategy = tuning.team.program.command.empty()
                                             ? strategies::find_strategy(tuning.team.strategy)
                                             : nullptr;
@@ -131,7 +131,7 @@ void read_parameters(TopReader& top, Tuning& tuning) {
                     "expected a parameter, such as pass_risk: { from: 0.2, to: 0.9 }");
 }
 
-// What a parameter has unless the file says otherwise, for the reference page.
+// A parameter's default in words, for the reference page.
 std::string default_of(const std::string& names) {
   static const std::map<std::string, std::string> kDefaults = {
       {"`from`", "the strategy's least value"},

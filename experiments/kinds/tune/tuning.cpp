@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::uint64_t kSearchStream = 1;  // the schedule uses others (tuning_schedule.cpp)
 constexpr int kDigits = 5;
-// SPSA's least perturbation of a whole number: always two different numbers after rounding.
+// SPSA's least perturbation of a whole number: after rounding, the two numbers always differ.
 constexpr double kHalf = 0.5;
 
 Axis axis_of(const TunedParameter& parameter) {
@@ -31,7 +31,7 @@ Axis axis_of(const TunedParameter& parameter) {
 }
 
 // Rounds to kDigits digits of the range. Divides by a power of ten, so that the result is the
-// number nearest to its decimal text.
+// double nearest to its decimal text.
 double to_few_digits(double value, double range) {
   double scale = 1;
   for (int i = 0; i < kDigits; ++i) scale *= 10;
@@ -86,7 +86,7 @@ void check_range(const TunedParameter& parameter) {
   check_whole(parameter);
 }
 
-// Whether the team may have this value.
+// Checks that the team can have this value.
 void check_value(const Tuning& tuning, const TunedParameter& parameter, const char* key,
                  double value) {
   game::TeamSettings team = tuning.team;

@@ -1,4 +1,4 @@
-// Tuning: a team's parameters are improved by playing.
+// Tuning: improving a team's parameters by playing games.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +16,14 @@
 
 namespace autoref::experiments {
 
-// A parameter of the team, and where its best value is looked for. All numbers are in its own unit.
+// A parameter of the team and the range searched for its best value. All numbers are in the
+// parameter's unit.
 struct TunedParameter {
   std::string name;  // as in `params:`
   double from = 0;
   double to = 1;
   double start = 0;
-  double step = 0.2;   // how far from the current value its effect is looked for at first
+  double step = 0.2;   // first distance from the current value at which its effect is tested
   bool whole = false;  // only whole numbers are played
   bool operator==(const TunedParameter&) const = default;
 };
@@ -30,7 +31,7 @@ struct TunedParameter {
 inline constexpr const char* kSpsaName = "spsa";
 inline constexpr const char* kCmaEsName = "cma-es";
 
-// The key of the test of the result.
+// The key for the final test of the result.
 inline constexpr const char* kTestKey = "test";
 
 struct Tuning : ExperimentOf<Tuning> {
@@ -52,7 +53,8 @@ struct Tuning : ExperimentOf<Tuning> {
   double weight_of(const std::string& opponent) const;
 
   std::vector<Key> keys() override;
-  // The games if all games were drawn: their number, but not their parameters.
+  // The games that there would be if all were drawn. Their number is right, but not their
+  // parameters.
   std::vector<ScheduledGame> games() const override;
   std::string caveat() const override;
   // All iterations as one matchup: "search-plus~zone-p0001-1" for "k0007-plus~zone-p0001-1".
@@ -72,8 +74,8 @@ using ParamValues = std::vector<double>;  // of the tuned parameters, in their o
 // The search, with the tuning's parameters as axes.
 std::unique_ptr<Optimiser> optimiser_of(const Tuning& tuning);
 
-// The values that are played at a point: whole numbers where required, otherwise five significant
-// digits of the range, so that they can be read, and do not depend on the last bit of a result.
+// The values played at a point: whole numbers where required, otherwise five significant digits of
+// the range, so that they are readable and do not depend on the last bit of a result.
 ParamValues values_at(const Tuning& tuning, const Point& point);
 
 ParamValues start_values(const Tuning& tuning);
@@ -87,8 +89,8 @@ std::vector<std::string> spelt(const ParamValues& values);
 // Throws SettingError if the settings contradict each other.
 void check(const Tuning& tuning);
 
-// `tune`: parameters by name. Reads a parameter's range and start from the strategy's own
-// description, if it has one, so the team must have been read before.
+// `tune`: parameters by name. Takes a parameter's range and start from the strategy's description
+// if there is one, so the team must be read first.
 Key parameters_key(Tuning& tuning);
 
 }  // namespace autoref::experiments

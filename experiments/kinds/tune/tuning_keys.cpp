@@ -1,4 +1,4 @@
-// The keys of a tuning's scenario file.
+// The keys of scenario files of kind tune.
 #include <fmt/format.h>
 
 #include "experiments/kinds/tune/tuning.hpp"
@@ -121,7 +121,7 @@ Key setting_key(Tuning& tuning, const std::string& name) {
   return key;
 }
 
-// Without a default.
+// A key without a default.
 Key required_setting_key(Tuning& tuning, const std::string& name) {
   Key key = setting_key(tuning, name);
   key.value = game::expected_of(settings_at(tuning, name).front());
@@ -138,7 +138,7 @@ Key pairs_per_candidate_key(Tuning& tuning) {
   return key;
 }
 
-// Read after the method, which must be SPSA.
+// Is read after the method, which must be SPSA.
 Key gain_key(Tuning& tuning) {
   Key key = setting_key(tuning, "gain");
   key.read = [&tuning, read_setting = key.read](TopReader& top) {
@@ -186,7 +186,7 @@ Key team_key(Tuning& tuning) {
   return key;
 }
 
-// Read with the opponents.
+// Is read together with the opponents.
 Key weights_key(Tuning& tuning) {
   Key key{"weights", "numbers above 0 by opponent; 1",
           "weight of each opponent's games in the score"};
@@ -195,7 +195,7 @@ Key weights_key(Tuning& tuning) {
   return key;
 }
 
-// All of them are in every game's score, so none has games of its own.
+// Every candidate's score includes all opponents, so no opponent has games of its own.
 Key opponents_key(Tuning& tuning) {
   Key key = teams_key("opponents",
                       "whom it plays against; `self`: both candidates of an iteration play each "

@@ -30,7 +30,7 @@ std::string name_of(ThreeWayVerdict verdict) {
   return "none";
 }
 
-// Mean of the known scores; nullopt if there is none, and against itself, where it would be 0.
+// Mean of the known scores; nullopt if there is none and in self-play, where it would be 0.
 std::optional<double> mean_score(const Tuning& tuning, const TuningIteration& iteration) {
   std::vector<double> known;
   for (const Score& score : iteration.scores) {

@@ -11,24 +11,24 @@
 
 namespace autoref::experiments {
 
-// tune.csv: a row per iteration, and one for the start: each parameter at the centre of the search
-// and its best value as known then, the mean score of the candidates, and their difference.
+// tune.csv: a row for the start and for each iteration. It contains each parameter at the centre of
+// the search and its best value known then, the mean score of the candidates, and their difference.
 std::string tuning_csv(const Tuning& tuning, const TuningState& state);
 
 // summary.csv: the test of the result against the start.
 std::string tuning_test_csv(const Tuning& tuning, const TuningState& state);
 
-// result.yaml: the tuned team as it stands in a scenario, and in comments how good it is.
+// result.yaml: the tuned team as written in a scenario, with comments on how good it is.
 std::string result_yaml(const Tuning& tuning, const TuningState& state);
 
 // Table of the parameters: start, current value, range.
 std::vector<io::Cells> parameter_rows(const Tuning& tuning, const TuningState& state);
 inline const std::vector<io::Align> kParameterColumns = {io::Align::kLeft};
 
-// What the test says, in plain words, or how far the search is.
+// The result of the test in plain words, or the progress of the search.
 std::string comparison_text(const Tuning& tuning, const TuningState& state);
 
-// Both.
+// Both as text.
 io::TextBlocks tuning_table(const Tuning& tuning, const TuningState& state);
 
 // {"iteration": 12, "iterations": 100, "parameters": [{"name": "pass_risk", "start": 0.5,

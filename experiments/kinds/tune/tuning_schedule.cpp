@@ -11,7 +11,7 @@
 namespace autoref::experiments {
 namespace {
 
-// Streams of seeds below the master seed; the search has another (tuning.cpp).
+// Seed streams derived from the master seed; the search has another one (tuning.cpp).
 constexpr std::uint64_t kIterationStream = 2;
 constexpr std::uint64_t kTestStream = 3;
 

@@ -11,7 +11,7 @@ namespace autoref::experiments {
 namespace {
 
 struct PlayedPair {
-  bool is_played = false;            // both legs have been
+  bool is_played = false;            // both legs have been played
   std::optional<double> difference;  // mean over the legs; nullopt if one is void
 };
 
@@ -29,7 +29,7 @@ PlayedPair pair_of(const TuningMatchup& matchup, int pair, const RowsById& rows)
   return {true, is_valid ? std::optional(sum / 2) : std::nullopt};
 }
 
-// The mean over all pairs of a matchup; `is_played` if there are all of them.
+// The mean over all pairs of a matchup; `is_played` if all of them have been played.
 PlayedPair mean_of(const TuningMatchup& matchup, int pairs, const RowsById& rows) {
   std::vector<double> differences;
   for (int pair = 1; pair <= pairs; ++pair) {
@@ -82,8 +82,8 @@ std::optional<std::vector<Score>> scores_of(const Tuning& tuning, const TuningIt
   return scores;
 }
 
-// A pair number's gain: the weighted mean over opponents of the result's differences minus the
-// start's; directly the difference if they played each other.
+// A pair number's gain: the weighted mean over opponents of the result's difference minus the
+// start's, or simply the difference if the two played each other.
 PlayedPair gain_in(const Tuning& tuning, const std::vector<TuningMatchup>& matchups, int pair,
                    const RowsById& rows) {
   WeightedScore result;
@@ -128,7 +128,7 @@ TuningTest test_of(const Tuning& tuning, const ParamValues& result, const RowsBy
   test.last_pair = first.count;
   if (test.state.verdict != ThreeWayVerdict::kGoOn) {
     test.last_pair = first.numbers[static_cast<std::size_t>(test.state.pairs - 1)];
-  } else if (first.count == tuning.test.max_pairs) {  // fewer than max_pairs without a void game
+  } else if (first.count == tuning.test.max_pairs) {  // void games left fewer than max_pairs
     test.state.verdict = ThreeWayVerdict::kUndecided;
   }
   test.is_decided = test.state.verdict != ThreeWayVerdict::kGoOn;

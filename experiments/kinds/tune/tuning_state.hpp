@@ -14,11 +14,11 @@ namespace autoref::experiments {
 struct TuningIteration {
   int number = 1;
   Point centre;                       // of the search, before the iteration
-  std::vector<Candidate> candidates;  // and their scores in goals per game; against itself, only
+  std::vector<Candidate> candidates;  // and their scores in goals per game; in self-play, only
   std::vector<Score> scores;          // differences between scores matter
   double reach = 0;                   // of the candidates, in steps
   ParamValues after;                  // values at the centre after the iteration,
-  ParamValues best;                   // and the best ones as known then
+  ParamValues best;                   // and the best values known then
 };
 
 // The sequential test of the result against the start.
@@ -26,13 +26,13 @@ struct TuningTest {
   ThreeWayState state;               // kUndecided after max_pairs
   int last_pair = 0;                 // number of the last pair considered
   int void_pairs = 0;                // up to last_pair, left out because a game is void
-  std::optional<double> gain;        // mean of the pairs that decided, in goals per game
+  std::optional<double> gain;        // mean of the deciding pairs, in goals per game
   std::optional<Interval> interval;  // anytime_interval()
   bool is_decided = false;
 };
 
 struct TuningState {
-  std::vector<TuningIteration> path;       // all iterations whose games have been played
+  std::vector<TuningIteration> path;       // all iterations with all games played
   std::optional<TuningIteration> current;  // the one that is being played; nullopt after the last
   ParamValues best;                        // as known so far
   TuningTest test;
@@ -41,15 +41,16 @@ struct TuningState {
 };
 
 // Considers iterations in order until one lacks a row, so the state depends neither on the number
-// of workers nor on the order of the rows. A game whose worker was killed counts as missing, since
-// it will be replayed; other void games are left out of the scores with their pair.
+// of workers nor on the order of the rows. A game counts as missing if its worker was killed, since
+// it will be replayed. Other void games are left out of the scores together with their pair.
 TuningState state_of(const Tuning& tuning, const RowsById& rows);
 
-// state_of(), but only whether the test is decided. Fast while the search still plays.
+// Like state_of(), but only returns whether the test is decided. Fast while the search is still
+// running.
 bool is_test_decided(const Tuning& tuning, const RowsById& rows);
 
-// The games known so far: those of all iterations in the state, and after the last one those of the
-// test.
+// The games known so far: the games of all iterations in the state and, after the last iteration,
+// those of the test.
 std::vector<ScheduledGame> known_games(const Tuning& tuning, const TuningState& state);
 
 }  // namespace autoref::experiments

@@ -1,8 +1,8 @@
 // A team of one page. Robot 0 stays in the goal, the robot nearest to the ball gets behind it and
 // kicks it to the opponents' goal, and the others stand in a row. Our goal is at -x.
 //
-// It reads flat records and answers each frame with one. Anything else, such as what you print
-// while you look for a mistake, belongs on stderr. Every number is in metres and seconds.
+// It reads flat records and answers each frame with one. Anything else, such as debugging output,
+// belongs on stderr. Every number is in metres and seconds.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -14,9 +14,9 @@ constexpr double kSpeed_mps = 2.0;  // of all robots
 constexpr double kStop_mps = 0.9;   // while play is stopped: the Laws of 2014 allow 1 m/s
 constexpr double kTurn_radps = 8.0;
 constexpr double kKick_mps = 5.0;
-// To the ball or its path while we may not play it: the rules want 0.5 m to the hull.
+// Distance to the ball or its path while we may not play it: the rules require 0.5 m to the hull.
 constexpr double kTooNear_m = 0.6;
-constexpr double kKeepOff_m = 0.65;  // from there
+constexpr double kKeepOff_m = 0.65;  // the distance to which robots retreat
 
 enum Play {
   kHalt,
@@ -58,7 +58,7 @@ struct Sight {
   Point ball;
   Point ball_velocity;
   bool is_placed = false;
-  Point placement;  // where the referee wants the ball, if `is_placed`
+  Point placement;  // the referee's target for the ball, if `is_placed`
   std::vector<Player> own;
 };
 
@@ -79,7 +79,7 @@ inline Point unit(double x, double y) {
   return length > 0 ? Point{x / length, y / length} : Point{1.0, 0.0};
 }
 
-// Whether a point is in the opponents' defence area, taken as a box; for ours, pass -x.
+// Whether a point is in the opponents' defence area, approximated by a box; for ours, pass -x.
 inline bool is_in_area(const Pitch& pitch, double x, double y, double margin) {
   double half = pitch.area_straight / 2;
   if (!pitch.area_is_box) half = half + pitch.area_depth;
@@ -87,7 +87,7 @@ inline bool is_in_area(const Pitch& pitch, double x, double y, double margin) {
   return x > pitch.length / 2 - depth && -half - margin < y && y < half + margin;
 }
 
-// The x nearest to this one at which a robot is in neither defence area.
+// The nearest x at which a robot is in neither defence area.
 inline double out_of_areas(const Pitch& pitch, double x, double y) {
   const double limit = pitch.length / 2 - pitch.area_depth - 0.3;
   if (is_in_area(pitch, x, y, 0.3)) return limit;
@@ -107,7 +107,7 @@ inline std::size_t nearest(const std::vector<Player>& own, const Point& ball) {
   return best;
 }
 
-// Through the ball towards the goal, or first to a place behind the ball, or around it.
+// Drives through the ball towards the goal, or first to a place behind the ball, or around it.
 inline Aim attack(const Player& robot, const Point& ball, const Pitch& pitch) {
   const Point to = unit(pitch.length / 2 - ball.x, -ball.y);
   const double dx = robot.at.x - ball.x;
@@ -126,14 +126,14 @@ inline Aim attack(const Player& robot, const Point& ball, const Pitch& pitch) {
   return {{ball.x - back * to.x - off * to.y, ball.y - back * to.y + off * to.x}, to};
 }
 
-// On the line from the ball to the middle of our goal.
+// Stands on the line from the ball to the middle of our goal.
 inline Aim guard(const Point& ball, const Pitch& pitch) {
   const double goal_x = -pitch.length / 2;
   const Point to = unit(ball.x - goal_x, ball.y);
   return {{goal_x + 0.1 + 0.2 * to.x, 0.3 * to.y}, to};
 }
 
-// In a row across our half, facing the ball.
+// Stands in a row across our half, facing the ball.
 inline Aim line_up(std::size_t index, std::size_t count, const Point& ball, const Pitch& pitch) {
   const auto i = static_cast<double>(index);
   const auto n = static_cast<double>(count);
@@ -142,7 +142,7 @@ inline Aim line_up(std::size_t index, std::size_t count, const Point& ball, cons
   return {{x, y}, unit(ball.x - x, ball.y - y)};
 }
 
-// The point nearest to the robot on the ball's way to where the referee wants it.
+// The point nearest to the robot on the ball's path to the referee's target.
 inline Point nearest_on_way(const Player& robot, const Point& ball, const Sight& sight) {
   const Point end = sight.is_placed ? sight.placement : ball;
   const Point way = {end.x - ball.x, end.y - ball.y};
@@ -153,7 +153,8 @@ inline Point nearest_on_way(const Player& robot, const Point& ball, const Sight&
   return {ball.x + along / whole * way.x, ball.y + along / whole * way.y};
 }
 
-// Away from a point if the robot is near to it; otherwise on to the place, but around the point.
+// Moves away from a point if the robot is near it; otherwise goes to the place, but around the
+// point.
 inline Point keep_off(const Player& robot, Point place, const Point& point) {
   const double dx = robot.at.x - point.x;
   const double dy = robot.at.y - point.y;
@@ -184,12 +185,12 @@ inline Order drive(const Player& robot, const Aim& aim, double most, double late
 inline std::vector<Order> decide(const Sight& sight, const Pitch& pitch) {
   std::vector<Order> orders;
   if (sight.play == kHalt || sight.own.empty()) return orders;
-  const double latency = sight.latency;  // what we see now, we act on then
+  const double latency = sight.latency;  // our commands take effect this much later
   const Point ball = {sight.ball.x + sight.ball_velocity.x * latency,
                       sight.ball.y + sight.ball_velocity.y * latency};
   const bool is_ours = sight.play == kRunning || (sight.ours && sight.play >= kKickoff);
   const double most = sight.play == kStop ? kStop_mps : kSpeed_mps;
-  std::size_t chaser = 0;  // the keeper in our own area; elsewhere somebody else
+  std::size_t chaser = 0;  // the keeper if the ball is in our area, otherwise another robot
   if (!is_in_area(pitch, -ball.x, ball.y, 0.0)) chaser = nearest(sight.own, ball);
   for (std::size_t i = 0; i < sight.own.size(); ++i) {
     const Player& robot = sight.own[i];
@@ -261,7 +262,7 @@ inline std::vector<char> output_of(const Sight& sight, const std::vector<Order>&
     put(orders[i].forward, record, offset);
     put(orders[i].left, record, offset + 8);
     put(orders[i].turn, record, offset + 16);
-    put(kKick_mps, record, offset + 24);  // as soon as the ball is at the kicker
+    put(kKick_mps, record, offset + 24);  // takes effect as soon as the ball is at the kicker
     put(static_cast<std::int32_t>(orders[i].robot), record, offset + 32);
   }
   return record;
