@@ -100,8 +100,8 @@ int exit_code_of(const std::function<int()>& work, std::string_view program) {
 
 int run_command_line(int argc, const char* const* argv) {
   CLI::App app(
-      "Simulates and referees robot soccer games of the RoboCup Small Size League, and finds out\n"
-      "over hundreds of games which team, or which handicap, wins.",
+      "Simulates and referees robot soccer games of the RoboCup Small Size League, and plays\n"
+      "hundreds of games to find out which team, or which handicap, wins.",
       "autoref");
   app.set_version_flag("--version", fmt::format("autoref {}", io::build_id()));
   app.require_subcommand(1);
@@ -109,7 +109,7 @@ int run_command_line(int argc, const char* const* argv) {
       "`autoref help VERB` explains a verb or a group.\n\n"
       "Example, an experiment of 36 games:\n  autoref run scenarios/first-look.yaml\n\n"
       "A scenario that is not in the current folder is looked up among the installed ones, in\n"
-      "share/autoref beside the program's folder bin.\n\n"
+      "share/autoref next to the program's bin folder.\n\n"
       "Exit codes: 0 done; 2 bad input; 3 too many void games; 4 a replayed game differs;\n"
       "70 internal error; 74 input/output error; 75 interrupted (repeat the command to continue).");
   Chosen chosen;

@@ -191,9 +191,8 @@ bool is_verb(const CLI::App& app, const std::string& word) {
 std::string unknown_verb_message(const CLI::App& app, const std::string& word) {
   const std::string before = words_to(app);
   if (nested_verbs(app).empty()) {
-    return fmt::format(
-        "'{0}' has no verbs of its own, such as '{1}'; `autoref help {0}` explains it", before,
-        word);
+    return fmt::format("'{0}' does not take a verb such as '{1}'; `autoref help {0}` explains it",
+                       before, word);
   }
   const std::string nearest = verb_suggestion(word, app);
   const std::string end = nearest.empty() ? ";" : nearest;

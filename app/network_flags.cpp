@@ -31,7 +31,7 @@ std::string broadcast_of(const std::string& interface) {
   if (const std::optional<std::string> address = live::broadcast_address(interface))
     return *address;
   throw io::InputError({"--broadcast"}, "",
-                       fmt::format("the interface {} has no address for broadcasts", interface));
+                       fmt::format("the interface {} has no broadcast address", interface));
 }
 
 live::Address controller_address(const std::string& text, int port) {

@@ -123,10 +123,9 @@ std::vector<std::string> gaps_of(const RecordedFacts& facts, const game::GameSet
   const RecordedGame& recorded = facts.games.front();
   const bool has_referee = facts.last_signal.has_value();
   note(!facts.log.field, "field.length_m",
-       fmt::format(
-           "no geometry: using the field of the rules {}, {} x {} m (change with --rules or --set "
-           "field.length_m=... etc.)",
-           game.match.rules.name, field.length_m, field.width_m));
+       fmt::format("no geometry: using the field of the rules {}, {} x {} m (change with --rules, "
+                   "or --set field.length_m=... etc.)",
+                   game.match.rules.name, field.length_m, field.width_m));
   note(facts.log.field && facts.log.field_gaps.penalty_mark, "field.penalty_mark_m",
        fmt::format(
            "the geometry has no penalty mark: using {} m from the goal line (change with --set "

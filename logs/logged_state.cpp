@@ -140,7 +140,7 @@ sim::RobotState state_of(const TrackedRobot& robot) {
 
 game::StartState start_of(const StateReader& read, const Field& field) {
   const Tracks& tracks = read.tracks();
-  if (!tracks.ball) throw std::invalid_argument("the log has no ball at this time");
+  if (!tracks.ball) throw std::invalid_argument("the ball is missing in the log at this time");
   const bool turns = !read.is_yellow_west();
   game::StartState start;
   for (const Side side : kSides) {
@@ -162,7 +162,7 @@ LoggedState logged_state(const std::filesystem::path& log, double at_s) try {
   StateReader reader(at_s, teams);
   const league::LogSummary summary = league::read_log(log, reader);
   if (!reader.covers(at_s)) {
-    throw std::invalid_argument(fmt::format("{} s is not in the log {}, which covers {}", at_s,
+    throw std::invalid_argument(fmt::format("{} s is outside the log {}, which covers {}", at_s,
                                             log.string(), reader.extent()));
   }
   return {start_of(reader, field), summary};

@@ -40,11 +40,11 @@ std::string count_text(std::int64_t count, std::string_view what) {
 }
 
 std::string referees_text(const league::MessageFaults& faults) {
-  return fmt::format("{} of another referee and ignored, first of {}; {} {}",
+  return fmt::format("{} from another referee and ignored, first from {}; {} {}",
                      count_text(faults.of_other_referee, "packet"),
                      quoted_name(faults.other_referee),
                      faults.referee_changes == 0 ? "the referee followed is"
-                                                 : "the referee followed has changed, it is now",
+                                                 : "the referee followed has changed and is now",
                      quoted_name(faults.referee));
 }
 
@@ -103,11 +103,10 @@ std::string seekable_log(const std::string& path) {
   const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
   Descriptor to(error ? -1 : ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600));
   if (to.number() < 0) {
-    throw io::io_error(
-        fmt::format("{} must be copied to a temporary file; cannot make one in {} (set "
-                    "TMPDIR to another folder)",
-                    path, error ? "TMPDIR" : folder.string()),
-        error ? error.value() : errno);
+    throw io::io_error(fmt::format("{} must be copied to a temporary file, but none can be created "
+                                   "in {} (set TMPDIR to another folder)",
+                                   path, error ? "TMPDIR" : folder.string()),
+                       error ? error.value() : errno);
   }
   copy_log(from.number(), to.number(), path);
   return fmt::format("/proc/self/fd/{}", to.release());
@@ -135,10 +134,10 @@ std::vector<std::string> texts_of(const league::MessageFaults& faults) {
   };
   add(faults.unreadable, "unreadable message", "ignored");
   add(faults.late, "late packet", "ignored");
-  add(faults.copies, "message", "copies of others and ignored");
+  add(faults.copies, "message", "ignored as duplicates");
   if (faults.of_other_referee > 0) texts.push_back(referees_text(faults));
   if (!faults.clocks_ahead_s.empty()) {
-    texts.push_back(fmt::format("the cameras' clocks differ, and were corrected: {}",
+    texts.push_back(fmt::format("the cameras' clocks differ and were corrected: {}",
                                 clocks_text(faults.clocks_ahead_s)));
   }
   if (faults.clock_restarts > 0) {
@@ -175,7 +174,7 @@ std::string damage_text(const std::string& path, const league::LogSummary& log) 
                     kMaxRobots));
   }
   if (log.field_changes > 0)
-    add(fmt::format("the field changes {} times; using the last one", log.field_changes));
+    add(fmt::format("the field changes {} times; using the last field", log.field_changes));
   return text;
 }
 
@@ -205,7 +204,8 @@ league::LogSummary read_user_log(const std::string& path, league::LogVisitor& vi
   }
   io::write_message(stderr, damage_text(path, log));
   if (log.frames > 0) return log;
-  throw io::InputError({path}, "", "the log contains no vision frame: there is nothing to show");
+  throw io::InputError({path}, "",
+                       "the log contains no vision frames, so there is nothing to show");
 }
 
 Field field_shown(const std::string& path, const league::LogSummary& log, const std::string& book) {

@@ -1,4 +1,5 @@
-// The compiled half of the Python package: games in the caller's process (autoref/game.py).
+// The compiled half of the Python package: games that run in the caller's process
+// (autoref/game.py).
 #include <fmt/format.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -33,7 +34,7 @@ using game::GameRecord;
 using game::GameSettings;
 using strategies::Strategy;
 
-constexpr double kFastestBall_mps = 20;     // no kick comes near this speed
+constexpr double kFastestBall_mps = 20;     // far above the speed of any kick
 constexpr std::size_t kRobotNumbers = 8;    // in a row of View.own: number, x, y, heading, ...
 constexpr std::size_t kBallNumbers = 5;     // x, y, vx, vy, height
 constexpr std::size_t kCommandNumbers = 6;  // vx, vy, angular velocity, kick, chip, dribble
@@ -246,7 +247,7 @@ class PythonGame {
 
   static std::size_t index_of(char team) { return team == 'a' ? 0 : 1; }
 
-  // On the carpet means between the walls.
+  // A position is valid if it is between the walls.
   void check(const Vec2& position_m, const char* what) {
     const Field& field = playing().configuration().field;
     if (is_finite(position_m) && std::abs(position_m.x()) <= field.wall_x_m() &&

@@ -15,7 +15,7 @@ CHECKOUT = Path(os.environ.get("AUTOREF_CHECKOUT", Path(__file__).resolve().pare
 
 
 class CMakeBuild(build_ext):
-    """Builds the CMake target and copies the module to where setuptools wants it."""
+    """Builds the CMake target and copies the module to the path that setuptools expects."""
 
     def build_extension(self, ext: Extension) -> None:
         build = CHECKOUT / "build" / "release"

@@ -86,12 +86,11 @@ struct Match {
             {"control",
              "who commands the game; human and none only in recorded games, game-controller only "
              "in play"});
-    visitor(self.least_confidence,
-            {"least_confidence", kFraction,
-             "fouls of which the referee is less sure than this are not called"});
+    visitor(self.least_confidence, {"least_confidence", kFraction,
+                                    "minimum confidence at which the referee calls a foul"});
     visitor(self.placement, {"placement", "who places the ball for free kicks and force starts"});
     visitor(self.rules, {"rules", "the rule book"});
-    visitor(self.a_plays, {"a_plays", "side of team a; team b plays on the other"});
+    visitor(self.a_plays, {"a_plays", "side of team a; team b plays on the other side"});
     visitor(self.first_kickoff, {"first_kickoff", "side that kicks off first"});
   }
 };

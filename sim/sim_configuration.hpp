@@ -33,8 +33,9 @@ struct BallParameters {
     visitor(self.roll_mps2, {"roll_mps2", positive(100), "deceleration when rolling"});
     visitor(self.roll_per_s,
             {"roll_per_s", {0, 1}, "additional deceleration when rolling, per m/s of speed"});
-    visitor(self.switch_ratio,
-            {"switch_ratio", {0.05, 0.95}, "rolls below this fraction of the kick's speed"});
+    visitor(
+        self.switch_ratio,
+        {"switch_ratio", {0.05, 0.95}, "the ball rolls below this fraction of the kick's speed"});
     visitor(self.hop_first_xy,
             {"hop_first_xy", kFraction, "fraction of horizontal speed kept at the first landing"});
     visitor(self.hop_later_xy,
@@ -43,15 +44,15 @@ struct BallParameters {
             {"hop_first_z", {0, 0.95}, "fraction of vertical speed kept at the first landing"});
     visitor(self.hop_later_z,
             {"hop_later_z", {0, 0.95}, "fraction of vertical speed kept at later landings"});
-    visitor(self.rest_mps, {"rest_mps", {0, 1}, "at rest below this speed"});
+    visitor(self.rest_mps, {"rest_mps", {0, 1}, "the ball is at rest below this speed"});
     visitor(self.rolls_below_hop_m,
-            {"rolls_below_hop_m", positive(1), "a lower hop ends the flight"});
-    visitor(self.net_mps2, {"net_mps2", {0, 1000}, "deceleration in the goal's net"});
+            {"rolls_below_hop_m", positive(1), "a hop lower than this ends the flight"});
+    visitor(self.net_mps2, {"net_mps2", {0, 1000}, "deceleration in the goal net"});
     visitor(self.mass_kg, {"mass_kg", {0.001, 1}, "mass of the ball"});
     visitor(self.contact_friction,
             {"contact_friction",
              {0, 2},
-             "friction against anything that the ball hits; changes its spin"});
+             "friction between the ball and anything it hits; changes the ball's spin"});
   }
 };
 
@@ -85,14 +86,16 @@ struct ContactParameters {
             {"wall_restitution", kFraction, "walls around the field and goal sides"});
     visitor(self.net_restitution, {"net_restitution", kFraction, "back wall of a goal"});
     visitor(self.bar_restitution, {"bar_restitution", kFraction, "ball and goal bar"});
-    visitor(self.top_restitution, {"top_restitution",
-                                   {0, 0.95},
-                                   "fraction of vertical speed kept on top of a robot or goal"});
+    visitor(self.top_restitution,
+            {"top_restitution",
+             {0, 0.95},
+             "fraction of vertical speed kept by a bounce on top of a robot or goal"});
     visitor(self.top_leaving_mps, {"top_leaving_mps",
                                    {0.05, 5},
                                    "minimum speed of a ball leaving the top of a robot or goal"});
-    visitor(self.friction, {"friction", {0, 2}, "between bodies"});
-    visitor(self.least_bounce_mps, {"least_bounce_mps", {0, 1}, "slower impacts do not bounce"});
+    visitor(self.friction, {"friction", {0, 2}, "friction between bodies"});
+    visitor(self.least_bounce_mps,
+            {"least_bounce_mps", {0, 1}, "impacts slower than this do not bounce"});
   }
 };
 
@@ -174,9 +177,9 @@ struct DribblerParameters {
   static void visit(Self& self, const Visitor& visitor) {
     visitor(self.force_n, {"force_n", {0, 100}, "maximum pulling force"});
     visitor(self.reach_m, {"reach_m", {0, 0.1}, "maximum gap between plate and ball"});
-    visitor(self.holds, {"holds", "keeps the ball in every motion"});
+    visitor(self.holds, {"holds", "holds the ball however the robot moves"});
     visitor(self.stiffness_npm,
-            {"stiffness_npm", {0, 1000}, "stiffness of the pull to the plate's middle"});
+            {"stiffness_npm", {0, 1000}, "stiffness of the pull towards the plate's middle"});
     visitor(self.damping_nspm,
             {"damping_nspm", {0, 100}, "damping of the ball's motion along the plate"});
     visitor(self.centring_mps,
@@ -194,13 +197,13 @@ struct PlacementParameters {
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, const Visitor& visitor) {
-    visitor(self.speed_mps, {"speed_mps", positive(100), "speed of ball placement"});
+    visitor(self.speed_mps, {"speed_mps", positive(100), "speed of the ball during placement"});
     visitor(self.acceleration_mps2,
-            {"acceleration_mps2", positive(1000), "acceleration of ball placement"});
+            {"acceleration_mps2", positive(1000), "acceleration of the ball during placement"});
     visitor(self.catch_mps2,
             {"catch_mps2", positive(1000), "deceleration that first stops a moving ball"});
     visitor(self.clearance_m,
-            {"clearance_m", {0.025, 0.3}, "distance from goals to the ball's centre"});
+            {"clearance_m", {0.025, 0.3}, "minimum distance from a goal to the ball's centre"});
   }
 };
 
@@ -233,8 +236,9 @@ struct VisionParameters {
             {"robot_noise_rad", {0, 0.5}, "standard deviation of the heading"});
     visitor(self.ball_misses, {"ball_misses", {0, 0.9}, "fraction of frames without the ball"});
     visitor(self.robot_misses, {"robot_misses", {0, 0.9}, "fraction of frames without a robot"});
-    visitor(self.reports_height,
-            {"reports_height", "report the ball's height; otherwise it appears on the ground"});
+    visitor(
+        self.reports_height,
+        {"reports_height", "report the ball's height; otherwise the ball appears on the ground"});
     visitor(self.robots_hide_ball,
             {"robots_hide_ball", "robots can hide the ball from the cameras"});
     visitor(self.cameras,
@@ -251,7 +255,7 @@ struct VisionParameters {
     visitor(self.camera_error_rad,
             {"camera_error_rad", {0, 0.5}, "systematic error of each camera's headings"});
     visitor(self.false_balls_per_s,
-            {"false_balls_per_s", {0, 10}, "false balls ahead of each robot"});
+            {"false_balls_per_s", {0, 10}, "rate of false balls ahead of each robot"});
     visitor(
         self.misread_numbers,
         {"misread_numbers", {0, 0.9}, "fraction of robot detections with a team-mate's number"});
@@ -266,7 +270,8 @@ struct RadioParameters {
   template <typename Self, typename Visitor>
   static void visit(Self& self, const Visitor& visitor) {
     visitor(self.command_loss, {"command_loss", {0, 0.9}, "fraction of commands lost"});
-    visitor(self.hold_s, {"hold_s", {0, 10}, "a robot without a command for this long stops"});
+    visitor(self.hold_s,
+            {"hold_s", {0, 10}, "a robot that receives no command for this long stops"});
   }
 };
 
@@ -309,15 +314,16 @@ struct Configuration {
     visitor(self.contact_free_substeps,
             {"contact_free_substeps",
              {1, 16},
-             "physics steps per frame of a body that can meet nothing"});
+             "physics steps per frame of a body that cannot touch anything"});
     visitor(self.free_motion,
-            {"free_motion", "bodies that can meet nothing move without Box2D; false: to compare"});
+            {"free_motion",
+             "bodies that cannot touch anything move without Box2D; false: for comparison"});
     visitor(self.frame_rate_hz, {"frame_rate_hz", {30, 240}, "frames per second"});
     visitor(self.latency_s, {"latency_s", {0, 0.5}, "delay from a frame to the robots' motion"});
     visitor(self.latency_error_s,
             {"latency_error_s",
              {0, 0.1},
-             "standard deviation of what a team believes that delay to be, drawn for each game"});
+             "standard deviation of a team's estimate of that delay, drawn for each game"});
     visitor(self.vision, {"vision", "what the cameras report"});
     visitor(self.radio, {"radio", "commands on their way to the robots"});
     visitor(self.ball, {"ball", "how the ball slides, rolls and hops"});

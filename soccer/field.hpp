@@ -73,8 +73,8 @@ struct Field {
     visitor(self.goal_substitution_area_m,
             {"goal_substitution_area_m",
              {0, 5},
-             "width of the areas behind the goal lines in which robots may be exchanged; 0: "
-             "without; vision says so, and nothing else depends on it"});
+             "width of the areas behind the goal lines in which robots may be exchanged; 0: none; "
+             "only sent in vision packets, nothing else depends on it"});
     visitor(self.line_width_m, {"line_width_m", {0, 0.05}, "width of the lines"});
     visitor(self.centre_circle_radius_m,
             {"centre_circle_radius_m", {0.1, 5}, "radius to the outer edge of the line"});
@@ -92,7 +92,7 @@ struct Field {
             {"goal_wall_thickness_m", {0.01, 0.1}, "thickness of the goal walls"});
     visitor(self.goal_sides_reach_wall,
             {"goal_sides_reach_wall",
-             "the goals' side walls go on to the wall, so nothing passes behind a goal"});
+             "the goals' side walls extend to the wall, so nothing passes behind a goal"});
   }
 
   double half_length_m() const { return length_m / 2; }    // the paper's F_x

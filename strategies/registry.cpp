@@ -59,8 +59,8 @@ const std::vector<Entry>& all_strategies() {
        make_chaser,
        {}},
       {"cobalt",
-       "Takes the clearest shot, otherwise what is worth most of pass, dribble and clearance, and "
-       "covers its goal with wall and keeper together.",
+       "Takes the clearest shot, or else the most valuable pass, dribble or clearance, and covers "
+       "its goal with wall and keeper together.",
        make_squad<cobalt_playbook>, tunables_of(cobalt_playbook().style)},
       {"cobalt1", "The previous version of cobalt, kept for comparison.",
        make_squad<cobalt1_playbook>, tunables_of(cobalt1_playbook().style)},

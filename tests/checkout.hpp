@@ -5,7 +5,7 @@
 
 namespace autoref {
 
-// The absolute path of a file or folder of this checkout, given from its root.
+// The absolute path of a file or folder of this checkout, given by its path from the root.
 std::string in_checkout(const std::string& path);
 
 }  // namespace autoref

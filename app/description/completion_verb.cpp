@@ -110,9 +110,8 @@ void add_completion_verb(CLI::App& app, Chosen& chosen) {
       ->required()
       ->check(one_of({"bash", "zsh", "fish"}));
   verb->footer(
-      "Completes, as far as they are known: settings, teams, rule books, cameras, languages of "
-      "team\n"
-      "programs, scenarios here and in the folder scenarios, and games of a results folder.\n\n"
+      "Also completes settings, teams, rule books, cameras, languages of team programs, scenarios\n"
+      "in the current folder and in scenarios/, and games of a results folder, where known.\n\n"
       "Example, for the current shell:\n  autoref show completion bash > autoref.bash && . "
       "./autoref.bash");
   choose(*verb, chosen, shell, completion_verb);

@@ -105,7 +105,7 @@ std::string reference_page(const std::string& name, const DescribedVerb& program
   if (name == "rules") return rules_page();
   if (name == "teams") return team_parameters_page();
   if (name == "scenario-files") return scenario_files_page();
-  throw std::invalid_argument(fmt::format("there is no reference page '{}'", name));
+  throw std::invalid_argument(fmt::format("unknown reference page '{}'", name));
 }
 
 void add_reference_verb(CLI::App& app, Chosen& chosen) {

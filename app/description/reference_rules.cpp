@@ -41,8 +41,9 @@ std::string books_section() {
     for (const RuleBook& book : rule_books()) row.push_back(in_book(book, entry));
     rows.push_back(std::move(row));
   }
-  return "## In force\n\nA rule's threshold, or \"yes\" if it has none, where the rule book has it "
-         "in force. `match.switch.NAME: true` or `false` changes that for a game.\n\n" +
+  return "## In force\n\nThe rules in force in each rule book, with their thresholds, or \"yes\" "
+         "for rules without one. `match.switch.NAME: true` or `false` changes that for a "
+         "game.\n\n" +
          reference_table(rows);
 }
 
@@ -80,9 +81,9 @@ std::string numbers_section() {
   });
   return "## Numbers\n\nThe numbers of each rule book, as programs receive them in the message "
          "START ([team-programs.md](../team-programs.md)), which also has the edition and the "
-         "rules in force; 1 is yes, 0 is no. A source names where "
-         "the first book's number comes from, then what other texts say; \"2016\" is the authors' "
-         "later public referee.\n\n" +
+         "rules in force; 1 is yes, 0 is no. The source says where the first rule book's number "
+         "comes from, then what other texts say; \"2016\" is the authors' later public "
+         "referee.\n\n" +
          reference_table(rows);
 }
 

@@ -13,14 +13,14 @@ namespace autoref::app {
 namespace {
 
 constexpr const char* kAboutFiles =
-    "Each kind of scenario, with all of its keys. Every file also has `schema: 1`, its `kind`, and "
-    "may have `about`, one sentence that reports show. The keys of `teams`, `match`, `field`, "
-    "`sim` and `base` are [settings](settings.md); [scenarios](../scenarios.md) and "
-    "[experiments](../experiments.md) explain and show them. Robot types and scenes of the lab "
-    "have [files of their own](other-files.md).\n\n";
+    "All keys of each kind of scenario. Every file also has `schema: 1` and its `kind`, and can "
+    "have `about`, a sentence that reports show. The keys of `teams`, `match`, `field`, `sim` and "
+    "`base` are [settings](settings.md); [scenarios](../scenarios.md) and "
+    "[experiments](../experiments.md) explain them with examples. Robot types and lab scenes have "
+    "[their own files](other-files.md).\n\n";
 
 const std::vector<experiments::KeyRow> kGameRows = {
-    {"`types`", "robot types by name", "what `type` may name, instead of a file"},
+    {"`types`", "robot types by name", "types that `type` can name instead of a file"},
     {"`teams`", "`a` and `b`", "the two teams"},
     {"`match`", "settings", "rule book, halves, who commands"},
     {"`field`", "settings", "sizes of the field"},
@@ -64,10 +64,10 @@ std::string sections_of(const experiments::Kind& kind) {
 using Rows = std::vector<std::vector<std::string>>;
 
 constexpr const char* kIntroduction =
-    "Every key of a game: in a scenario's sections, after `--set`, and as a factor of a sweep. "
-    "`a.` and `b.` stand for `teams.a.` and `teams.b.`: `--set b.robots=5`. Defaults are those of "
-    "the rule book `paper`; `[]` is an empty list of words. [scenarios.md](../scenarios.md) "
-    "explains the sections and the keys of experiments.\n\n";
+    "Every key of a game. You can use them in a scenario's sections, after `--set`, and as factors "
+    "of a sweep. `a.` and `b.` stand for `teams.a.` and `teams.b.`: `--set b.robots=5`. Defaults "
+    "are those of the rule book `paper`; `[]` is an empty list of words. "
+    "[scenarios.md](../scenarios.md) explains the sections and the keys of experiments.\n\n";
 
 // Any one robot can represent all of a team's robots.
 constexpr int kAnyPlayer = 3;
@@ -171,7 +171,7 @@ std::string settings_page() {
   for (const auto& [branch, rows] : branches_of(game::settings_of(game))) {
     page += fmt::format("## {}\n\n", heading_of(branch)) + reference_table(rows);
   }
-  page += "Rules that a rule book has in force are on the page [Rules](rules.md).\n\n";
+  page += "The page [Rules](rules.md) lists the rules in force in each rule book.\n\n";
   for (const char* preset :
        {"match.rules", "sim.camera", "sim.ball.preset", "sim.kicker.preset", "sim.dribbler.preset"})
     page += preset_section(preset);

@@ -53,10 +53,10 @@ experiments::Scenario read_experiment(const BatchArguments& arguments) {
       experiments::read_scenario(file, game::assignments_in(arguments.sets));
   const std::string_view verb = experiments::verb_of(scenario);
   if (verb != kRun) {
-    throw io::InputError({file}, "kind",
-                         fmt::format("this is of kind {}, not an experiment; play it with: autoref "
-                                     "{} {}",
-                                     experiments::kind_of(scenario), verb, file));
+    throw io::InputError(
+        {file}, "kind",
+        fmt::format("this file is of kind {}, not an experiment; play it with: autoref {} {}",
+                    experiments::kind_of(scenario), verb, file));
   }
   override_pairs(arguments.pairs, scenario);
   override_seed(arguments.seed, scenario);

@@ -90,13 +90,10 @@ void add_check_verb(CLI::App& app, Chosen& chosen) {
   add_override_options(*verb, *arguments);
   verb->add_flag("--games", arguments->games, "Only print the id of every game.");
   verb->footer(
-      "Takes at most ten seconds. Plays a few seconds of every variant and continues as far as "
-      "time\n"
-      "allows; a variant whose games take too long is estimated from a part of a game. If teams "
-      "are\n"
-      "programs, the last line names how much of the time each of them takes. The estimate "
-      "assumes\n"
-      "that the machine stays as busy as it is now.\n\n"
+      "Takes at most ten seconds: plays a few seconds of every variant, then more of each while\n"
+      "time allows. If a variant's games take too long, the estimate is based on part of a game.\n"
+      "If teams are programs, the last line shows how much of the time each of them takes. The\n"
+      "estimate assumes that the machine stays as busy as it is now.\n\n"
       "Example:\n  autoref check scenarios/handicap-speed.yaml");
   choose(*verb, chosen, arguments, check_verb);
 }

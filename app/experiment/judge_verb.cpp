@@ -38,7 +38,7 @@ experiments::Scenario read_judge(const JudgeArguments& arguments) {
   }
   throw io::InputError(
       {arguments.file}, "kind",
-      fmt::format("this is of kind {}, not a judge; play it with: autoref {} {}",
+      fmt::format("this file is of kind {}, not a judge; play it with: autoref {} {}",
                   experiments::kind_of(scenario), experiments::verb_of(scenario), arguments.file));
 }
 

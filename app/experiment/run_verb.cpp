@@ -69,7 +69,7 @@ void print_results(const experiments::Scenario& scenario,
   if (report.unrepeatable_games > 0) {
     fmt::print(
         "\n{} games are not repeatable: their programs sent other commands when started again; "
-        "autoref results verify and replay play the recorded ones\n",
+        "autoref results verify and replay use the recorded ones\n",
         report.unrepeatable_games);
   }
   if (report.killed_games == 0) return;
@@ -168,8 +168,8 @@ void add_run_options(CLI::App& verb, RunArguments& arguments) {
                   "Play only shard I (from 0) of N; other runs play the rest.")
       ->type_name("I/N");
   verb.add_option("--wait", arguments.wait_s,
-                  "How long a shard waits for games of other shards that its next ones depend on, "
-                  "in s. Default: " +
+                  "How long a shard waits, in s, for games of other shards that its own next games "
+                  "depend on. Default: " +
                       default_waits() + "otherwise 0.")
       ->type_name("S")
       ->check(CLI::Range(0.0, kLongestWait_s));
@@ -183,7 +183,7 @@ void add_run_options(CLI::App& verb, RunArguments& arguments) {
       ->check(one_of({"plain", "json", "none"}));
   add_web_flags(verb, arguments.web,
                 "Show results and games in browsers, at this address of this computer, such as "
-                "127.0.0.1:8090; without address, for browsers on this computer only.");
+                "127.0.0.1:8090; without an address, only for browsers on this computer.");
   verb.add_flag("--quiet", arguments.quiet,
                 "Print only errors; check the exit code for the outcome.")
       ->excludes("--progress");
@@ -197,20 +197,20 @@ void add_run_verb(CLI::App& app, Chosen& chosen) {
   auto arguments = std::make_shared<RunArguments>();
   add_run_options(*verb, *arguments);
   verb->footer(
-      "Ctrl-C lets the running games finish; a second one stops at once. The same command\n"
-      "continues later; games of killed workers are played again. You can continue with more\n"
-      "pairs in the same folder; with fewer, the surplus rows do not count. Another seed needs\n"
-      "another folder. An existing report in the folder is updated when all games are done.\n\n"
+      "Ctrl-C lets the running games finish; a second one stops them immediately. The same\n"
+      "command continues later; games of killed workers are played again. You can continue with\n"
+      "more pairs in the same folder; with fewer, the surplus rows do not count. Another seed\n"
+      "needs another folder. An existing report is updated when all games are done.\n\n"
       "Shards may share a folder, or each use its own; then copy all games/*.csv into one folder\n"
       "for autoref report. An SPRT match ends with the pair of games that decides it; shards with\n"
       "separate folders play all pairs up to the maximum. A shard of a knockout, a Swiss\n"
       "tournament or a tuning needs games of the others, in the same folder. It waits for them\n"
-      "for the time of --wait, then ends (with code 75, but a knockout with 0); the same command\n"
+      "as long as --wait allows, then ends (with code 75, or 0 for a knockout); the same command\n"
       "continues.\n\n"
       "A tuning searches for better parameters of a team with SPSA or CMA-ES, then tests the\n"
-      "result against the start with new games and says whether it is better. The folder gets\n"
-      "tune.csv with the path of every parameter, which does not depend on the number of workers\n"
-      "or shards and which autoref report draws, and result.yaml with the tuned team.\n\n"
+      "result against the start with new games and says whether it is better. It writes\n"
+      "tune.csv, the path of every parameter, and result.yaml, the tuned team. The path does not\n"
+      "depend on the number of workers or shards; autoref report draws it.\n\n"
       "--progress json prints one object per line on stderr, every 5 s and at the end, with event\n"
       "(progress, end, or note with a text), done, total, void, played (by this run), elapsed_s,\n"
       "games_per_min, left_s and, depending on the kind, standings, groups, sprt, ties or\n"

@@ -93,7 +93,7 @@ void add_sample_size_verb(CLI::App& app, Chosen& chosen) {
       ->required()
       ->type_name("GOALS");
   verb->add_option("--power", arguments->power,
-                   "Probability of detecting it, between 0 and 1. Default: 0.8.")
+                   "Probability of detecting the difference, between 0 and 1. Default: 0.8.")
       ->type_name("SHARE");
   add_json_flag(*verb, arguments->json);
   verb->footer(

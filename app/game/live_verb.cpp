@@ -91,20 +91,21 @@ void add_network_options(CLI::App& verb, LiveArguments& arguments) {
                       "multicast groups.")
           ->type_name("HOST");
   verb.add_flag("--broadcast", arguments.broadcasts,
-                "Send them to all hosts of the interface's network, for networks that do not pass "
-                "multicast on.")
+                "Send them to all hosts of the interface's network, for networks that do not "
+                "forward multicast.")
       ->excludes(unicast);
-  port("--vision-port", options.ports.vision, "Port of vision, 10006 by default.");
-  port("--referee-port", options.ports.referee, "Port of the referee, 10003 by default.");
-  port("--tracker-port", options.ports.tracker, "Port of the tracker, 10010 by default.");
-  port("--yellow-port", options.ports.yellow, "Commands of the yellow team, 10302 by default.");
-  port("--blue-port", options.ports.blue, "Commands of the blue team, 10301 by default.");
+  port("--vision-port", options.ports.vision, "Port for vision packets, 10006 by default.");
+  port("--referee-port", options.ports.referee, "Port for referee packets, 10003 by default.");
+  port("--tracker-port", options.ports.tracker, "Port for tracker packets, 10010 by default.");
+  port("--yellow-port", options.ports.yellow,
+       "Port for the yellow team's commands, 10302 by default.");
+  port("--blue-port", options.ports.blue, "Port for the blue team's commands, 10301 by default.");
   port("--control-port", options.ports.control,
-       "Control of the simulator, 10300 by default; 0: none, as in tournaments.");
+       "Port for controlling the simulator, 10300 by default; 0: none, as in tournaments.");
   port("--grsim-port", options.ports.grsim,
-       "Commands of both teams in grSim's packets, 20011 by default; 0: none.");
+       "Port for both teams' commands in grSim's packets, 20011 by default; 0: none.");
   verb.add_option("--lapse", options.lapse_s,
-                  "Seconds after which a robot without a new command stands still, 0.1 by default.")
+                  "Seconds after which a robot stops unless it gets a new command, 0.1 by default.")
       ->type_name("S")
       ->check(CLI::Range(0.0, 3600.0));
   verb.add_option("--answer", options.answer_s,
@@ -120,7 +121,7 @@ int live_verb(const LiveArguments& arguments) {
       game::resolved(game_in(arguments.file, arguments.seed, assignments));
   if (game.match.control == referee::Control::kGameController)
     throw io::InputError({arguments.file}, "match.control",
-                         "a game controller commands only games of autoref play");
+                         "a game controller can only command games of autoref play");
   live::LiveOptions options = arguments.options;
   options.speed = speed_of(arguments.speed);
   if (arguments.broadcasts) options.unicast = broadcast_of(options.interface);
@@ -159,15 +160,13 @@ void add_live_verb(CLI::App& app, Chosen& chosen) {
   add_set_option(*verb, arguments->sets);
   verb->add_option("--speed", arguments->speed,
                    "Speed relative to real time, 1 by default; max: as fast as the teams answer; "
-                   "lockstep: by the teams' SimulationSyncRequests.")
+                   "lockstep: paced by the teams' SimulationSyncRequests.")
       ->type_name("FACTOR|max|lockstep");
   add_network_options(*verb, *arguments);
   add_output_options(*verb, arguments->output);
   verb->footer(
-      "A team with the strategy network is commanded by packets of the league's simulation "
-      "protocol "
-      "or grSim's.\n"
-      "West is yellow.\n\n"
+      "A team with the strategy network takes its commands from packets of the league's\n"
+      "simulation protocol or of grSim. Yellow is west.\n\n"
       "Example:\n  autoref live scenarios/paper-game.yaml --set a.strategy=network");
   choose(*verb, chosen, arguments, live_verb);
 }

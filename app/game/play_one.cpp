@@ -176,7 +176,7 @@ void add_output_options(CLI::App& verb, GameOutput& output) {
       ->type_name("FILE");
   add_web_flags(verb, output.web,
                 "Show the game in browsers, at this address of this computer, such as "
-                "127.0.0.1:8090; without address, for browsers on this computer only.");
+                "127.0.0.1:8090; without an address, only for browsers on this computer.");
   add_json_flag(verb, output.json);
 }
 
@@ -206,10 +206,9 @@ game::GameRecord play_one(const game::GameConfiguration& game, const GameOutput&
   game::GameRecord record = player.play ? player.play(observers, programs)
                                         : played(game, observers, programs, frames_per_s);
   if (!programs.finish(record)) {
-    throw io::InputError(
-        {commands.file.string()}, "",
-        "its commands lead to another final state: they are from another game, other "
-        "settings or another build");
+    throw io::InputError({commands.file.string()}, "",
+                         "its commands lead to a different final state: they come from another "
+                         "game, other settings or another build");
   }
   const double wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

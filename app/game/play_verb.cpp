@@ -103,7 +103,7 @@ game::GameSettings game_from_log(const PlayArguments& arguments,
   game::GameSettings game = scenario_or_defaults(arguments, assignments);
   if (game.match.control != referee::Control::kAutoref)
     throw io::InputError({"--from"}, "",
-                         "only AutoRef can command such a game: match.control=autoref");
+                         "only AutoRef can command such a game; set match.control=autoref");
   game::locate_errors("--from", [&] {
     logs::LoggedState logged = logs::logged_state(logs::seekable_log(instant.log), instant.at_s);
     if (arguments.file.empty()) take_defaults(logged, game);
@@ -130,7 +130,7 @@ const std::string& scenario_of(const PlayArguments& arguments) {
 
 void print_outcome(const live::ControlledGameReport& report) {
   io::write_message(stderr,
-                    fmt::format("AutoRef's events: {} taken, {} rejected, {} not answered\n",
+                    fmt::format("AutoRef's events: {} accepted, {} rejected, {} not answered\n",
                                 report.accepted, report.rejected, report.unanswered));
   if (!report.problem.empty())
     io::write_message(stderr, fmt::format("The port for automatic referees: {}\n", report.problem));
@@ -179,14 +179,16 @@ void add_play_verb(CLI::App& app, Chosen& chosen) {
   auto arguments = std::make_shared<PlayArguments>();
   add_scenario_argument(*verb, arguments->file, "Scenario of kind game; optional with --from.")
       ->required(false);
-  verb->add_option("--from", arguments->from,
-                   "Begin where this SSL log is at that time, in seconds from its start: robots, "
-                   "ball and pending restart are the log's, score and clock start at 0.")
+  verb->add_option(
+          "--from", arguments->from,
+          "Begin with the state of this SSL log at that time, in seconds from its start: robots, "
+          "ball and pending restart come from the log; score and clock start at 0.")
       ->type_name("LOG@SECONDS");
   verb->add_option("--seed", arguments->seed, "Seed, overriding the scenario.")->type_name("N");
   add_set_option(*verb, arguments->sets);
-  verb->add_option("--commands", arguments->commands,
-                   "Recorded commands to play instead of the teams' programs (--record).")
+  verb->add_option(
+          "--commands", arguments->commands,
+          "Play these recorded commands (--record) instead of running the teams' programs.")
       ->type_name("FILE");
   verb->add_option("--game-controller", arguments->game_controller,
                    "Let the league's game controller, in its CI mode, command the game "

@@ -19,7 +19,7 @@ game::GameSettings game_in(const std::string& file, const std::string& seed,
   if (game == nullptr) {
     throw io::InputError(
         {file}, "kind",
-        fmt::format("this is of kind {}, not a game; run it with: autoref {} {}",
+        fmt::format("this file is of kind {}, not a game; run it with: autoref {} {}",
                     experiments::kind_of(scenario), experiments::verb_of(scenario), file));
   }
   if (!seed.empty()) game::locate_errors("--seed", [&] { game::set_by_path(*game, "seed", seed); });

@@ -36,8 +36,8 @@ void add_info_verb(CLI::App& app, Chosen& chosen) {
   verb->add_flag("--commands", arguments->commands, "List every command with its time.");
   add_json_flag(*verb, arguments->json);
   verb->footer(
-      "If the log is damaged, reports what precedes the damage, names its position on stderr and\n"
-      "exits with code 2.\n\n"
+      "If the log is damaged, summarises the part before the damage, prints its position on\n"
+      "stderr and exits with code 2.\n\n"
       "Example:\n  autoref log info game.log.gz --commands");
   choose(*verb, chosen, arguments, info_verb);
 }

@@ -60,7 +60,7 @@ int view_verb(const ViewArguments& arguments) {
   if (recorder.recording.frames() == 0) {
     throw io::InputError(
         {arguments.log}, "--from",
-        "the log has no frame in this part; autoref log info shows how long it is");
+        "the log has no frames in this part; autoref log info shows how long it is");
   }
   if (recorder.recording.is_full()) {
     io::write_message(stderr, fmt::format("autoref: {}: shows only the first {} frames\n",
@@ -92,7 +92,8 @@ void add_view_verb(CLI::App& app, Chosen& chosen) {
   verb->add_option("--to", arguments->part.to_s, "Show it only up to this time.")->type_name("S");
   add_field_option(*verb, arguments->rules);
   verb->footer(
-      "If the log is damaged, the page shows what precedes the damage; exit code 2.\n\n"
+      "If the log is damaged, the page shows the part before the damage, and the exit code is "
+      "2.\n\n"
       "Examples:\n  autoref view game.log.gz -o game.html\n"
       "  autoref view game.log.gz --from 80 --to 95 -o goal.html");
   choose(*verb, chosen, arguments, view_verb);

@@ -37,8 +37,7 @@ void add_referee_options(CLI::App& verb, RefereeArguments& arguments,
                               default_control))
       ->type_name("human|none|autoref");
   verb.add_option("--source", arguments.source,
-                  fmt::format("Where robots and ball come from: the packets of vision ({}) or "
-                              "those of a tracker.",
+                  fmt::format("Source of robots and ball: vision packets ({}) or tracker packets.",
                               default_source))
       ->type_name("SOURCE")
       ->check(one_of({"vision", "tracker"}));

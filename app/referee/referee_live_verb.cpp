@@ -211,10 +211,9 @@ game::GameSettings live_game_of(const RefereeLiveArguments& arguments, const std
       game_of(chosen, book, assignments, facts, facts.games.front(), kNetwork);
   print_gaps(chosen, assignments, facts, game, kNetwork);
   if (!facts.last_signal && chosen.control == "human") {
-    io::write_message(
-        stderr, fmt::format("autoref: no referee packets yet at {}:{}; AutoRef makes no calls "
-                            "before they come (change with --control)\n",
-                            live::kRefereeGroup, arguments.live.ports.referee));
+    io::write_message(stderr, fmt::format("autoref: no referee packets yet at {}:{}; AutoRef makes "
+                                          "no calls before they arrive (change with --control)\n",
+                                          live::kRefereeGroup, arguments.live.ports.referee));
   }
   return game;
 }
@@ -266,13 +265,13 @@ void add_referee_network_options(CLI::App& verb, RefereeLiveArguments& arguments
   const auto port = [&verb](const char* flag, int& number, const char* about) {
     verb.add_option(flag, number, about)->type_name("PORT")->check(CLI::Range(1, 65535));
   };
-  port("--vision-port", live.ports.vision, "Port of vision, 10006 by default.");
+  port("--vision-port", live.ports.vision, "Port for vision packets, 10006 by default.");
   port("--referee-port", live.ports.referee, "Port of the referee packets, 10003 by default.");
   port("--tracker-port", live.ports.tracker, "Port of the tracker packets, 10010 by default.");
   verb.add_flag("--broadcast", arguments.broadcasts,
-                "Send to all hosts of the interface's network instead of the groups.");
+                "Send to all hosts of the interface's network instead of the multicast groups.");
   verb.add_option("--game-controller", arguments.game_controller,
-                  "Report calls to the league's game controller there (port 10007); "
+                  "Report calls to the league's game controller at this address (port 10007); "
                   "auto: the computer that sends the referee packets.")
       ->type_name("auto|HOST[:PORT]");
   add_web_flags(verb, arguments.web,

@@ -140,8 +140,8 @@ void add_referee_log_verb(CLI::App& referee, Chosen& chosen) {
                    "Write an HTML page of the game with the calls of both referees.")
       ->type_name("FILE");
   verb->add_option("--annotations", arguments->annotations,
-                   "Compare with a person's list of calls, a CSV file with the head "
-                   "time,call,side, instead of the recorded commands.")
+                   "Compare with a person's list of calls (a CSV file with the header "
+                   "time,call,side) instead of the recorded commands.")
       ->type_name("FILE");
   add_json_flag(*verb, arguments->json);
   verb->footer(

@@ -55,7 +55,7 @@ void add_export_verb(CLI::App& app, Chosen& chosen) {
       ->type_name("FILE")
       ->required();
   verb->add_flag("--no-events", arguments->is_without_events,
-                 "Leave out the table of events, for which each game is played again.");
+                 "Leave out the table of events, which requires playing every game again.");
   verb->add_flag("--force", arguments->replaces, "Replace an existing file.");
   add_workers_option(*verb, arguments->workers);
   verb->footer(

@@ -51,8 +51,8 @@ std::string report_judged(const experiments::ResultFolder& folder, const fs::pat
   if (lost == experiments::LostGames::kKeep && !folder.damaged.empty()) {
     print_judged(report);
     fmt::print(
-        "nothing is written, since rows are damaged: let autoref judge play their games again, or "
-        "pass --allow-fewer\n");
+        "nothing was written because rows are damaged: run autoref judge to play their games "
+        "again, or pass --allow-fewer\n");
     return judge::scores_markdown_of(report);
   }
   write_judged(into, report);

@@ -119,8 +119,9 @@ int replay_verb(const ReplayArguments& arguments) {
   if (stored == record.state_hash) return io::kDone;
   io::write_message(
       stderr,
-      fmt::format("autoref: the row of build {0} has another final state, {1}; this is build {2}\n",
-                  folder.build, io::hash_text(stored), io::build_id()));
+      fmt::format(
+          "autoref: the row of build {0} has a different final state, {1}; this is build {2}\n",
+          folder.build, io::hash_text(stored), io::build_id()));
   return io::kDifferent;
 }
 

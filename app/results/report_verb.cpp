@@ -49,9 +49,8 @@ void print_report(const experiments::FolderReport& written) {
       io::write_message(stderr, "autoref: " + trouble + "\n");
   } else {
     fmt::print(
-        "nothing is written, since {} would lose games: restore their rows, let autoref run play "
-        "them "
-        "again, or pass --allow-fewer to write it without them\n",
+        "nothing was written because {} would lose games: restore their rows, run autoref run to "
+        "play them again, or pass --allow-fewer to write it without them\n",
         (written.into / experiments::kResultsFile).string());
   }
 }
@@ -92,7 +91,7 @@ void add_report_verb(CLI::App& app, Chosen& chosen) {
   auto arguments = std::make_shared<ReportArguments>();
   add_folder_options(*verb, *arguments);
   verb->add_flag("--allow-fewer", arguments->allow_fewer,
-                 "Write the results even if games of results.csv have no rows any more.");
+                 "Write the results even if games in results.csv no longer have rows.");
   verb->footer(
       "Safe to use while a run is filling the folder; the same rows give the same files. Plots\n"
       "need gnuplot (apt-get install gnuplot-nox); DIR/plots always has their data and scripts.\n"

@@ -58,9 +58,10 @@ int situation_verb(const SituationArguments& arguments) {
   const experiments::Scenario scenario = experiments::read_scenario(arguments.file);
   const auto* situations = scenario.as<experiments::Situations>();
   if (situations == nullptr) {
-    throw io::InputError({arguments.file}, "kind",
-                         fmt::format("this is of kind {}; expected a scenario of kind situations",
-                                     experiments::kind_of(scenario)));
+    throw io::InputError(
+        {arguments.file}, "kind",
+        fmt::format("this file is of kind {}; expected a scenario of kind situations",
+                    experiments::kind_of(scenario)));
   }
   const experiments::SituationSetup& situation = situation_named(*situations, arguments);
   check_outputs({{"-o", arguments.output}}, {arguments.file});

@@ -35,7 +35,7 @@ std::string verdict_on_repeating(const game::TeamCheck& check) {
   if (!check.is_repeatable) return "not tried";
   if (*check.is_repeatable) return "yes: two runs gave the same commands";
   return "no: a second run gave other commands; does it read a clock, or draw random numbers "
-         "without the seed of START? Games are recorded and can be played again all the same";
+         "without the seed of START? Games are still recorded and can be played again";
 }
 
 std::string line(std::string_view name, const std::string& text) {
@@ -60,13 +60,14 @@ std::string answers_text(const game::TeamCheck& check) {
 // Advice based on the usual cause of a fault.
 std::string advice_on(const std::string& fault) {
   static constexpr std::array<std::array<std::string_view, 2>, 5> kAdvice = {
-      {{"cannot start", "is the program in PATH, or its path relative to the working directory?"},
+      {{"cannot start",
+        "is the program in PATH, or is its path relative to the working directory?"},
        {"did not answer", "does it flush its standard output after each answer?"},
        {"bad output",
         "only the greeting and outputs belong on its standard output; print anything else to the "
         "standard error"},
        {"ended with status", "run it by hand to see whether it starts"},
-       {"instead of", "an output repeats the number of the frame that it answers"}}};
+       {"instead of", "each output must repeat the number of the frame that it answers"}}};
   for (const auto& [part, advice] : kAdvice) {
     if (fault.find(part) != std::string::npos) return line("advice", std::string(advice));
   }

@@ -50,7 +50,7 @@ void print_next_commands(const std::string& language, const fs::path& folder) {
   constexpr const char* kSpecial = " \t\n\"'\\$`&;|<>()*?[]#!~{}";  // special in a shell
   const std::string name = folder.string();
   const bool is_plain = name.find_first_of(kSpecial) == std::string::npos;
-  fmt::print("A team in {} is in {}; {} explains it. To check it and to play a game:\n  cd {}\n",
+  fmt::print("Wrote a team in {} to {}; {} explains it. To check it and to play a game:\n  cd {}\n",
              language, name, (folder / "README.md").string(),
              is_plain ? name : experiments::shell_word(name));
   for (const std::string& command : game::first_commands(language)) fmt::print("  {}\n", command);
@@ -74,13 +74,13 @@ int team_new_verb(const TeamNewArguments& arguments) {
 }  // namespace
 
 void add_team_new_verb(CLI::App& team, Chosen& chosen) {
-  CLI::App* verb = team.add_subcommand("new", "Write a beginner's team of one page.");
+  CLI::App* verb = team.add_subcommand("new", "Write a one-page team for beginners.");
   auto arguments = std::make_shared<TeamNewArguments>();
   verb->add_option("--language", arguments->language,
                    fmt::format("One of {}.", io::listed(game::template_languages())))
       ->type_name("LANGUAGE");
   verb->add_option("DIR", arguments->folder, "A new or empty folder.");
-  verb->footer(fmt::format("Without a language, lists them.\n\nExample:\n  {}", kExample));
+  verb->footer(fmt::format("Without a language, lists the languages.\n\nExample:\n  {}", kExample));
   choose(*verb, chosen, arguments, team_new_verb);
 }
 

@@ -192,11 +192,12 @@ class Replays {
     const std::string& id = folder_.games[result.job].id;
     const std::uint64_t stored = folder_.completed_games.done.at(id).record.state_hash;
     if (result.failure.empty() && result.payload == io::hash_text(stored)) return;
-    const std::string why = result.failure.empty() ? "it ends in another state" : result.failure;
+    const std::string why =
+        result.failure.empty() ? "it ends in a different state" : result.failure;
     throw io::InputError(
         {folder_.path.string()}, "",
-        fmt::format("the events of game {} are not known, since it does not repeat ({}"
-                    "; played by build {}); --no-events leaves them out",
+        fmt::format("the events of game {} are unknown, because replaying it gives another game "
+                    "({}; played by build {}); leave them out with --no-events",
                     id, why, folder_.build));
   }
 

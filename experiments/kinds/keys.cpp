@@ -75,7 +75,7 @@ TextByPath values_of(const std::vector<game::Setting>& settings) {
 }
 
 Key base_key(game::GameSettings& base, std::function<std::vector<Factor>()> factors) {
-  Key key{"base", "settings", "of every game: `teams`, `match`, `field`, `sim`, `types`"};
+  Key key{"base", "settings", "shared by every game: `teams`, `match`, `field`, `sim`, `types`"};
   key.read = [&base](TopReader& top) { top.read_base(base); };
   key.text = [&base, factors = std::move(factors)] {
     return base_text(base, "", set_by_values(base, factors()));
@@ -128,7 +128,7 @@ Key teams_key(const std::string& name, std::string about, Teams& teams, game::Ga
 }
 
 Key base_key(NamedTeams& named) {
-  return base_without_teams_key(named.base, "list teams by name under `teams`, beside the base");
+  return base_without_teams_key(named.base, "list teams by name under `teams`, outside the base");
 }
 
 Key teams_key(NamedTeams& named, std::string about, TeamCount count) {
@@ -144,7 +144,7 @@ Key pairs_key(int& pairs, std::string about) {
 }
 
 Key seed_key(std::uint64_t& seed) {
-  Key key{"seed", "whole number", "of the experiment"};
+  Key key{"seed", "whole number", "the experiment's random seed"};
   key.read = [&seed](TopReader& top) { seed = top.seed(); };
   key.text = [&seed] { return fmt::format("seed: {}\n", seed); };
   key.values = [&seed] { return TextByPath{{"seed", std::to_string(seed)}}; };

@@ -80,7 +80,7 @@ Key base_key(game::GameSettings& base, std::function<std::vector<Factor>()> fact
 
 // `base` without teams; `remedy` says where the teams are listed.
 Key base_without_teams_key(game::GameSettings& base, std::string remedy,
-                           std::string about = "of every game");
+                           std::string about = "shared by every game");
 
 // Teams by name, with the base's settings as defaults.
 Key teams_key(const std::string& name, std::string about, Teams& teams, game::GameSettings& base,

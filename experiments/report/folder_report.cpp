@@ -139,11 +139,11 @@ std::string report_shortfall(const ResultFolder& folder) {
   const auto done = static_cast<int>(folder.completed_games.done.size());
   const int lacks =
       done - io::whole_number_in(state->games.substr(0, state->games.find(' '))).value_or(0);
-  return fmt::format("{} {}; update it with: autoref report {}",
-                     (state->into / kHtmlReport).string(),
-                     lacks > 0 ? fmt::format("lacks {} of the {} games", lacks, done)
-                               : std::string("covers other games than the folder now contains"),
-                     folder.path.string());
+  return fmt::format(
+      "{} {}; update it with: autoref report {}", (state->into / kHtmlReport).string(),
+      lacks > 0 ? fmt::format("lacks {} of the {} games", lacks, done)
+                : std::string("does not cover the same games as the folder now contains"),
+      folder.path.string());
 }
 
 fs::path refresh_report(const ResultFolder& folder) {

@@ -134,7 +134,7 @@ std::string markdown_of(const CupBracket& bracket) {
   for (const TieResult& tie : bracket.ties) {
     if (!tie.place) text += fmt::format("\n{}: {}\n", inline_text(tie.name), tie_markdown(tie));
   }
-  return text + "\nTeams in bold go on.\n";
+  return text + "\nTeams in bold advance.\n";
 }
 
 }  // namespace

@@ -208,9 +208,9 @@ std::optional<Plot> effects_plot(const ExperimentResults& results) {
         "\n";
   }
   plot.about =
-      "How far each value of a factor changes the mean goal difference from that with the factor's "
-      "first value, averaged over the other factors, and how far one value changes the effect of "
-      "another; bars: Student's 95 % intervals over pairs of legs.";
+      "Effect of each value of a factor: the change of the mean goal difference from the factor's "
+      "first value, averaged over the other factors. Effect of two values: how much one changes "
+      "the effect of the other. Bars: Student's 95 % intervals over pairs of legs.";
   plot.about += note_of_cut(names.size());
   names.resize(std::min(names.size(), kMostGroupsInPlot));
   plot.script = interval_rows_script("effects", names, "effect",

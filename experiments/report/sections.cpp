@@ -28,7 +28,7 @@ void add_rows_that_do_not_count(Table& table, const ResultFolder& folder) {
     table.rows.push_back({"damaged rows (not counted)", std::to_string(folder.damaged.size())});
   }
   if (folder.completed_games.other_games > 0) {
-    table.rows.push_back({"rows that belong to no game of the experiment",
+    table.rows.push_back({"rows that do not belong to any game of the experiment",
                           std::to_string(folder.completed_games.other_games)});
   }
   for (const auto& [build, count] : folder.completed_games.other_builds) {
@@ -48,8 +48,8 @@ List meaning_of_results(const ExperimentResults& results) {
   }
   if (!results.effects.empty()) {
     list.items.emplace_back(
-        "Effect of a value: how far a minus b changes from the factor's first value to this one, "
-        "averaged over the values of the other factors. Effect of two values: how far the second "
+        "Effect of a value: how much a minus b changes from the factor's first value to this one, "
+        "averaged over the values of the other factors. Effect of two values: how much the second "
         "changes the effect of the first; it is 0 if the factors add up. Both over pairs with the "
         "same number; p has Holm's correction over all effects.");
   }
@@ -64,21 +64,20 @@ List meaning_of_results(const ExperimentResults& results) {
   if (are_rated(results.standings)) {
     list.items.emplace_back(
         "Intervals of ratings in goals come from resampled pairs of legs, those of Bradley-Terry "
-        "strengths from the profile of the penalised likelihood. A team that won all its games is "
-        "at least as strong as the end that is given, one that lost all of them at most.");
+        "strengths from the profile of the penalised likelihood. If a team won all its games, its "
+        "interval has only a lower end; if it lost all of them, only an upper end.");
   }
   return list;
 }
 
 List meaning_of_tuning() {
   return List{
-      {"The column now is the best value as known so far: the mean of the search over the last "
-       "half of "
-       "its iterations.",
+      {"The column \"now\" is the best value known so far: the mean of the search over the last "
+       "half of its iterations.",
        "The test plays new games, with seeds that no iteration used, and ends as soon as they "
-       "decide: two sequential tests side by side (Sobel and Wald 1949), as of kind sprt.",
-       "The interval of the gain remains valid although the games decide when to stop "
-       "(Lai 1976); it is wider than Student's."}};
+       "decide: two simultaneous sequential tests (Sobel and Wald 1949), as in kind sprt.",
+       "The interval of the gain remains valid even though the games decide when to stop (Lai "
+       "1976); it is wider than Student's."}};
 }
 
 std::vector<std::string> share_texts(const ResultCounts& counts) {

@@ -42,11 +42,9 @@ std::string panel_of(const SearchedParameter& parameter, std::size_t number) {
       "set ytics {3:.6g}\n"
       "plot {4:.6g} with lines lc rgb '#777777' dt 2 title 'start', \\\n"
       "     data using (of({5}, 'iteration')):(of({5}, 'value')) with lines lw 1 lc rgb '{6}' "
-      "title "
-      "'search', \\\n"
+      "title 'search', \\\n"
       "     data using (of({5}, 'iteration')):(of({5}, 'best')) with lines lw 2.5 lc rgb '{7}' "
-      "title "
-      "'best as known'\n"
+      "title 'best known'\n"
       "unset key\n",
       script_text(shortened(parameter.name, kLongestName)), parameter.from - margin,
       parameter.to + margin, tic_step(parameter.to - parameter.from), parameter.start, number + 1,
@@ -84,13 +82,12 @@ std::optional<Plot> tuning_path_plot(const ExperimentResults& results) {
   const SearchPath& path = *results.search;
   if (path.parameters.empty() || path.parameters.front().values.empty()) return std::nullopt;
   const std::size_t panels = std::min(kMostPanels, path.parameters.size());
-  Plot plot{
-      "tuning_path",
-      "Each tuned parameter by iteration, over its whole range: where the search was (thin), and "
-      "the best value as known then, which averages over the last half of the iterations "
-      "(thick). The dashed line is the start. A search that wanders over the range without a "
-      "trend has not found any effect of the parameter in these games.",
-      csv_of(path), script_of(path, panels)};
+  Plot plot{"tuning_path",
+            "Each tuned parameter by iteration, over its whole range: the search (thin), and the "
+            "best value known at that iteration, which averages over the last half of the "
+            "iterations so far (thick). The dashed line is the start. A search that wanders over "
+            "the range without a trend has not found any effect of the parameter in these games.",
+            csv_of(path), script_of(path, panels)};
   if (panels < path.parameters.size()) {
     plot.about += fmt::format(" Only the first {} of {} are drawn; the data file contains all.",
                               panels, path.parameters.size());

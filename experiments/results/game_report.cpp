@@ -16,7 +16,7 @@ namespace {
 std::string scene_end_text(game::SceneEnd end) {
   switch (end) {
     case game::SceneEnd::kTime:
-      return "the scene's time was over";
+      return "the scene's time ran out";
     case game::SceneEnd::kGoal:
       return "a goal was scored";
     case game::SceneEnd::kBallOut:
@@ -45,7 +45,7 @@ std::string goals_text(const game::GameConfiguration& game, const game::GameReco
 
 std::string shootout_text(const game::GameConfiguration& game, const game::GameRecord& record) {
   const std::array<int, 2> goals = record.shootout.value_or(std::array<int, 2>{});
-  if (goals[0] == goals[1]) return "the shoot-out was over";
+  if (goals[0] == goals[1]) return "the shoot-out ended";
   return team_text(game, goals[0] > goals[1]) + " won the shoot-out";
 }
 
@@ -53,7 +53,7 @@ std::string shootout_text(const game::GameConfiguration& game, const game::GameR
 std::string time_text(const game::GameConfiguration& game) {
   return game.match.control == referee::Control::kGameController
              ? "the game controller ended the game"
-             : "the playing time was over";
+             : "playing time ran out";
 }
 
 double x_real_time(const GameReport& report) {

@@ -65,10 +65,9 @@ void add_rows(const fs::path& file, const RowFormat& format, StoredRows& stored)
   io::LinesAsWritten lines([&](std::string_view line) {
     if (++number == 1) {
       if (line == header) return;
-      throw io::InputError(
-          {file.string(), 1, 1}, "",
-          "these rows have other columns, so they belong to another scenario or version; "
-          "choose another folder with -o, or remove this one");
+      throw io::InputError({file.string(), 1, 1}, "",
+                           "these rows have different columns, so they belong to another scenario "
+                           "or version; choose another folder with -o, or remove this one");
     }
     std::optional<GameRow> row = format.read(line);
     if (row) {

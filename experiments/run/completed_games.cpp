@@ -28,10 +28,11 @@ void refuse_other_builds(const RowsInFiles& rows, const std::string& build,
 void refuse_other_configuration(const GameRow& row, const ScheduledGame& game,
                                 const std::filesystem::path& folder, const std::string& changes) {
   if (row.config_hash == game::configuration_hash(game.settings.combined())) return;
-  throw io::InputError({folder.string()}, "",
-                       fmt::format("holds game {} with another configuration ({}); choose another "
-                                   "folder with -o",
-                                   row.game_id, changes.empty() ? "differences unknown" : changes));
+  throw io::InputError(
+      {folder.string()}, "",
+      fmt::format(
+          "holds game {} with a different configuration ({}); choose another folder with -o",
+          row.game_id, changes.empty() ? "differences unknown" : changes));
 }
 
 void refuse_difference(const GameRow& first, const GameRow& second, const RowFormat& format) {

@@ -200,7 +200,7 @@ std::string hash_of(const std::string& path, const std::vector<game::TeamSetting
     const auto add = [&](std::string_view piece) {
       hash.add(piece);
       bytes += piece.size();
-      if (bytes > kMostBytes) refuse(path, "more than 1 GiB; name the files that matter");
+      if (bytes > kMostBytes) refuse(path, "more than 1 GiB; list only the files that matter");
     };
     if (!is_read(file.path, add))
       refuse(path, fmt::format("{} cannot be read", file.path.string()));

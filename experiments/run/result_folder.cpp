@@ -98,7 +98,7 @@ std::string missing_results_text(const fs::path& folder) {
   const fs::path whole = fs::absolute(folder / ".", none).lexically_normal().parent_path();
   const fs::path above = whole.parent_path();
   if (whole.filename() == kGamesFolder && fs::exists(above / kEffectiveFile, none))
-    return fmt::format("holds only the rows of a results folder, {}; give that one",
+    return fmt::format("holds only the rows of a results folder, {}; give that folder instead",
                        above.string());
   const std::vector<std::string> below = results_below(folder);
   if (!below.empty())
@@ -156,8 +156,9 @@ Scenario scenario_in(const fs::path& folder) {
   }
   Scenario scenario = read_scenario_text(*text, file.string());
   if (!scenario.is_game()) return scenario;
-  throw io::InputError({file.string()}, "kind",
-                       fmt::format("this is of kind {}, not an experiment", kind_of(scenario)));
+  throw io::InputError(
+      {file.string()}, "kind",
+      fmt::format("this file is of kind {}, not an experiment", kind_of(scenario)));
 }
 
 int ResultFolder::killed_games() const {

@@ -188,7 +188,7 @@ class ExperimentRun {
         return Waited::kForRows;
       }
       if (is_silent && waited_s() > kSilentWait_s) {
-        progress_.say(fmt::format("shard {} waits for games of other shards, at most {}",
+        progress_.say(fmt::format("shard {} is waiting for games of other shards, for at most {}",
                                   options_.shard.name(), io::duration_text(options_.wait_s)));
         is_silent = false;
       }
@@ -204,10 +204,9 @@ class ExperimentRun {
   }
 
   void announce_ending(int running) {
-    progress_.say(
-        fmt::format("interrupted: waiting for {} running games; press Ctrl-C again to stop at "
-                    "once",
-                    running));
+    progress_.say(fmt::format(
+        "interrupted: waiting for {} running games; press Ctrl-C again to stop immediately",
+        running));
   }
 
   io::Ending play(const std::vector<std::size_t>& games, int& played_games) {
@@ -238,7 +237,7 @@ class ExperimentRun {
       keep_file();
       count_written();
       throw io::InputOutputError(
-          fmt::format("{}; the games played so far are kept, and the same command plays the others",
+          fmt::format("{}; the games played so far are kept; repeat the command to play the others",
                       error.what()));
     }
   }
@@ -286,10 +285,10 @@ class ExperimentRun {
     if (changed.empty()) return;
     throw io::InputError(
         {}, changed.front(),
-        fmt::format("a file of the program was changed during the run; the games "
-                    "played before are kept; play those of the new version in another "
-                    "folder, with -o instead of {}",
-                    options_.folder.string()));
+        fmt::format(
+            "a file of the program was changed during the run; the games played before that are "
+            "kept; play games of the new version in another folder, with -o instead of {}",
+            options_.folder.string()));
   }
 
   // Another program may have replaced, moved, shortened or removed the file or its folder.

@@ -56,8 +56,7 @@ std::string note_on_pairs(const Scenario& here, const Scenario& there, int beyon
   if (!pairs || !former || *pairs == *former) return {};
   if (*pairs > *former && beyond > 0) {
     return fmt::format(
-        "the folder had {} pairs, now {}; those of its games that still belong to the experiment "
-        "count",
+        "the folder had {} pairs, now {}; its games count if they still belong to the experiment",
         *former, *pairs);
   }
   if (*pairs > *former) {

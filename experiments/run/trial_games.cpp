@@ -285,7 +285,7 @@ std::string text_of_costs(const std::map<std::string, double>& programs_s, doubl
     costs.push_back(
         fmt::format("{} {} ({:.0f} %)", name, io::duration_text(share * duration_s), 100 * share));
   }
-  return fmt::format("of that, the teams' programs take: {}; all else takes about {}",
+  return fmt::format("of that, the teams' programs take: {}; everything else takes about {}",
                      fmt::join(costs, ", "), io::duration_text((1 - of_all) * duration_s));
 }
 

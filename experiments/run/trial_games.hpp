@@ -65,7 +65,7 @@ std::vector<Trial> play_trials(const std::vector<ScheduledGame>& games,
 double duration_s(const std::vector<Trial>& trials, int workers);
 
 // The part of duration_s() taken by teams that are programs, the largest first: "of that, the
-// teams' programs take: mine 35 s (83 %); all else takes about 7 s". Empty without programs.
+// teams' programs take: mine 35 s (83 %); everything else takes about 7 s". Empty without programs.
 std::string cost_of_programs(const std::vector<Trial>& trials, int workers);
 
 }  // namespace autoref::experiments

@@ -128,13 +128,13 @@ std::string game_id(std::string_view played, int pair, int leg) {
 void refuse_network(const game::TeamSettings& team, std::string_view path) {
   if (!team.program.command.empty() || team.strategy != game::kNetworkStrategy) return;
   throw game::SettingError(fmt::format("{}.strategy", path),
-                           ": a team on the network plays only in autoref live");
+                           ": a team on the network can only play in autoref live");
 }
 
 void refuse_game_controller(const game::GameSettings& game) {
   if (game.match.control != referee::Control::kGameController) return;
   throw game::SettingError("match.control",
-                           ": a game controller commands only games of autoref play");
+                           ": a game controller can only command games of autoref play");
 }
 
 LegSettings leg_of(std::uint64_t master_seed, int pair, int leg) {
@@ -146,8 +146,8 @@ void refuse_too_many(double games, std::string_view key) {
   if (games <= kMostGames) return;
   throw game::SettingError(
       std::string(key),
-      fmt::format(": these settings make {:.0f} games; one experiment may have at most {}", games,
-                  kMostGames));
+      fmt::format(": these settings amount to {:.0f} games; one experiment may have at most {}",
+                  games, kMostGames));
 }
 
 std::uint64_t seed_of(std::uint64_t master_seed, int pair, int leg) {

@@ -72,7 +72,7 @@ class Game::Impl {
   bool begin_step() {
     if (is_over()) return false;
     if (is_controlled() && !given_) {
-      void_game("match.control is game-controller, and there is none");
+      void_game("match.control is game-controller, but no game controller is connected");
     } else if (record_.frames >= most_frames_) {
       void_game("the game exceeded its time limit");
     } else if (scene_ && scene_->is_late(time_s())) {

@@ -95,7 +95,7 @@ std::unique_ptr<strategies::Strategy> make_team_on(const GameConfiguration& c, S
 std::unique_ptr<strategies::Strategy> make_registered_team(const TeamConfiguration& team,
                                                            const strategies::TeamContext& context) {
   if (team.on_network)
-    throw std::invalid_argument("a team on the network plays only in autoref live");
+    throw std::invalid_argument("a team on the network can only play in autoref live");
   const strategies::Entry* entry = strategies::find_strategy(team.strategy);
   if (entry == nullptr)
     throw std::invalid_argument(fmt::format("unknown strategy '{}'", team.strategy));

@@ -39,7 +39,7 @@ void check_param(const Tunable& tunable, const std::string& path, double value) 
 void refuse_two_teams(const GameSettings& game, const TeamSettings& team, std::string_view name) {
   const std::string path = fmt::format("{}.strategy", name);
   if (team.program.command.empty() || !game.given.contains(path)) return;
-  throw SettingError(path, ": the team has a command as well; remove one of them");
+  throw SettingError(path, ": the team also has a command; remove one of them");
 }
 
 // A program can have any parameters; a team on the network gets none.
@@ -83,7 +83,7 @@ void check_robots(const GameSettings& game, const TeamSettings& team, std::strin
       sim::validate(spec.robots[static_cast<std::size_t>(number)]);
     } catch (const OutOfRange& error) {
       throw SettingError(fmt::format("{}.players.{}", name, number),
-                         fmt::format(": combined with the team's, {}", error.what()));
+                         fmt::format(": combined with the team's settings, {}", error.what()));
     }
   }
   check_speeds(game, spec, name);
@@ -177,7 +177,7 @@ void check_game(const GameSettings& game) {
   if (game.match.control == referee::Control::kHuman ||
       game.match.control == referee::Control::kNone) {
     throw SettingError("match.control",
-                       ": in a simulated game autoref commands, or the game-controller; the others "
+                       ": only autoref or game-controller can command a simulated game; the others "
                        "are for recorded games (autoref referee log)");
   }
   check_team(game, game.a, "teams.a");

@@ -56,26 +56,27 @@ void list_types(RobotTypes& types, Branch to) {
 
 void list_team(TeamSettings& team, const RobotTypes& types, Branch to) {
   to.word("strategy", &team.strategy, strategy_names(), "the team's strategy");
-  to.word("laws", &team.laws, laws_names(),
-          "the laws that the team knows: it keeps to the rules in force and to these, whether or "
-          "not they are in force; enforced: only to the rules in force");
+  to.word(
+      "laws", &team.laws, laws_names(),
+      "the laws that the team knows: it obeys the rules in force, and also these if they are not "
+      "in force; enforced: it obeys only the rules in force");
   to.add("command", CommandWords{&team.program.command}, {},
-         "the team is this program, instead of a strategy");
+         "program that plays as the team, instead of a strategy");
   to.add("directory", FreeText{&team.program.directory}, {}, "working directory of the program");
   to.add("environment", CommandWords{&team.program.environment}, {},
-         "variables of the program's environment, such as [MODE=fast]");
+         "environment variables of the program, such as [MODE=fast]");
   to.add("files", CommandWords{&team.files}, {},
-         "files and folders of the program, which belong to the identity of its games; without, "
-         "the command's words that are files");
-  to.add("files_hash", FreeText{&team.files_hash}, {}, "what they contain, noted by AutoRef");
-  to.parameter(team.program.answer_s,
-               {"answer_s", positive(3600),
-                "how long the program may take for an answer, by the wall clock"});
+         "files and folders of the program, which are part of its games' identity; by default, the "
+         "words of the command that are files");
+  to.add("files_hash", FreeText{&team.files_hash}, {}, "their contents, recorded by AutoRef");
+  to.parameter(
+      team.program.answer_s,
+      {"answer_s", positive(3600), "how long the program may take to answer, in wall-clock time"});
   to.parameter(team.program.memory_mb,
-               {"memory_mb", {16, 1 << 20}, "memory of each of its processes"});
+               {"memory_mb", {16, 1 << 20}, "memory limit of each of the program's processes"});
   to.parameter(team.robots, {"robots", {1, kMaxRobots}, "number of robots on the field"});
   list_robots(team, types, to);
-  to.add("players", &team.players, {}, "robots that differ from the team, by number");
+  to.add("players", &team.players, {}, "robots that differ from the rest of the team, by number");
   for (auto& [number, player] : team.players) {
     list_robots(player, types, to.below("players").below(std::to_string(number)));
   }

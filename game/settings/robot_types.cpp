@@ -38,7 +38,7 @@ void add_files_in(const YAML::Node& node, const fs::path& folder, std::vector<st
 
 const Setting& robot_setting(const std::vector<Setting>& settings, const std::string& path) {
   const Setting* found = find_setting(settings, path);
-  if (found == nullptr) throw std::logic_error("a robot has no setting " + path);
+  if (found == nullptr) throw std::logic_error("unknown robot setting " + path);
   return *found;
 }
 
@@ -134,7 +134,7 @@ RobotChanges merged(const RobotTypes& types, const std::string& type, const Robo
   if (type == kNoType) return all;
   const auto found = types.find(type);
   if (found == types.end()) {
-    throw SettingError("type", fmt::format(": there is no robot type '{}'", type));
+    throw SettingError("type", fmt::format(": unknown robot type '{}'", type));
   }
   all.insert(found->second.begin(), found->second.end());
   return all;

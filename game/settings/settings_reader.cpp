@@ -145,7 +145,7 @@ void SettingsReader::refuse_handicap_beside_its_factors(const std::vector<YamlEn
   for (const char* factor : {"speed_factor", "acceleration_factor"}) {
     if (find_entry(entries, factor) == nullptr) continue;
     file_.refuse(handicap->location, path + ".handicap",
-                 fmt::format("sets {} too; give one of the two", factor));
+                 fmt::format("also sets {}; give only one of the two", factor));
   }
 }
 

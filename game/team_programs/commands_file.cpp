@@ -261,7 +261,7 @@ void CommandsReader::read_command(RobotCommand& command) {
   }
   command = {Vec2(numbers[0], numbers[1]), numbers[2], numbers[3], (flags & kHasChip) != 0,
              (flags & kHasDribble) != 0};
-  if (!is_finite(command)) refuse("is damaged: a command is not finite");
+  if (!is_finite(command)) refuse("is damaged: a command has a number that is not finite");
 }
 
 const TeamEntry& CommandsReader::next(char team) {
@@ -349,7 +349,8 @@ std::optional<WorldChange> CommandsReader::next_change() {
 }
 
 std::uint64_t CommandsReader::final_state() {
-  if (number<std::uint8_t>() != kEnd) refuse("has more commands than the game; it is another's");
+  if (number<std::uint8_t>() != kEnd)
+    refuse("has more commands than the game needs; it belongs to another game");
   return number<std::uint64_t>();
 }
 

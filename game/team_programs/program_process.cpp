@@ -94,8 +94,7 @@ std::string start_failure(const ProgramSpec& spec, const SupervisorReport& repor
   const char* reason = strerror(report.value);
   switch (report.kind) {
     case SupervisorReport::kNoUser:
-      return fmt::format("cannot start {} under a user without rights: {}", spec.command[0],
-                         reason);
+      return fmt::format("cannot start {} as an unprivileged user: {}", spec.command[0], reason);
     case SupervisorReport::kNoDirectory:
       return fmt::format("cannot enter the directory {}: {}", spec.directory, reason);
     case SupervisorReport::kUnreadable:
@@ -110,10 +109,10 @@ std::string start_failure(const ProgramSpec& spec, const SupervisorReport& repor
 
 // Added to the message if a program fails that has fewer rights than AutoRef.
 constexpr const char* kMayDoLess =
-    "AutoRef runs as root, and therefore starts programs under a user that may read only what "
-    "everybody may";
+    "AutoRef is running as root, so it starts programs as an unprivileged user, which can only "
+    "read files that everybody can read";
 constexpr const char* kHowToLetIt =
-    "start AutoRef as a user, or give the program a folder that everybody may read";
+    "start AutoRef as an ordinary user, or move the program to a folder that everybody can read";
 
 // The specification's own variables take precedence over the added ones.
 ProgramSpec with_environment(ProgramSpec spec, const std::vector<std::string>& added) {
@@ -244,7 +243,7 @@ void ProgramProcess::report_closed_output() {
   }
   if (lacked_memory())
     throw io::InputOutputError(
-        fmt::format("the system had too little memory for {}", spec_.command[0]));
+        fmt::format("the system did not have enough memory for {}", spec_.command[0]));
   throw fault(has_ended ? how_it_ended() : "closed its output");
 }
 
@@ -271,7 +270,7 @@ bool ProgramProcess::lacked_memory() const {
 }
 
 std::string ProgramProcess::how_it_ended() const {
-  if (!report_) return has_reports_ended_ ? "was killed, with its supervisor" : "was ended";
+  if (!report_) return has_reports_ended_ ? "was killed together with its supervisor" : "was ended";
   if (report_->kind == SupervisorReport::kTooManyProcesses) {
     return fmt::format("started more than {} processes", spec_.limits.processes);
   }

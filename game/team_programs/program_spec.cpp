@@ -19,7 +19,8 @@ constexpr int kFirstUser = 61184;
 constexpr int kUsers = 4336;
 constexpr const char* kLocks = "/run/autoref-users";
 constexpr const char* kCannot =
-    "AutoRef runs as root, but cannot start programs under another user; start it as a user";
+    "AutoRef is running as root, but cannot start programs as another user; start it as an "
+    "ordinary user";
 
 // Whether root of this user namespace is an ordinary user outside, who cannot switch to another
 // user.
@@ -81,7 +82,7 @@ ProgramUser::ProgramUser() {
   int tried = 0;
   do {
     if (tried == kUsers)
-      throw io::InputOutputError(kLocks + std::string(": every user runs a program"));
+      throw io::InputOutputError(kLocks + std::string(": all users for programs are in use"));
     id_ = kFirstUser + (61 * getpid() + tried++) % kUsers;
   } while (has_account(id_) || !lock(locks_.descriptor, id_));
   const auto id = static_cast<uid_t>(id_);

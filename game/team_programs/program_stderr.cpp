@@ -69,11 +69,13 @@ void ProgramStderr::write_to_file(const char* text, std::size_t size) {
 
 // A full disk costs these lines, not the game.
 void ProgramStderr::give_up_file(int error_number) {
-  const char* const reason = error_number == EEXIST ? "another program has put something there"
+  const char* const reason = error_number == EEXIST ? "another program has created a file there"
                                                     : std::strerror(error_number);
-  io::write_message(stderr, fmt::format("autoref: {}: {}; what the program writes to its standard "
-                                        "error from now on in this game is dropped\n",
-                                        file_name_, reason));
+  io::write_message(
+      stderr,
+      fmt::format(
+          "autoref: {}: {}; the rest of the program's standard error in this game is discarded\n",
+          file_name_, reason));
   file_name_.clear();
 }
 

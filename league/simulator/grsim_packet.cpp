@@ -52,15 +52,14 @@ void set_kick(const grsim::RobotCommand& command, CommandUpdate& update) {
 void add_grsim(const grsim::RobotCommand& command, int robots, CommandPacket& packet) {
   if (command.id() >= static_cast<std::uint32_t>(robots)) {
     return add_error(packet.errors, "ROBOT_ID",
-                     fmt::format("there is no robot {}; the team has {}", command.id(), robots));
+                     fmt::format("unknown robot {}; the team has {}", command.id(), robots));
   }
   CommandUpdate update;
   update.robot = static_cast<int>(command.id());
   const LocalVelocity motion = motion_of(command);
   if (!is_possible_command(motion, command)) {
-    return add_error(
-        packet.errors, "NOT_FINITE",
-        fmt::format("a number in the command of robot {} is impossible", update.robot));
+    return add_error(packet.errors, "NOT_FINITE",
+                     fmt::format("the command of robot {} has an invalid number", update.robot));
   }
   update.motion = motion;
   set_kick(command, update);
@@ -101,7 +100,7 @@ void add_replacement(const grsim::Replacement& replacement, const PerSide<int>& 
                      GrsimPacket& packet) {
   const auto refuse = [&](const char* what) {
     add_error(packet.commands.errors, "REPLACEMENT",
-              fmt::format("the replacement of {} is impossible", what));
+              fmt::format("the replacement of {} is invalid", what));
   };
   if (replacement.has_ball()) {
     if (const auto ball = ball_of(replacement.ball())) {

@@ -71,7 +71,7 @@ bool is_angle(float angle_deg) { return angle_deg >= 0 && angle_deg <= kSteepest
 void add(const simulation::RobotCommand& command, int robots, CommandPacket& packet) {
   if (command.id() >= static_cast<std::uint32_t>(robots)) {
     return add_error(packet.errors, "ROBOT_ID",
-                     fmt::format("there is no robot {}; the team has {}", command.id(), robots));
+                     fmt::format("unknown robot {}; the team has {}", command.id(), robots));
   }
   CommandUpdate update;
   update.robot = static_cast<int>(command.id());

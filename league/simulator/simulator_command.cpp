@@ -96,7 +96,7 @@ class RequestReader {
       if (read_ball(control.teleport_ball(), ball)) {
         request_.teleports.emplace_back(ball);
       } else {
-        refuse("TELEPORT", "a number in the ball's teleport is impossible");
+        refuse("TELEPORT", "the ball's teleport has an invalid number");
       }
     }
     for (const simulation::TeleportRobot& message : control.teleport_robot()) read(message);
@@ -119,7 +119,7 @@ class RequestReader {
     RobotTeleport teleport;
     teleport.robot = *robot;
     if (!read_robot(message, teleport))
-      return refuse("TELEPORT", fmt::format("a number in the teleport of {} robot {} is impossible",
+      return refuse("TELEPORT", fmt::format("the teleport of {} robot {} has an invalid number",
                                             colour_of(robot->side), robot->number));
     request_.teleports.emplace_back(teleport);
   }
@@ -140,7 +140,7 @@ class RequestReader {
   void read_geometry(const std::string& bytes) {
     Geometry geometry;
     try {
-      if (!parse(bytes, geometry)) throw std::invalid_argument("it is not complete");
+      if (!parse(bytes, geometry)) throw std::invalid_argument("it is incomplete");
       request_.field = field_of(geometry);
     } catch (const std::invalid_argument& error) {
       refuse("GEOMETRY", fmt::format("the geometry cannot be used: {}", error.what()));
@@ -154,7 +154,7 @@ class RequestReader {
     SpecUpdate spec;
     spec.robot = *robot;
     if (!read_specs(message, spec)) {
-      return refuse("ROBOT_SPECS", fmt::format("a number in the specs of {} robot {} is impossible",
+      return refuse("ROBOT_SPECS", fmt::format("the specs of {} robot {} have an invalid number",
                                                colour_of(robot->side), robot->number));
     }
     request_.specs.push_back(spec);
@@ -167,8 +167,7 @@ class RequestReader {
 
   std::optional<RobotId> known(const simulation::SimulatedRobotId& id) {
     const std::optional<RobotId> robot = id_of(id, robots_);
-    if (!robot)
-      refuse("ROBOT_ID", fmt::format("there is no robot {} of team {}", id.id(), id.team()));
+    if (!robot) refuse("ROBOT_ID", fmt::format("unknown robot {} of team {}", id.id(), id.team()));
     return robot;
   }
 

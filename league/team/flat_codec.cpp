@@ -225,7 +225,7 @@ class FlatCodec final : public TeamCodec {
     const auto length = record_at<std::uint32_t>(bytes, 0);
     const auto kind = record_at<std::uint16_t>(bytes, 4);
     if (kind != static_cast<std::uint16_t>(FlatKind::kOutput))
-      throw TeamFault(fmt::format("a record has the kind {}; an output's is 4", kind));
+      throw TeamFault(fmt::format("a record has kind {}; outputs have kind 4", kind));
     if (length < sizeof(FlatOutput) || length > kLongestOutput) {
       throw TeamFault(fmt::format("an output record has the length {}; it must be from {} to {}",
                                   length, sizeof(FlatOutput), kLongestOutput));

@@ -121,11 +121,11 @@ class OutputHandler {
   }
   bool end_object() {
     if (level_ == JsonLevel::kCommand) {
-      if (!robot_) fail("{} names no robot");
+      if (!robot_) fail("{} does not name a robot");
       builder_.add_command(*robot_, command_);
       level_ = JsonLevel::kCommands;
     } else if (!frame_) {
-      fail("{} names no frame");
+      fail("{} does not name a frame");
     }
     return true;
   }

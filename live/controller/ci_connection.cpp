@@ -79,7 +79,7 @@ league::CiOutput CiConnection::exchange(const league::CiInput& input) {
 void CiConnection::write(const std::string& bytes) {
   std::string_view left = bytes;
   while (!left.empty()) {
-    if (!is_ready(socket_, POLLOUT, kLongestAnswer)) fail("it takes no more input");
+    if (!is_ready(socket_, POLLOUT, kLongestAnswer)) fail("it no longer accepts input");
     const ssize_t sent = send(socket_, left.data(), left.size(), MSG_NOSIGNAL);
     if (sent < 0) fail(std::strerror(errno));
     left.remove_prefix(static_cast<std::size_t>(sent));
@@ -101,7 +101,7 @@ std::optional<league::CiOutput> CiConnection::next_output() {
     if (!extent) return std::nullopt;
     league::CiOutput output;
     if (!output.ParseFromArray(input_.data() + extent->begin, static_cast<int>(extent->size)))
-      fail("its message is not an output of CI mode");
+      fail("its message is not a CI mode output");
     input_.erase(0, extent->end);
     return output;
   } catch (const league::TeamFault&) {

@@ -136,7 +136,7 @@ class ControlledGame::Impl final : public game::Observer {
     std::optional<RefereeSignal> signal = league::signal_of(output.referee_msg());
     if (!signal)
       throw io::InputError({"--game-controller"}, "",
-                           "the game controller sent a command or stage that is not the league's");
+                           "the game controller sent an unknown command or stage");
     packet_ = output.referee_msg();
     const bool is_new = signal->command_counter != signal_.command_counter;
     const double command_s = is_new ? game.frame().time_s : signal_.command_time_s;

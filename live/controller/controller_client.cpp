@@ -49,7 +49,7 @@ class ControllerClient::Impl : public std::enable_shared_from_this<ControllerCli
     const double now_s = steady_s();
     if (phase_ == Phase::kClosed && now_s >= retry_s_ && !controller_.host.empty()) connect(now_s);
     if (phase_ == Phase::kConnecting && now_s - connecting_s_ > kLongestConnect_s)
-      close("no answer to the connection");
+      close("no answer to the connection request");
     if (phase_ == Phase::kOpen) write(now_s);
     publish_status();
     timer_.expires_after(kTick);

@@ -79,7 +79,7 @@ void ControllerSession::take_reply(int status, const std::string& reason) {
     case Sent::kRegistration:
       if (is_rejected)
         throw ControllerFault(
-            fmt::format("the game controller refuses '{}': {}", identifier_, reason));
+            fmt::format("the game controller rejected '{}': {}", identifier_, reason));
       phase_ = Phase::kRegistered;
       return;
     case Sent::kEvent:

@@ -91,7 +91,7 @@ VisionReport VisionQuality::report() const {
 }
 
 std::string text_of(const VisionReport& report) {
-  if (report.rates_hz.empty()) return "no packets of vision";
+  if (report.rates_hz.empty()) return "no vision packets";
   std::string text;
   for (const auto& [camera, rate_hz] : report.rates_hz)
     text += fmt::format("{}camera {}: {:.1f} Hz", text.empty() ? "" : ", ", camera, rate_hz);

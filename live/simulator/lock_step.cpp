@@ -70,8 +70,8 @@ void LockStep::fit_detections(Member& member, std::int64_t frame, Waiting& done)
   const double share = static_cast<double>(room) / static_cast<double>(member.detections_bytes);
   const double most_s = std::floor(0.9 * share * frames) / rate_hz_;
   done.request.commands.errors.push_back(
-      {"STEP", fmt::format("the detections of {:.3f} s take {} bytes, and a response has room for "
-                           "{}: the oldest are missing; {}",
+      {"STEP", fmt::format("the detections of {:.3f} s take {} bytes, but a response only has room "
+                           "for {}; the oldest were left out; {}",
                            frames / rate_hz_, member.detections_bytes, room,
                            most_s > 0 ? fmt::format("ask for steps of at most {:.3f} s", most_s)
                                       : "connect by TCP, or use fewer cameras")});

@@ -90,7 +90,7 @@ void RobotUpdates::add(const std::vector<league::SpecUpdate>& updates,
   if (updates.empty()) return;
   const std::lock_guard lock(mutex_);
   if (is_closed_) {
-    league::add_error(errors, "GAME_BEGUN", "robots can be changed only before the game");
+    league::add_error(errors, "GAME_BEGUN", "robots can only be changed before the game");
     return;
   }
   for (const league::SpecUpdate& update : updates) add_one(update, errors);

@@ -142,7 +142,7 @@ void TeamPorts::count(Side side, league::CommandPacket& packet, const Address& f
   is_present_[side] = is_present_[side] || has_commands;
   if (!is_present_[side] && packet.errors.empty())
     league::add_error(packet.errors, "NO_COMMANDS",
-                      "the packet commands no robot and asks for no step");
+                      "the packet neither commands a robot nor asks for a step");
   ++traffic_[side].packets;
   if (packet.errors.empty()) return;
   ++traffic_[side].wrong;
@@ -160,7 +160,7 @@ void TeamPorts::count_wrong_control() {
 void TeamPorts::note_stranger(Side side, const Address& from, const std::string& error) {
   if (std::exchange(is_noted_[side], true)) return;
   notices_.push_back(
-      fmt::format("a packet for {} from {}:{} does not begin the game: {}; still waiting for {}",
+      fmt::format("a packet for {} from {}:{} does not start the game: {}; still waiting for {}",
                   colour_of(side), from.host, from.port, error,
                   targets_.lock_step == nullptr ? "commands" : "a request for a step"));
 }
@@ -189,7 +189,7 @@ std::string TeamPorts::answer_team(Side side, std::string_view bytes, const Addr
   if (targets_.lock_step == nullptr) {
     packet = league::read_robot_control(bytes, robots_[side]);
   } else {
-    packet.errors = {{"LOCK_STEP", "the game is played by SimulationSyncRequests"}};
+    packet.errors = {{"LOCK_STEP", "this game only accepts SimulationSyncRequests"}};
   }
   const bool has_commands = !packet.updates.empty();
   if (!is_admitted(side, from, has_commands)) return response_to(refused_packet(), {});
@@ -207,7 +207,7 @@ std::string TeamPorts::answer_control(std::string_view bytes) {
     league::fill_error(error, *response.add_errors());
   if (!request.errors.empty()) count_wrong_control();
   if (!targets_.control->add(std::move(request)))
-    league::fill_error({"BUSY", "too many commands wait for the next frame"},
+    league::fill_error({"BUSY", "too many commands are waiting for the next frame"},
                        *response.add_errors());
   return response.SerializeAsString();
 }
@@ -231,7 +231,7 @@ std::optional<std::string> TeamPorts::answer_sync_request(const Participant& par
   std::vector<league::PacketError>& errors = request.commands.errors;
   const bool is_lock_step = targets_.lock_step != nullptr;
   if (!is_lock_step)
-    league::add_error(errors, "NO_LOCK_STEP", "the game is not played with --speed lockstep");
+    league::add_error(errors, "NO_LOCK_STEP", "the game was not started with --speed lockstep");
   const bool goes_on = is_lock_step && (request.step_s > 0 || !request.commands.updates.empty());
   if (participant && !is_admitted(*participant, from, goes_on))
     return response_to(refused_packet(), {});
@@ -262,8 +262,8 @@ std::optional<std::string> TeamPorts::add_to_lock_step(const Participant& partic
   const std::size_t longest = transport == Transport::kStream ? kLongestResponse : kLongestSent;
   if (targets_.lock_step->add(participant, std::move(request), respond, longest))
     return std::nullopt;
-  return league::sync_response({}, {{}, {{"BUSY", "too many requests wait for the next frame"}}},
-                               {});
+  return league::sync_response(
+      {}, {{}, {{"BUSY", "too many requests are waiting for the next frame"}}}, {});
 }
 
 void TeamPorts::read_grsim(std::string_view bytes, const Address& from) {

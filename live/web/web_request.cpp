@@ -181,11 +181,11 @@ status answer_to(const WebRequest& request, const WebHosts& hosts) {
 std::string refusal_text(const WebRequest& request, status refusal) {
   if (refusal == status::misdirected_request) {
     return fmt::format(
-        "AutoRef is not known as {} here. Open the page at this computer's address in numbers, "
-        "or start AutoRef with --web-host and the name.\n",
+        "AutoRef does not answer to the name {}. Open the page at this computer's numeric address, "
+        "or start AutoRef with --web-host and this name.\n",
         io::printable(lower_field(request, http::field::host)));
   }
-  if (refusal == status::forbidden) return "Pages of other web sites must not read the game.\n";
+  if (refusal == status::forbidden) return "Pages of other web sites cannot read the game.\n";
   const boost::beast::string_view reason = http::obsolete_reason(refusal);
   return std::string(reason.data(), reason.size()) + "\n";
 }

@@ -46,7 +46,7 @@ _WITH_NUMPY = {
 
 
 def __getattr__(name: str) -> object:
-    """Imports what needs numpy when it is used."""
+    """Imports the modules that need numpy only when they are used."""
     if name in _WITH_NUMPY:
         return getattr(import_module("." + _WITH_NUMPY[name], __name__), name)
     raise AttributeError(f"module 'autoref' has no attribute {name!r}")

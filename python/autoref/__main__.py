@@ -67,7 +67,7 @@ def _parser() -> argparse.ArgumentParser:
     team.set_defaults(function=_team)
     play = verbs.add_parser("play", help="play one game")
     play.add_argument("a", metavar="A", help="a file of Python code or the name of a strategy")
-    play.add_argument("b", metavar="B", help="likewise")
+    play.add_argument("b", metavar="B", help="the same for the other team")
     play.add_argument("--seed", type=int, default=1)
     play.add_argument("--set", action="append", default=[], metavar="KEY=VALUE")
     play.add_argument("--view", metavar="FILE", help="write the game as an HTML page")

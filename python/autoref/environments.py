@@ -1,13 +1,13 @@
-"""Games as environments of reinforcement learning, with the interfaces of Gymnasium and PettingZoo.
+"""Games as environments for reinforcement learning, with the interfaces of Gymnasium and PettingZoo.
 
-Neither of them is needed; where they are installed, the classes derive from theirs. An observation is an array of
-float64 in the team's own coordinates, its goal at -x:
+You need neither of them; if they are installed, the classes derive from their base classes. An observation is an
+array of float64 in the team's own coordinates, with its own goal at -x:
 
     ball (5)            x, y, vx, vy, height
     own (robots * 7)    x, y, heading_x, heading_y, vx, vy, angular velocity; 0 for robots off the field
-    opponents           likewise
-    play (9)            1 at the current state of play, in the order of PLAYS
-    ours, score         1 if the restart is the team's; its goals minus the opponents'
+    opponents           the same for the opponents
+    play (9)            1 for the current state of play, in the order of PLAYS
+    ours, score         1 if the team takes the restart; its goals minus the opponents' goals
 
 An action is an array (robots, 6): forward and left velocity, angular velocity, kick speed, chip,
 dribble, within ACTION_LOW and ACTION_HIGH. The reward is 1 for a goal and -1 for a goal conceded.
@@ -44,7 +44,7 @@ def observation_size(robots: int) -> int:
 
 
 def observe(view: Any, robots: int, out: np.ndarray) -> np.ndarray:
-    """Fills `out`, of observation_size(), with what a team sees."""
+    """Fills `out`, which has observation_size() numbers, with a team's view."""
     out[:] = 0
     out[:5] = view.ball
     for first, rows in ((5, view.own), (5 + robots * _ROBOT, view.opponents)):
@@ -59,7 +59,7 @@ def observe(view: Any, robots: int, out: np.ndarray) -> np.ndarray:
 
 
 class _Episodes:
-    """A game for one episode after the other, and what the teams have scored."""
+    """A game that is reset for each episode, and the current lead."""
 
     def __init__(
         self, external: str, settings: Mapping[str, Any] | None, robots: int, frames_per_step: int, most_s: float | None
@@ -72,12 +72,12 @@ class _Episodes:
         self._lead = 0
 
     def begin(self, seed: int | None, random: np.random.Generator) -> None:
-        """Begins an episode: the seed's, or one that the random numbers choose."""
+        """Begins an episode with this seed, or with one drawn from `random`."""
         self.game.reset(int(random.integers(2**63)) if seed is None else seed, self._settings)
         self._lead = 0
 
     def step(self, **commands: Any) -> tuple[float, bool, bool]:
-        """Returns team a's reward, and whether the game has ended or the time is up."""
+        """Returns team a's reward, whether the game has ended, and whether the time is up."""
         for _ in range(self.frames_per_step):
             if not self.game.step(**commands):
                 break
@@ -90,17 +90,17 @@ class _Episodes:
         return reward, self.game.is_over, late and not self.game.is_over
 
     def view(self, team: str) -> Any:
-        """What an external team sees."""
+        """An external team's view of the game."""
         return self.game.a if team == "a" else self.game.b
 
 
 class GymnasiumEnv(Env):
     """One team's game as an environment of Gymnasium: you command all robots of team a.
 
-    reset(seed=n) begins the game of that seed, and a stream of random numbers that chooses the games
-    of later episodes; an environment that was never given a seed plays other games every time.
-    `settings` are those of autoref.Game, `frames_per_step` camera frames pass in a step, and an
-    episode is truncated after `most_s` seconds of the game.
+    reset(seed=n) begins the game with that seed and restarts the random stream that chooses the games
+    of later episodes; an environment without a seed plays different games every time. `settings` are
+    those of autoref.Game, each step lasts `frames_per_step` camera frames, and an episode is
+    truncated after `most_s` seconds of game time.
     """
 
     metadata: dict[str, Any] = {"render_modes": []}
@@ -122,7 +122,7 @@ class GymnasiumEnv(Env):
 
     @property
     def game(self) -> Game:
-        """The game, for what the interface does not show."""
+        """The game, for anything that the interface does not offer."""
         return self._episodes.game
 
     def reset(
@@ -140,7 +140,7 @@ class GymnasiumEnv(Env):
         return self._observe(), reward, over, late, info
 
     def close(self) -> None:
-        """Nothing is open."""
+        """Does nothing: there is nothing to close."""
 
     def _observe(self) -> np.ndarray:
         view = self._episodes.view("a")
@@ -148,8 +148,8 @@ class GymnasiumEnv(Env):
 
 
 class ParallelEnv(ParallelBase):
-    """Both teams' game as a parallel environment of PettingZoo. The agents are "a" and "b", or one
-    of them; each commands all robots of its team. Seeds are those of GymnasiumEnv."""
+    """A game of two teams as a parallel environment of PettingZoo. The agents are "a" and "b", or one
+    of them; each commands all robots of its team. Seeds work as in GymnasiumEnv."""
 
     metadata: dict[str, Any] = {"render_modes": [], "name": "autoref"}
 
@@ -169,15 +169,15 @@ class ParallelEnv(ParallelBase):
 
     @property
     def game(self) -> Game:
-        """The game, for what the interface does not show."""
+        """The game, for anything that the interface does not offer."""
         return self._episodes.game
 
     def observation_space(self, agent: str) -> Any:
-        """The space of an agent's observations."""
+        """An agent's observation space."""
         return self._spaces.observation_space
 
     def action_space(self, agent: str) -> Any:
-        """The space of an agent's actions."""
+        """An agent's action space."""
         return self._spaces.action_space
 
     def reset(
@@ -193,7 +193,7 @@ class ParallelEnv(ParallelBase):
     def step(
         self, actions: Mapping[str, Any]
     ) -> tuple[dict[str, np.ndarray], dict[str, float], dict[str, bool], dict[str, bool], dict[str, dict[str, Any]]]:
-        """Returns observations, rewards, terminations, truncations and infos by agent."""
+        """Returns observations, rewards, terminations, truncations and infos, each by agent."""
         reward, over, late = self._episodes.step(**actions)
         agents = self.agents
         result = (
@@ -208,7 +208,7 @@ class ParallelEnv(ParallelBase):
         return result
 
     def close(self) -> None:
-        """Nothing is open."""
+        """Does nothing: there is nothing to close."""
 
     def _observe(self) -> dict[str, np.ndarray]:
         robots = self._episodes.robots
@@ -217,10 +217,10 @@ class ParallelEnv(ParallelBase):
 
 
 def gymnasium_env(**options: Any) -> GymnasiumEnv:
-    """An environment with the interface of Gymnasium; for the options see GymnasiumEnv."""
+    """An environment with the interface of Gymnasium; GymnasiumEnv describes the options."""
     return GymnasiumEnv(**options)
 
 
 def parallel_env(**options: Any) -> ParallelEnv:
-    """An environment with the parallel interface of PettingZoo; for the options see ParallelEnv."""
+    """An environment with the parallel interface of PettingZoo; ParallelEnv describes the options."""
     return ParallelEnv(**options)

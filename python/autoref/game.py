@@ -1,4 +1,4 @@
-"""Games in this process: step by step, with the referee inside."""
+"""Games that run in this process, including the referee, and that you advance step by step."""
 from __future__ import annotations
 
 import json
@@ -22,9 +22,9 @@ def _core() -> ModuleType:
 class Game:
     """One simulated, refereed game, stepped frame by frame.
 
-    `external` names the teams for which you decide: "a", "b" or "ab". The others are the built-in
-    teams or programs of the settings. Games in one process do not affect one another; step them
-    from one thread at a time.
+    `external` names the teams for which you decide: "a", "b" or "ab". The settings choose a
+    built-in team or a program for the others. Games in one process do not affect one another; step
+    them from one thread at a time.
     """
 
     def __init__(self, external: str = "a") -> None:
@@ -32,7 +32,7 @@ class Game:
         self.external = external
 
     def reset(self, seed: int = 42, settings: Mapping[str, Any] | None = None) -> "Game":
-        """Begins a game. Settings are those of scenarios by path, such as {"match.half_s": 60,
+        """Begins a game. The settings are keys of scenarios, written as paths, such as {"match.half_s": 60,
         "b.strategy": "basic"}. Raises ValueError with the setting's name if one is wrong."""
         self._game.reset(seed, dict(settings or {}))
         return self
@@ -48,16 +48,16 @@ class Game:
         return bool(self._game.step(a, b))
 
     def run(self, most_frames: int = 1 << 40) -> int:
-        """Plays on with the last commands, without a call for each frame. Returns the frames
+        """Continues with the last commands, without a call for each frame. Returns the number of frames
         played."""
         return int(self._game.run(most_frames))
 
     def place(
         self, ball: Sequence[float] | None = None, robots: Mapping[tuple[str, int], Sequence[float]] | None = None
     ) -> None:
-        """Puts the ball to (x, y) or (x, y, vx, vy), and robots, by ("a", number), to (x, y) or
-        (x, y, heading_x, heading_y), at rest. In field coordinates: the goal of west is at -x. What
-        the teams see follows in the next frame."""
+        """Puts the ball at (x, y) or (x, y, vx, vy), and robots, given as ("a", number), at (x, y) or
+        (x, y, heading_x, heading_y), at rest. The coordinates are those of the field: the west goal is
+        at -x. The teams see the change in the next frame."""
         if ball is not None:
             x, y, vx, vy = [*ball, 0.0, 0.0][:4]
             self._game.place_ball(x, y, vx, vy)
@@ -67,26 +67,26 @@ class Game:
 
     @property
     def a(self) -> Any:
-        """What team a sees, in its own coordinates (its goal at -x), if it is external. `own` and
+        """Team a's view, in its own coordinates (its goal at -x), if it is external. `own` and
         `opponents` are arrays (robots, 8): number, x, y, heading_x, heading_y, vx, vy, angular
         velocity. `ball` is an array (5): x, y, vx, vy, height. They are valid until the next step.
-        Also frame, time_s, latency_s, play, ours, goals_own, goals_opponent, stage_time_left_s."""
+        The other members are frame, time_s, latency_s, play, ours, goals_own, goals_opponent and
+        stage_time_left_s."""
         return self._game.view("a")
 
     @property
     def b(self) -> Any:
-        """What team b sees, likewise."""
+        """Team b's view, with the same members as that of team a."""
         return self._game.view("b")
 
     @property
     def decisions(self) -> list[dict[str, Any]]:
-        """The referee's decisions since the last step, as in the lines of `autoref play
-        --events`."""
+        """The referee's decisions since the last step, with the keys of `autoref play --events`."""
         return [json.loads(line) for line in self._game.decisions()]
 
     @property
     def record(self) -> dict[str, Any]:
-        """The record so far: goals_a, goals_b, status, end_reason, void_reason, frames, sim_s,
+        """The game's record so far: goals_a, goals_b, status, end_reason, void_reason, frames, sim_s,
         state_hash."""
         return dict(self._game.record())
 

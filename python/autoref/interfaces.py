@@ -1,5 +1,5 @@
-"""The base classes of environments: those of Gymnasium and PettingZoo where they are installed, else
-stand-ins with the members that users of environments look for."""
+"""The base classes of environments: those of Gymnasium and PettingZoo if they are installed, otherwise
+stand-ins with the members that users of environments expect."""
 from __future__ import annotations
 
 from typing import Any, Mapping
@@ -16,13 +16,13 @@ class PlainEnv:
     _random: np.random.Generator | None = None
 
     def reset(self, *, seed: int | None = None, options: Mapping[str, Any] | None = None) -> Any:
-        """With a seed, begins another stream of random numbers."""
+        """Begins a new stream of random numbers if a seed is given."""
         if seed is not None:
             self._random = np.random.default_rng(seed)
 
     @property
     def np_random(self) -> np.random.Generator:
-        """The environment's random numbers, of fresh entropy if it was never given a seed."""
+        """The environment's random numbers, seeded from the system's entropy if reset() was never given a seed."""
         if self._random is None:
             self._random = np.random.default_rng()
         return self._random
@@ -33,10 +33,10 @@ class PlainEnv:
         return self
 
     def render(self) -> None:
-        """Shows nothing."""
+        """Does nothing: there is no display."""
 
     def close(self) -> None:
-        """Nothing is open."""
+        """Does nothing: there is nothing to close."""
 
     def __enter__(self) -> Any:
         return self
@@ -54,12 +54,12 @@ class PlainParallelEnv:
 
     @property
     def num_agents(self) -> int:
-        """The agents that play now."""
+        """Number of agents that are playing."""
         return len(self.agents)
 
     @property
     def max_num_agents(self) -> int:
-        """All agents."""
+        """Number of all agents."""
         return len(self.possible_agents)
 
     @property
@@ -68,10 +68,10 @@ class PlainParallelEnv:
         return self
 
     def render(self) -> None:
-        """Shows nothing."""
+        """Does nothing: there is no display."""
 
     def close(self) -> None:
-        """Nothing is open."""
+        """Does nothing: there is nothing to close."""
 
 
 try:

@@ -1,8 +1,8 @@
-"""What a team sees and answers: START, VIEW and COMMAND.
+"""The messages between a game and a team: START, VIEW and COMMAND.
 
-Metres, seconds and radians. Every team's own goal is at -x, with +y to its left. Angles are
-counterclockwise; a heading is a unit vector towards the robot's front. The names are those of
-docs/team-programs.md, which describes them all.
+Units are metres, seconds and radians. Every team's own goal is at -x, with +y to its left. Angles
+are counterclockwise; a heading is a unit vector towards the robot's front. docs/team-programs.md
+describes all members, under the same names.
 """
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 
 class Play(str, Enum):
-    """State of the game; equal to its name as a text."""
+    """State of the game; each value equals its name as a string."""
 
     HALT = "HALT"
     STOP = "STOP"
@@ -28,7 +28,7 @@ class Play(str, Enum):
 
 
 class Next(str, Enum):
-    """Command that ends a stop; equal to its name as a text."""
+    """Command that ends a stop; each value equals its name as a string."""
 
     HALT = "HALT"
     STOP = "STOP"
@@ -44,14 +44,14 @@ class Next(str, Enum):
 
 
 class Field(NamedTuple):
-    """Lengths of the field, to the outer edges of the lines, in metres."""
+    """Dimensions of the field, measured to the outer edges of the lines, in metres."""
 
     length_m: float
     width_m: float
     run_off_m: float  # from the touch lines to the wall
     line_width_m: float
     centre_circle_radius_m: float
-    penalty_mark_m: float  # from the goal line of the goal attacked
+    penalty_mark_m: float  # from the goal line of the goal under attack
     defence_area_depth_m: float  # radius of the quarter circles, or the box's size along x
     defence_area_straight_m: float  # line between the quarter circles, or the size along y
     goal_width_m: float
@@ -94,12 +94,12 @@ class Ball(NamedTuple):
     y_m: float
     vx_mps: float  # 0 in detections, like vy_mps and height_deviation_m
     vy_mps: float
-    height_m: float | None  # of the lowest point; None if a detection does not report it
+    height_m: float | None  # of its lowest point; None if a detection does not report it
     height_deviation_m: float  # standard deviation; 0 if the height is reported
     camera_x_m: float  # the camera that sees the ball; 0 with tracked motion
     camera_y_m: float
     camera_height_m: float  # above the carpet
-    is_height_known: bool  # with tracked motion: False while the ball may or may not be in the air
+    is_height_known: bool  # with tracked motion: False while it is unknown whether the ball is in the air
 
 
 class Robot(NamedTuple):
@@ -109,11 +109,11 @@ class Robot(NamedTuple):
     y_m: float
     heading_x: float
     heading_y: float
-    vx_mps: float  # in the field's coordinates; 0 in detections, like the next two
+    vx_mps: float  # along the field's axes; 0 in detections, like the next two
     vy_mps: float
     angular_velocity_radps: float
     number: int  # 0 to 15
-    is_seen: bool  # in this frame; otherwise extrapolated. True in detections
+    is_seen: bool  # in this frame; if not, its state is extrapolated. True in detections
 
 
 # Robot._make() and Ball._make(), but faster.
@@ -126,7 +126,7 @@ Robots = tuple[list[Robot], list[Robot]]  # own, opponents
 
 @dataclass(slots=True)
 class View:
-    """VIEW, the message FRAME: what the team sees in one camera frame.
+    """VIEW, called FRAME on the wire: what the team sees in one camera frame.
 
     The robots are decoded when `own` or `opponents` is first read.
     """
@@ -135,14 +135,14 @@ class View:
     time_s: float  # its capture time since the start of the game
     latency_s: float  # from that frame until a command sent in reply moves a robot
     stage_time_left_s: float  # of the current half
-    placement_x_m: float | None  # where the referee wants the ball for the next restart
+    placement_x_m: float | None  # the referee's target for the ball at the next restart
     placement_y_m: float | None
     goals_own: int
     goals_opponent: int
     play: Play
-    ours: bool  # whether the current restart is this team's
-    placing_is_ours: bool | None  # whether it is this team's robots that place the ball; None: no
-    # team places it
+    ours: bool  # whether this team takes the current restart
+    placing_is_ours: bool | None  # whether this team's robots place the ball; None if neither team
+    # places it
     next: Next | None  # the command that ends this stop; None if unknown
     next_is_ours: bool
     ball: Ball | None  # None if no camera sees it and the team requested detections
@@ -176,12 +176,12 @@ class End:
 
 @dataclass(slots=True)
 class Command:
-    """COMMAND: what one robot does until the next frame, in its own frame: x forward, y left."""
+    """COMMAND: one robot's motion until the next frame, in its own axes: x forward, y left."""
 
     vx_mps: float = 0.0  # -100 to 100
     vy_mps: float = 0.0  # -100 to 100
     angular_velocity_radps: float = 0.0  # -1000 to 1000
-    kick_mps: float = 0.0  # speed of the ball once it is in the dribbler zone; 0 for no kick
+    kick_mps: float = 0.0  # ball speed of a kick as soon as the ball is in the dribbler zone; 0 for no kick
     chip: bool = False  # kicks upwards at 45 degrees
     dribble: bool = False
 

@@ -25,12 +25,12 @@ _PACKAGE_FOLDER = Path(__file__).resolve().parent
 
 
 class AutorefError(RuntimeError):
-    """The program failed or was not found; the text is what it said."""
+    """The program failed or was not found; the text is its message."""
 
 
 @dataclass(frozen=True)
 class GameResult:
-    """One game. `details` has all keys of `play --json` in docs/schemas.md."""
+    """The result of one game. `details` has all keys of `play --json` in docs/schemas.md."""
 
     goals_a: int
     goals_b: int
@@ -44,12 +44,12 @@ class GameResult:
 
 @dataclass(frozen=True)
 class Run:
-    """An experiment whose games are done."""
+    """An experiment that has been played."""
 
     folder: Path
 
     def results(self, **options: Any) -> Any:
-        """The table of its games: autoref.results() of the folder."""
+        """The table of its games: calls autoref.results() with the folder."""
         return results(self.folder, **options)
 
 
@@ -60,9 +60,9 @@ def _candidates() -> Iterator[Path]:
 
 
 def program() -> str:
-    """The program: $AUTOREF, else in bin/ or build/release/bin/ beside the package, else in PATH.
+    """Path of the program: $AUTOREF, or else bin/ or build/release/bin/ in a folder above the package, or else PATH.
 
-    Raises AutorefError if there is none.
+    Raises AutorefError if it is in none of these.
     """
     given = os.environ.get("AUTOREF")
     if given:
@@ -127,7 +127,7 @@ def _run_program(arguments: list[str], good_codes: tuple[int, ...] = (0,)) -> st
 
 
 def _options(settings: Mapping[str, Any], options: Mapping[str, Any]) -> list[str]:
-    """Settings as --set KEY=VALUE, other options by their names."""
+    """Turns settings into --set KEY=VALUE, and other options into options of the same name."""
     words = []
     for name, value in options.items():
         if value is not None:
@@ -162,9 +162,9 @@ def play(
 ) -> GameResult:
     """Plays one game of a against b.
 
-    a, b: a strategy such as "basic", a .py file, a subclass of Team (whose file ends with its
-        run()), the words of a command, or a dictionary of a team's keys.
-    settings: such as {"match.half_s": 60}; docs/scenarios.md lists the keys.
+    a, b: a strategy such as "basic", a .py file, a subclass of Team (its file must call run() at
+        the end), the words of a command, or a dictionary of a team's keys.
+    settings: keys and values, such as {"match.half_s": 60}; docs/scenarios.md lists the keys.
     events, log, view, record: files to write, as in `autoref play --help`.
 
     Raises AutorefError if the input is wrong. A game in which a team fails is void.
@@ -191,10 +191,10 @@ def run(
 
     experiment: a scenario file or a dictionary with its keys.
     workers: games in parallel; one per processor unless given.
-    pairs, seed: override the experiment's.
+    pairs, seed: override those of the experiment.
 
-    Raises AutorefError if the input is wrong or too many games are void. Run it again after an
-    interruption: it continues.
+    Raises AutorefError if the input is wrong or too many games are void. After an interruption,
+    call it again to continue.
     """
     options = {"output": output, "workers": workers, "pairs": pairs, "seed": seed}
     with _scenario_file(experiment) as file:

@@ -1,4 +1,4 @@
-"""The team's random numbers, equal to those of teams in other languages with the same seed."""
+"""The team's random numbers: the same as in other languages with the same seed."""
 from __future__ import annotations
 
 import random
@@ -15,17 +15,17 @@ def _mix(x: int) -> int:
 
 
 class RandomStream(random.Random):
-    """The stream of docs/team-programs.md, with all methods of random.Random.
+    """The stream that docs/team-programs.md describes, with all methods of random.Random.
 
     next_bits() and random() give the same numbers in every language. The other methods, such as
-    choice(), are built upon them by Python.
+    choice(), are built on them by Python.
     """
 
     def __init__(self, seed: int = 0) -> None:
         super().__init__(seed)
 
     def seed(self, a: object = 0, version: int = 2) -> None:
-        """Begins the stream of the seed, a whole number."""
+        """Restarts the stream with a seed, which must be a whole number."""
         if not isinstance(a, int):
             raise TypeError("the seed of a RandomStream is a whole number")
         self._key = _mix((a + _STEP) & _MASK)
@@ -38,7 +38,7 @@ class RandomStream(random.Random):
         return _mix((self._key + self._counter * _STEP) & _MASK)
 
     def random(self) -> float:
-        """Uniform in [0, 1)."""
+        """The next random number, uniform in [0, 1)."""
         number = 1.0
         while number >= 1.0:
             number = self.next_bits() * 2.0**-64
@@ -54,9 +54,9 @@ class RandomStream(random.Random):
         return bits >> (-k % 64)
 
     def getstate(self) -> tuple[Any, ...]:
-        """For setstate()."""
+        """Returns the state for setstate()."""
         return self._key, self._counter, self.gauss_next
 
     def setstate(self, state: tuple[Any, ...]) -> None:
-        """Continues where getstate() was called."""
+        """Continues from the point where getstate() was called."""
         self._key, self._counter, self.gauss_next = state

@@ -1,4 +1,4 @@
-"""Reads what games and experiments write: tables, event files and logs."""
+"""Reads the files that games and experiments write: tables, event files and logs."""
 from __future__ import annotations
 
 import csv
@@ -46,7 +46,7 @@ class LogMessage(NamedTuple):
 
 
 def _converted(texts: list[str]) -> list[Cell]:
-    """A column as whole numbers, else as numbers, else as texts. Empty cells become None."""
+    """Converts a column to whole numbers, or else to floats, or else to texts. Empty numbers become None."""
     for kind in (int, float):
         try:
             return [kind(text) if text else None for text in texts]
@@ -56,7 +56,7 @@ def _converted(texts: list[str]) -> list[Cell]:
 
 
 def _regular_file(name: str, flags: int) -> int:
-    """Opens a file of results, but does not wait for a FIFO that has taken its name."""
+    """Opens a file of results; never blocks on a FIFO of the same name."""
     descriptor = os.open(name, flags | os.O_NONBLOCK)
     if stat.S_ISREG(os.fstat(descriptor).st_mode):
         return descriptor
@@ -72,9 +72,9 @@ def _columns(file: Path) -> dict[str, list[Cell]]:
 
 
 def rows(folder: PathLike, table: str = "results.csv") -> list[dict[str, Cell]]:
-    """The rows of a table as dictionaries; needs nothing but Python.
+    """The rows of a table as dictionaries; needs only the standard library.
 
-    Numbers are int or float, with infinity for inf; an empty cell of a column of numbers is None.
+    Numbers are int or float, with infinity for inf; an empty cell in a column of numbers is None.
     docs/schemas.md lists the columns. Raises ValueError if a FIFO or a device has the table's name.
     """
     columns = _columns(Path(folder, table))
@@ -82,7 +82,7 @@ def rows(folder: PathLike, table: str = "results.csv") -> list[dict[str, Cell]]:
 
 
 def _as_array(columns: dict[str, list[Cell]]) -> Any:
-    import numpy  # nothing else here needs it
+    import numpy  # the other functions do not need it
 
     arrays = {}
     for name, cells in columns.items():
@@ -101,7 +101,7 @@ def results(folder: PathLike, table: str = "results.csv", *, pandas: bool = Fals
     table: also "summary.csv", "standings.csv" and so on; docs/schemas.md lists the columns.
     pandas: return a pandas.DataFrame.
 
-    An empty cell of a column of numbers is not a number (NaN). Raises ImportError without numpy or
+    An empty cell in a column of numbers becomes NaN. Raises ImportError without numpy or
     pandas; rows() needs neither.
     """
     columns = _columns(Path(folder, table))

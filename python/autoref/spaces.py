@@ -1,4 +1,4 @@
-"""Boxes of numbers: Gymnasium's if it is installed, else a small stand-in with the same members."""
+"""Boxes of numbers: Gymnasium's Box if it is installed, otherwise a small stand-in with the same members."""
 from __future__ import annotations
 
 from typing import Any
@@ -17,7 +17,7 @@ class PlainBox:
         self._random = np.random.default_rng()
 
     def seed(self, seed: int | None = None) -> None:
-        """Begins another stream of samples."""
+        """Begins a new stream of samples."""
         self._random = np.random.default_rng(seed)
 
     def sample(self) -> np.ndarray:
@@ -39,7 +39,7 @@ class PlainBox:
 
 
 def box(low: Any, high: Any, shape: tuple[int, ...] | None = None) -> Any:
-    """gymnasium.spaces.Box if Gymnasium is installed, else PlainBox."""
+    """Returns a gymnasium.spaces.Box if Gymnasium is installed, otherwise a PlainBox."""
     try:
         from gymnasium.spaces import Box  # type: ignore[import-not-found]
     except ImportError:

@@ -16,7 +16,7 @@ _MAX_TEXT_BYTES = 1000
 
 
 def codec_of(encoding: str) -> Any:
-    """The module with read(), decode() and encode() of "flat" or "json"."""
+    """The module with read(), decode() and encode() for "flat" or "json"."""
     if encoding not in _MODULES:
         raise ValueError(f"unknown encoding {encoding!r}; there are {', '.join(_MODULES)}")
     return importlib.import_module(f".{_MODULES[encoding]}", __package__)
@@ -25,8 +25,8 @@ def codec_of(encoding: str) -> Any:
 class Team:
     """A team: one object plays one side of one game.
 
-    Set the requests at any time. `keeper` and `leaves` stay as they are; `timeout` and `text` hold
-    for one answer.
+    You can set the requests at any time. `keeper` and `leaves` keep their values; `timeout` and
+    `text` apply to one answer.
     """
 
     start: Start  # set before prepare()
@@ -39,21 +39,21 @@ class Team:
     text: str = ""  # for the log, at most 1000 bytes
 
     def prepare(self) -> None:
-        """Called once before the first frame. Does nothing unless you write it."""
+        """Called once before the first frame. Does nothing unless you override it."""
 
     def decide(self, view: View) -> Mapping[int, Command] | None:
-        """Returns the commands by the robots' numbers. A robot without one stands still."""
+        """Returns the commands by robot number. A robot without a command stands still."""
         raise NotImplementedError("a team needs the method decide(self, view)")
 
     def finish(self, end: End) -> None:
-        """Called once after the last frame. Does nothing unless you write it."""
+        """Called once after the last frame. Does nothing unless you override it."""
 
     @classmethod
     def run(cls, encoding: str = "flat", motion: str = "tracked") -> None:
         """Plays one game over standard input and output, and returns after its end.
 
-        encoding: "flat" or "json"; motion: "tracked" or "detections". What the team prints appears
-        on the standard error. Start it with autoref.play(), not from a terminal.
+        encoding: "flat" or "json"; motion: "tracked" or "detections". Anything the team prints
+        appears on standard error. Start it with autoref.play(), not from a terminal.
         """
         if motion not in _MOTIONS:
             raise ValueError(f"unknown motion {motion!r}; there are {', '.join(_MOTIONS)}")
@@ -65,7 +65,7 @@ class Team:
         cls()._play(codec, source, sink)
 
     def _play(self, codec: Any, source: BinaryIO, sink: int) -> None:
-        # Looked up once, since the loop runs a hundred thousand times in a game.
+        # These are looked up once, because the loop runs a hundred thousand times in a game.
         read, decode, encode, decide = codec.read, codec.decode, codec.encode, self.decide
         write = os.write
         while data := read(source):
@@ -103,7 +103,7 @@ def _write(sink: int, data: bytes) -> None:
 
 
 def _take_standard_streams() -> tuple[BinaryIO, int]:
-    """Keeps the messages' streams to itself: print() goes to standard error, input() is empty."""
+    """Reserves the standard streams for messages: print() then goes to standard error, and input() is empty."""
     source, sink = os.dup(0), os.dup(1)
     nothing = os.open(os.devnull, os.O_RDONLY)
     os.dup2(nothing, 0)

@@ -1,4 +1,4 @@
-"""Many environments at once, over several processes."""
+"""Many environments, stepped in parallel by several processes."""
 from __future__ import annotations
 
 import multiprocessing
@@ -34,8 +34,8 @@ class _Shared:
 
 
 def _work(pipe: Connection, others: list[Connection], shared: _Shared, mine: range, options: dict[str, Any]) -> None:
-    """A worker's environments, until the other end of the pipe is closed. `others` are the ends that
-    this process has inherited, which would keep it open."""
+    """Steps a worker's environments until the other end of the pipe is closed. `others` are inherited
+    ends of pipes, which would keep it open."""
     for other in others:
         other.close()
     envs = [GymnasiumEnv(**options) for _ in mine]
@@ -64,7 +64,7 @@ class VectorEnv:
     """`environments` environments (GymnasiumEnv) in `workers` processes, stepped together.
 
     The arrays that reset() and step() return are overwritten by the next step. An environment whose
-    episode has ended begins the next one at once; its last record is in the infos, by index. Use it
+    episode has ended begins the next one immediately; its last record is in the infos, by index. Use it
     in a `with` statement, or close() it.
     """
 
@@ -92,9 +92,9 @@ class VectorEnv:
         self._seed = seed
 
     def reset(self, *, seed: int | None = None) -> tuple[np.ndarray, dict[int, Any]]:
-        """Begins an episode in each environment. Environment i takes seed + i, at first that of the
-        constructor, and then goes on by its own random numbers; without any seed, every reset plays
-        other games."""
+        """Begins an episode in each environment. Environment i starts from seed + i and then continues with
+        its own random numbers; the first reset takes the seed of the constructor unless you pass one.
+        Without any seed, every reset begins different games."""
         seed, self._seed = self._seed if seed is None else seed, None
         return self._shared.observations, self._all((_RESET, seed))
 
@@ -106,7 +106,7 @@ class VectorEnv:
         return shared.observations, shared.rewards, shared.terminated, shared.truncated, infos
 
     def close(self) -> None:
-        """Ends the processes."""
+        """Stops the processes."""
         for pipe in self._pipes:
             pipe.close()
         for process in self._processes:

@@ -3,7 +3,7 @@
 
     python3 python/examples/experiment_analysis.py [FOLDER]
 """
-# %% The experiment: 2 values, 10 pairs of games each; the legs of a pair have the sides swapped.
+# %% The experiment: 2 values with 10 pairs of games each; the second leg of a pair swaps the sides.
 import sys
 import tempfile
 from collections import defaultdict
@@ -30,12 +30,12 @@ EXPERIMENT = {
 # %% Play it. The same command continues after an interruption.
 folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(tempfile.mkdtemp(prefix="autoref-"))
 run = autoref.run(EXPERIMENT, folder)
-games = autoref.rows(run.folder)  # run.results() gives them as a numpy array
+games = autoref.rows(run.folder)  # run.results() returns them as a numpy array
 print(f"{len(games)} games in {folder}")
 
 
-# %% Points of team a: 1 for a win, 1/2 for a draw. The legs of a pair are not independent of each
-# other, so a pair is one observation: its mean.
+# %% Points of team a: 1 for a win, 1/2 for a draw. The legs of a pair are not independent, so the
+# mean of a pair counts as one observation.
 def points(game: dict) -> float:
     return 0.5 if game["goal_diff"] == 0 else float(game["goal_diff"] > 0)
 

@@ -3,9 +3,9 @@
 
     python3 python/examples/keeper_learning.py
 
-The keeper is a linear policy: its sideways velocity is a weighted sum of what it sees. Each generation
-tries keepers drawn from a normal distribution on the same shots, and fits the distribution to the best
-of them. Shots with other seeds, on which nothing was learnt, then show how much better it has become.
+The keeper is a linear policy: its sideways velocity is a weighted sum of its observations. Each generation
+draws keepers from a normal distribution, tries them on the same shots, and fits the distribution to
+the best of them. Test shots, with other seeds, then show how much the keeper has improved.
 """
 # %% The exercise: shots from two to three metres at a random point in the goal.
 import argparse
@@ -22,7 +22,7 @@ MOST_FRAMES = 120
 
 
 class Exercise:
-    """One game, in which ball and keeper are put to their places again for every shot."""
+    """One game, in which the ball and the keeper are put back for every shot."""
 
     def __init__(self) -> None:
         self.game = autoref.Game("a")
@@ -37,7 +37,7 @@ class Exercise:
         self.goal_x_m = -self.game.field_m[0] / 2
 
     def wait_for_play(self) -> None:
-        """A restart that nobody takes ends in a free ball after ten seconds."""
+        """Waits: play goes on ten seconds after a restart that neither team takes."""
         while self.game.a.play != "RUNNING":
             if not self.game.step():
                 self.reset()
@@ -84,7 +84,7 @@ _exercise: Exercise | None = None
 
 
 def saves(job: tuple[np.ndarray, int, int]) -> int:
-    """How many of `shots` shots of a seed a keeper saves."""
+    """Number of saves in `shots` shots that the seed chooses."""
     global _exercise
     if _exercise is None:
         _exercise = Exercise()
@@ -94,7 +94,7 @@ def saves(job: tuple[np.ndarray, int, int]) -> int:
 
 
 def interval(count: int, of: int) -> tuple[float, float]:
-    """A 95 % confidence interval of a share, by Wilson."""
+    """Wilson's 95 % confidence interval for a share."""
     share, z = count / of, 1.96
     centre = (share + z * z / (2 * of)) / (1 + z * z / of)
     half = z / (1 + z * z / of) * sqrt(share * (1 - share) / of + z * z / (4 * of * of))
@@ -102,7 +102,7 @@ def interval(count: int, of: int) -> tuple[float, float]:
 
 
 def tested(pool: ProcessPoolExecutor, weights: np.ndarray, shots: int) -> int:
-    """Saves of shots on which nothing is learnt: their seeds are above 10^6."""
+    """Number of saves in test shots, which have seeds above 10^6 and are not used for learning."""
     jobs = [(weights, 10**6 + i, 50) for i in range(shots // 50)]
     return sum(pool.map(saves, jobs))
 
@@ -126,7 +126,7 @@ def learn(pool: ProcessPoolExecutor, generations: int, keepers: int, shots: int)
 
 
 def main() -> int:
-    """Learns, and compares with the keeper that stands still."""
+    """Learns, then compares the result with a keeper that stands still."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--generations", type=int, default=12)
     parser.add_argument("--keepers", type=int, default=40)

@@ -4,8 +4,9 @@
 usage: league_adapter.py VISION REFEREE CONTROL COMMAND ...
 
 VISION and REFEREE are the addresses on which the program listens, multicast groups for example, and
-CONTROL is the one to which it sends its RobotControl, each HOST:PORT. In the words of COMMAND, which
-starts the program, COLOUR becomes yellow or blue. Packets are sent by the loopback interface only.
+CONTROL is the one to which it sends its RobotControl, each HOST:PORT. COMMAND starts the
+program; COLOUR in its words is replaced by yellow or blue. Packets are sent on the loopback interface
+only.
 """
 import io
 import select
@@ -32,7 +33,7 @@ def read_varint(stream):
 
 
 def read_message():
-    """The packets of the next LeagueInput, in lists by the numbers of their fields."""
+    """The packets of the next LeagueInput, as lists by field number."""
     content, fields = sys.stdin.buffer.read(read_varint(sys.stdin.buffer)), {}
     stream = io.BytesIO(content)
     while stream.tell() < len(content):
@@ -67,7 +68,7 @@ program = subprocess.Popen(
 )
 frame = None
 while 5 in (message := read_message()):
-    if message[5] != frame:  # the first frame comes several times, because of the latency
+    if message[5] != frame:  # the first frame is sent several times, because of the latency
         # Packets are repeated until the program listens.
         answer = answer_to(message, LONGEST_WAIT_S if frame else 0.1)
     frame, length = message[5], len(answer)

@@ -3,7 +3,7 @@
 
     python3 -m autoref play python/examples/team.py basic
 """
-# %% Helpers. Only + - * / and square roots: they give the same game on every machine.
+# %% Helpers. They use only + - * / and square roots, which give the same game on every machine.
 from math import sqrt
 
 import autoref
@@ -36,7 +36,7 @@ def drive(robot: Robot, x_m: float, y_m: float, face_x_m: float, face_y_m: float
 
 # %% The team.
 class Shooter(autoref.Team):
-    """One keeper, one attacker; the others stay where they are."""
+    """A team with one keeper and one attacker; the other robots stay where they are."""
 
     keeper = KEEPER
 
@@ -77,11 +77,11 @@ class Shooter(autoref.Team):
         return command
 
 
-# %% One game against a strategy that is compiled in, from a notebook:
+# %% To play a game against a built-in strategy from a notebook:
 #     import autoref
 #     game = autoref.play("python/examples/team.py", "basic", settings={"match.half_s": 60})
 #     game.goals_a, game.goals_b
 
-# %% Started by the game.
+# %% The game starts the file as a program.
 if __name__ == "__main__":
     Shooter.run()

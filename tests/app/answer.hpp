@@ -29,7 +29,7 @@ inline Answer answer_to(std::vector<const char*> arguments) {
   return answer;
 }
 
-// The same for a verb, such as "results status", and the words after it.
+// The same for a verb, for example "results status", and the words after it.
 inline Answer answer_to(const std::string& verb, const std::vector<const char*>& more) {
   std::istringstream text(verb);
   std::vector<std::string> names{std::istream_iterator<std::string>(text), {}};

@@ -11,7 +11,7 @@
 
 namespace autoref::league {
 
-// A path that does not exist when a test begins and is removed when it ends.
+// A path that does not exist when a test begins; the file there is removed when the test ends.
 class ScratchFile {
  public:
   explicit ScratchFile(const std::string& ending)

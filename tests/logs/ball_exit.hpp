@@ -1,4 +1,4 @@
-// Paths of balls that left the field, taken from one log to be repeated in another.
+// Paths of balls that left the field, taken from one log to be replayed in another.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,11 @@ namespace autoref::logs {
 
 enum class ExitLine : std::uint8_t { kTouchLine, kGoalLine, kGoal };
 
-// The straight path of a kicked ball over a line, as the cameras saw it: with their noise, without
-// the detections they missed.
+// The straight path of a kicked ball over a line as the cameras saw it, noise and missed detections
+// included.
 struct BallExit {
   struct Detection {
-    double time_s = 0;    // since the first one
+    double time_s = 0;    // since the first detection
     double along_m = 0;   // along the path, from the line: negative on the field
     double across_m = 0;  // to the left of the path
   };
@@ -27,16 +27,16 @@ struct BallExit {
 
   double length_m() const { return -detections.front().along_m; }
   double duration_s() const { return detections.back().time_s; }
-  // When the ball first was so far along the path; the end of the path if it never was.
+  // Time at which the ball first was this far along the path; the end of the path if it never was.
   double time_at_s(double along_m) const;
-  // Interpolated between detections; nullopt where the cameras missed the ball.
+  // The position, interpolated between detections; nullopt where the cameras missed the ball.
   std::optional<BallExit::Detection> at(double time_s) const;
 };
 
 // All exits in a log that AutoRef called 0.4 to 0.9 s after an unambiguous last touch.
 std::vector<BallExit> exits_in(const RefereedLog& log);
 
-// Where a path first leaves the field.
+// The point at which a path first leaves the field.
 struct Crossing {
   ExitLine line = ExitLine::kTouchLine;
   double distance_m = 0;  // of the ball's centre to the line, along the path

@@ -121,7 +121,7 @@ TEST_F(DisturbedLog, WithEveryPacketTwice) {
     records.insert(records.end(), 2, record);
     copies += camera_of(record) || kind_of(record) == MessageKind::kReferee2013 ? 1 : 0;
   });
-  expect_judged_alike(std::to_string(copies) + " messages are copies of others and ignored");
+  expect_judged_alike(std::to_string(copies) + " messages are ignored as duplicates");
 }
 
 TEST_F(DisturbedLog, WithACopyOfEveryPacketTwoFramesLater) {
@@ -136,7 +136,7 @@ TEST_F(DisturbedLog, WithACopyOfEveryPacketTwoFramesLater) {
     records.push_back({record.time_ns, copy.kind, copy.message});
     copies += camera_of(copy) || kind_of(copy) == MessageKind::kReferee2013 ? 1 : 0;
   });
-  expect_judged_alike(std::to_string(copies) + " messages are copies of others and ignored");
+  expect_judged_alike(std::to_string(copies) + " messages are ignored as duplicates");
 }
 
 TEST_F(DisturbedLog, WithASecondGameController) {
@@ -147,10 +147,9 @@ TEST_F(DisturbedLog, WithASecondGameController) {
     records.push_back(packet_of_another_controller(record));
     ++others;
   });
-  expect_judged_alike(
-      std::to_string(others) +
-      " packets are of another referee and ignored, first of 'forgotten?'; the referee "
-      "followed is one without a name");
+  expect_judged_alike(std::to_string(others) +
+                      " packets are from another referee and ignored, first from 'forgotten?'; the "
+                      "referee followed is one without a name");
 }
 
 TEST_F(DisturbedLog, WithoutTheKindsOfItsMessages) {
@@ -185,7 +184,7 @@ TEST_F(DisturbedLog, WithClocksOfTwoComputers) {
     const std::string apart =
         fmt::format("{:.3f} s {}", std::abs(ahead_s), ahead_s < 0 ? "behind" : "ahead");
     expect_judged_alike(fmt::format(
-        "the cameras' clocks differ, and were corrected: camera 2's is {0}, camera 3's is {0}",
+        "the cameras' clocks differ and were corrected: camera 2's is {0}, camera 3's is {0}",
         apart));
   }
 }

@@ -106,7 +106,7 @@ std::string error_at(const std::string& log, double at_s) {
 
 TEST_F(LoggedStateTest, IsAnErrorBeyondTheLogOrWithoutALog) {
   EXPECT_NE(error_at(log_, 9999).find("which covers 0.000 to"), std::string::npos);
-  EXPECT_NE(error_at(log_, 9999).find("9999 s is not in the log"), std::string::npos);
+  EXPECT_NE(error_at(log_, 9999).find("9999 s is outside the log"), std::string::npos);
   EXPECT_NE(error_at(log_ + ".no", 1).find(".no"), std::string::npos);
 }
 

@@ -1,4 +1,4 @@
-// Logs that are wrong in random ways.
+// Logs with random errors.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ std::vector<league::LogRecord> records_in(const std::filesystem::path& log);
 // The bytes of a log with these records.
 std::string bytes_of(const std::vector<league::LogRecord>& records);
 
-// The bytes of a log in which up to eight things are wrong: packets are dropped, repeated,
+// The bytes of a log with up to eight errors: packets are dropped, repeated,
 // reordered or cut short, bytes are flipped, sizes, kinds and times are changed, and fields of
 // packets have values that are not finite, huge, unknown or missing.
 std::string mutated(std::vector<league::LogRecord> records, std::uint64_t seed);

@@ -1,4 +1,4 @@
-// Sets a random field of a protobuf message to a value that nobody expects.
+// Sets a random field of a protobuf message to an unexpected value.
 #pragma once
 
 #include <google/protobuf/message.h>

@@ -1,4 +1,4 @@
-// A played game's vision, its log, and AutoRef's calls from it.
+// The vision of a played game, its log, and AutoRef's calls on that log.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@
 
 namespace autoref::logs {
 
-// A game as one camera at the field's centre saw it.
+// A game as seen by one camera above the field's centre.
 struct RecordedVision {
   std::string book;
   Field field;
@@ -30,7 +30,7 @@ RecordedVision played_vision(const std::string& book, double half_s, std::uint64
 
 void write_log(const RecordedVision& vision, const std::filesystem::path& log);
 
-// AutoRef's calls beside the recorded referee. Fails the test if a number in its decisions is not
+// AutoRef's calls alongside the recorded referee. Fails the test if a number in a decision is not
 // finite.
 std::vector<Call> judged_calls(const RecordedVision& vision, const std::filesystem::path& log,
                                league::FrameSource source = league::FrameSource::kFirst);

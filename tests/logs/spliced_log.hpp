@@ -1,4 +1,4 @@
-// Splices a ball's exit from one game into the log of another.
+// Splices the exit of a ball in one game into the log of another.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +10,8 @@
 
 namespace autoref::logs {
 
-// A robot of a log that could have kicked the ball so that it leaves the field like in `exit`, and
-// the call that must follow.
+// A robot of a log that could have kicked the ball out of the field as in `exit`, and the call that
+// must follow.
 struct Splice {
   const BallExit* exit = nullptr;
   double from_s = 0;       // from here on, the log's ball is replaced; on the frames' clock

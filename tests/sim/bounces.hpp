@@ -30,7 +30,7 @@ inline double distance_to_box(const Vec2& point_m, const Vec2& low_m, const Vec2
 
 // Distance to the nearest outer wall, goal wall or goal back; negative inside a wall.
 inline double distance_to_walls(const Field& field, const Vec2& point_m) {
-  const Vec2 p_m(std::abs(point_m.x()), std::abs(point_m.y()));  // all four quarters are symmetric
+  const Vec2 p_m(std::abs(point_m.x()), std::abs(point_m.y()));  // the four quarters are symmetric
   const double line = field.half_length_m();
   const double back = line + field.goal_depth_m;
   const double inner = field.half_goal_m();
@@ -129,8 +129,8 @@ inline double forced_mps(const BallParameters& ball, const RobotSpec& robot, boo
 }
 
 // The minimum of `distance_m`, a function of a point and of the fraction of the path to it, on the
-// straight line between two positions of the ball's centre. A ball that bounced off a convex body
-// meanwhile stayed on one side of it, and so does the line.
+// straight line between two positions of the ball's centre. A ball that bounced off a convex
+// body in between stayed on one side of it, and so does the line.
 template <typename Distance>
 double least_on_path_m(const Vec2& from_m, const Vec2& to_m, Distance distance_m) {
   constexpr int kSamples = 8;

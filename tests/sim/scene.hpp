@@ -96,7 +96,7 @@ struct Scene {
     }
     return sum / count;
   }
-  // The touches in the next frames; each must carry the number of its frame.
+  // The touches in the next frames; each must have the number of its frame.
   std::vector<Touch> touches_over(int count) {
     std::vector<Touch> touches;
     for (int i = 0; i < count; ++i) {

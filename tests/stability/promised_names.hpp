@@ -1,4 +1,4 @@
-// What 1.x promises to keep (docs/stability.md), as lists of names in tests/stability/.
+// The names that 1.x promises to keep (docs/stability.md), as lists in tests/stability/.
 #pragma once
 
 #include <ostream>
@@ -9,7 +9,7 @@ namespace autoref::stability {
 
 using Names = std::vector<std::string>;
 
-// A list, and the names that the program has today.
+// A list and the names in the current program.
 struct PromisedList {
   std::string file;
   Names (*names)();
@@ -22,7 +22,7 @@ Names written_names();       // "results.csv: game_id"
 Names event_names();         // "throw_in"
 Names command_line_names();  // "play --seed"
 Names exit_code_names();     // "2 bad input"
-Names message_names();       // of teams' programs, in each encoding
+Names message_names();       // in the messages of team programs, in each encoding
 Names network_names();       // "vision 224.5.23.2:10006"
 
 }  // namespace autoref::stability

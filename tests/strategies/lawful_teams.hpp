@@ -1,4 +1,4 @@
-// The registered teams that play and keep to the rules.
+// The registered teams that play and obey the rules.
 #pragma once
 
 #include <string_view>

@@ -17,7 +17,7 @@ struct StagedPlay : StagedPrediction {
       handler.update();
     }
   }
-  // The assignment that a play makes after a few frames of observation.
+  // The role assignment of a play after a few frames of observation.
   RoleAssignment assignment(void (*play)(PlayContext&, RoleAssignment&)) {
     watch();
     RoleAssignment assignment(predicted);

@@ -85,7 +85,7 @@ class StagedWorld {
     return *this;
   }
 
-  // That many robots per team, each team in a row from west to east.
+  // A world with that many robots per team, each team in a row from west to east.
   StagedWorld& rows_of(int robots) {
     for (int i = 0; i < robots; ++i)
       own(i, {-2.5 + 0.3 * i, 1.0}).opponent(i, {-2.5 + 0.3 * i, -1.0});
@@ -141,7 +141,7 @@ class StagedWorld {
   double kicked_at_s = 0;
 };
 
-// Numbers of robots: compared with kNobody, they name the robots that break a rule.
+// Numbers of robots. A test that compares them with kNobody names the robots that break a rule.
 using Numbers = std::vector<int>;
 inline const Numbers kNobody;
 
@@ -166,7 +166,7 @@ inline Numbers robots_within(const StagedWorld& world, const Vec2& point_m, doub
   });
 }
 
-// The same without robot 0, the keeper, which may stay in its goal.
+// The same without robot 0, because the keeper may stay in its goal.
 inline Numbers field_players_within(const StagedWorld& world, const Vec2& point_m,
                                     double distance_m) {
   Numbers numbers = robots_within(world, point_m, distance_m);
@@ -181,7 +181,7 @@ inline Numbers near_their_area(const StagedWorld& world, double distance_m) {
   });
 }
 
-// The own robots that are at least `distance_m` from where they were.
+// The own robots that have moved by at least `distance_m`.
 inline Numbers moved_since(const TeamView& before, const StagedWorld& world, double distance_m) {
   return numbers_of(world.view.own, [&](const TrackedRobot& robot) {
     const auto same = [&](const TrackedRobot& former) { return former.number == robot.number; };
@@ -190,7 +190,7 @@ inline Numbers moved_since(const TeamView& before, const StagedWorld& world, dou
   });
 }
 
-// The robots that are commanded to move or to kick.
+// The robots with a command to move or to kick.
 inline Numbers active_robots(const TeamCommands& commands) {
   Numbers numbers;
   for (std::size_t i = 0; i < commands.size(); ++i) {
@@ -211,7 +211,7 @@ inline double least_gap_m(StagedWorld& world, Strategy& team, double seconds, co
   return least_m;
 }
 
-// A position in millimetres as a part of a test's name: "West2900North1900".
+// A position in millimetres as part of a test's name: "West2900North1900".
 inline std::string place_name(const Vec2& position_m) {
   const auto part = [](double metres, const char* plus, const char* minus) {
     return (metres < 0 ? minus : plus) + std::to_string(std::lround(std::abs(metres) * 1000));
@@ -227,7 +227,7 @@ inline std::string name_of_rule_book(const testing::TestParamInfo<const char*>& 
   return name;
 }
 
-// A staged world and a team's prediction of it.
+// A staged world and a team's predicted state of it.
 struct StagedPrediction {
   explicit StagedPrediction(Play play, bool ours = false, const TeamContext& context = {},
                             const Style& style = {})

@@ -35,7 +35,7 @@ inline PlayedEvents played_events(const game::GameConfiguration& game) {
   return events;
 }
 
-// A game of `rowdy`, which occasionally breaks every rule, against `basic`.
+// A game of `rowdy`, which breaks every rule now and then, against `basic`.
 inline game::GameConfiguration foul_game(const std::string& book, std::uint64_t seed,
                                          double half_s) {
   game::GameConfiguration game = short_game_by(book, half_s, seed);

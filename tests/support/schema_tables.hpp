@@ -1,4 +1,4 @@
-// Reads the names of columns and keys described in the tables of docs/schemas.md and other pages.
+// Reads the names of columns and keys from the tables of docs/schemas.md and other pages.
 #pragma once
 
 #include <sstream>
@@ -13,7 +13,7 @@ namespace autoref {
 
 struct SchemaSection {
   std::string title;
-  std::vector<std::vector<std::string>> rows;  // cells of the table's rows, without the head
+  std::vector<std::vector<std::string>> rows;  // cells of the table's rows, without its header
 
   // Names in the order of the table. A row's first cell may contain several names, each in
   // backticks.

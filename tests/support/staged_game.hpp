@@ -1,4 +1,4 @@
-// A game that is refereed by the test: teams, tracker and physics are real, but the test gives the
+// A game that the test referees: teams, tracker and physics are real, but the test sends the
 // referee's commands.
 #pragma once
 
@@ -22,7 +22,7 @@ struct StagedTeam {
   std::map<std::string, double> params;
 };
 
-// Vision is exact and has no delay, so the teams alone cause what happens.
+// Vision is exact and has no delay, so everything that happens is the teams' doing.
 class StagedGame {
  public:
   static constexpr double kRate_hz = 60;

@@ -10,7 +10,7 @@
 
 namespace autoref {
 
-// Everybody may write to it, also programs that do not run under the user of the test.
+// All users can write to it, because some programs do not run as the user of the test.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

@@ -1,4 +1,4 @@
-// Ends the test program if a test waits for ever.
+// Ends the test program if a test hangs.
 #pragma once
 
 #include <unistd.h>

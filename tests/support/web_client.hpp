@@ -10,7 +10,7 @@ namespace autoref {
 
 class WebClient {
  public:
-  // With a size in bytes, the system keeps no more for this client than about so much unread.
+  // `receive_buffer` limits the unread bytes that the system keeps for this client, approximately.
   // `from` is the client's own address.
   explicit WebClient(int port, std::optional<int> receive_buffer = std::nullopt,
                      const char* from = "127.0.0.1");
@@ -18,13 +18,13 @@ class WebClient {
   WebClient(const WebClient&) = delete;
   WebClient& operator=(const WebClient&) = delete;
 
-  // Returns whether the system took all of it: not if the connection is closed.
+  // Returns whether the system took all bytes, which fails if the connection is closed.
   bool send(std::string_view bytes) const;
 
   // Everything until the server closes the connection.
   std::string rest();
 
-  // Up to the empty line that ends a header.
+  // The next header, up to the empty line that ends it.
   std::string header();
 
   // The next text message of a WebSocket; nullopt if the server has closed the connection.
@@ -32,7 +32,7 @@ class WebClient {
 
  private:
   bool read_some();
-  bool await(std::size_t bytes);  // in the buffer
+  bool await(std::size_t bytes);  // until they are in the buffer
 
   int socket_;
   std::string buffer_;

@@ -16,7 +16,7 @@ struct Artefact {
   bool is_json = false;
 };
 
-// Prints the artefact's name if a test fails.
+// Prints the artefact's name when a test fails.
 inline void PrintTo(const Artefact& artefact, std::ostream* out) { *out << artefact.section; }
 
 // The columns of results.csv that count calls, one for each call of docs/reference/rules.md.

@@ -20,7 +20,7 @@ struct BallModel {
   double slide_mps2 = 0;
   double roll_mps2 = 0;
   double rolls_below = 0;  // fraction of the kick's speed
-  double along_first = 0;  // fractions of the speed that bounces keep
+  double along_first = 0;  // fractions of the speed kept by bounces
   double along_later = 0;
   double upwards = 0;
 };
@@ -76,7 +76,7 @@ inline double rolled_m(const Kick& kick, double t) {
          m.roll_mps2 / 2 * rolls_s * rolls_s;
 }
 
-// A flight, bounces, and then a ball at constant velocity.
+// A flight with bounces, after which the ball keeps a constant velocity.
 inline Truth flight_at(const Kick& kick, double t) {
   double along_m = 0;
   double speed = kick.speed_mps;

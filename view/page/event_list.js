@@ -37,7 +37,7 @@ class EventList {
     if (highlights.length === 0) this.list.append(textElement("li", "none", "The log contains no events."));
   }
 
-  // The latest highlight at this time.
+  // The latest highlight up to this time.
   highlightAt(time_s) {
     return this.highlights[this.indexAt(time_s)] ?? null;
   }
@@ -70,7 +70,7 @@ class EventList {
   reveal() {
     const {list} = this;
     const item = list.children[this.current];
-    if (!item || item.offsetParent === null) return;  // none, or not listed
+    if (!item || item.offsetParent === null) return;  // there is none, or it is hidden
     list.scrollTop = item.offsetTop - list.offsetTop - (list.clientHeight - item.offsetHeight) / 2;
   }
 

@@ -1,4 +1,4 @@
-// The field with its lines, as given in the data; redrawn only when the window size changes.
+// The field with its lines, as given in the data. It is redrawn only when the window size changes.
 
 const kColors = {
   carpet: "#1c5b40",
@@ -61,8 +61,8 @@ function drawGoals(context, field, thin, yellowEnd) {
   });
 }
 
-// Draws in millimetres, y upwards; `thin` is the size of a pixel in millimetres, `yellowEnd` the end
-// that yellow defends.
+// Draws in millimetres with y upwards. `thin` is the size of a pixel in millimetres, and `yellowEnd` is the
+// end that yellow defends.
 function drawField(context, field, thin, yellowEnd) {
   const {halfLength_mm: x, halfWidth_mm: y} = field;
   const [wallX, wallY] = field.wall_mm;

@@ -1,9 +1,9 @@
-// Heat map of where the ball rolled during play, relative to the teams' ends: as if yellow had
-// defended the end at -x all the time.
+// Heat map of the ball's positions while it rolled during play. Positions are turned as if yellow had always
+// defended the end at -x.
 
 const kCell_mm = 150;
 const kHottestShare = 0.99;  // quantile of the cells; hotter ones look the same
-const kRolls_mm = 3;         // minimum per frame; a ball waiting for its kick does not count
+const kRolls_mm = 3;         // minimum per frame, so that a ball waiting for its kick does not count
 
 function isRolling(recording, i) {
   const {ball} = recording;
@@ -36,7 +36,7 @@ function blurred(counts, columns, rows) {
   return along(inRows, columns, (i) => Math.floor(i / columns), rows);
 }
 
-// From transparent over yellow to red.
+// From transparent through yellow to red.
 function paintHeat(counts, pixels) {
   const sorted = [...counts].sort((a, b) => a - b);
   const hottest = Math.max(sorted[Math.floor((sorted.length - 1) * kHottestShare)], 1);

@@ -1,6 +1,6 @@
 // Highlights of a game: goals, kicks of a shoot-out, stops, cards.
 
-// A goal and its call may be a packet or two apart.
+// A goal and its call can be a packet or two apart.
 const kSameGoal_s = 1;
 // A person shows a card some seconds after AutoRef.
 const kSameCard_s = 10;
@@ -56,7 +56,7 @@ function cardsOf(signals) {
   return cards;
 }
 
-// Says what the card was shown for.
+// The title of a card, with the reason for it if known.
 function cardTitle({card, card_reason}, side) {
   const whose = side === null ? "each side" : kSideNames[side];
   return `${capitalised(card)} card for ${whose}` + (card_reason ? `: ${card_reason}` : "");
@@ -81,8 +81,8 @@ function highlightOfDecision(decision) {
   };
 }
 
-// Adds the referee's reasons to highlights found in the signals; returns the decisions that were
-// used, each with its highlight.
+// Adds the referee's reasons to highlights found in the signals. Returns the decisions that were used,
+// each with its highlight.
 function addReasons(moments, decisions, events) {
   const calls = decisions.filter((decision) => events.includes(decision.event));
   const used = new Map();
@@ -113,8 +113,8 @@ function highlightOfRecorded(call) {
   return {time_s: call.time_s, kind: "recorded", side: null, isMissed, isDisagreement: isMissed, title, reason};
 }
 
-// The highlight of AutoRef's decision in this comparison. Several decisions may have its time, such as a
-// foul and a card.
+// The highlight of AutoRef's decision in this comparison. Several decisions can have the same time, for
+// example a foul and a card.
 function highlightOfAutoref({autoref, autoref_s}, highlights) {
   const made = [...highlights.keys()].filter((one) => Math.abs(one.time_s - autoref_s) < 1e-3);
   const named = made.find(({event}) => event === autoref.split(" (")[0]);
@@ -125,7 +125,7 @@ function withSentence(reason, sentence) {
   return `${reason} ${sentence}`.trim();
 }
 
-// Turns the highlight of AutoRef's call into that of both referees'.
+// Turns the highlight of AutoRef's call into one of a call by both referees.
 function addAgreement(moment, call) {
   moment.reason = withSentence(moment.reason, `Recorded: ${titleOfRecorded(call)}.`);
   if (moment.kind !== "stop") return;
@@ -138,7 +138,7 @@ function addDisagreement(moment, {other}) {
   moment.reason = withSentence(moment.reason, `${capitalised(other)}.`);
 }
 
-// Adds what the recorded referee did to AutoRef's highlights; returns those of the other recorded calls.
+// Adds the recorded referee's calls to AutoRef's highlights. Returns highlights of the other recorded calls.
 function addRecorded(highlights, compared) {
   const others = [];
   for (const call of compared) {
@@ -150,7 +150,7 @@ function addRecorded(highlights, compared) {
   return others;
 }
 
-// The recorded cards that AutoRef did not show; its highlights of the others say that both did.
+// The recorded cards that AutoRef did not show. AutoRef's highlights of the other cards say that both did.
 function otherCards(recorded, calls) {
   const left = calls.filter(({kind}) => kind === "card");
   return recorded.filter((card) => {
@@ -163,7 +163,7 @@ function otherCards(recorded, calls) {
   });
 }
 
-// AutoRef's calls beside the recorded referee's; a call of both is listed once. `shown` has the decisions
+// AutoRef's calls and the recorded referee's; a call by both is listed once. `shown` contains the decisions
 // that belong to other highlights.
 function comparedCallsOf({signals, decisions, compared}, shown) {
   const calls = new Map();
@@ -176,14 +176,14 @@ function comparedCallsOf({signals, decisions, compared}, shown) {
   return [...own, ...otherCards(cardsOf(signals), own), ...recorded];
 }
 
-// Decisions; without any, what the signals show.
+// Calls from the decisions or, if there are none, from the signals.
 function callsOf({signals, decisions}, shown) {
   if (decisions.length === 0) return [...stopsOf(signals), ...cardsOf(signals)];
   return decisions.filter((one) => one.event !== "goal" && !shown.has(one)).map(highlightOfDecision);
 }
 
-// The newest highlights in order of time. The score is always the recorded one, whatever the decisions
-// say.
+// The newest highlights in order of time. The score is always the recorded one, even if the decisions
+// disagree.
 function highlightsOf(game, kicks) {
   const {signals, decisions} = game;
   if (signals.length === 0 && !game.compared) return [];

@@ -1,4 +1,4 @@
-// Keyboard control. `actions` has a function for each name in kKeys.
+// Keyboard control. `actions` contains a function for each name in kKeys.
 
 const kKeys = {
   " ": "toggle", k: "toggle",

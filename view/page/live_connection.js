@@ -1,10 +1,10 @@
-// The connection to the server. It is opened again, after growing pauses, whenever it is lost.
+// The connection to the server. Whenever it is lost, it is opened again after growing pauses.
 
 const kFirstPause_ms = 500;
 const kLongestPause_ms = 10000;
 
 class Connection {
-  // `onMessage(message)` gets each message, `onState(text)` a sentence for the user or "".
+  // `onMessage(message)` receives each message, and `onState(text)` a sentence for the user or "".
   constructor(onMessage, onState) {
     this.onMessage = onMessage;
     this.onState = onState;

@@ -4,7 +4,7 @@ function isSameHighlight(one, other) {
   return one !== undefined && one.time_s === other.time_s && one.title === other.title && one.reason === other.reason;
 }
 
-// How many highlights at the beginning of both lists are the same.
+// Number of highlights at the beginning of both lists that are equal.
 function sameUntil(one, other) {
   let same = 0;
   while (same < other.length && isSameHighlight(one[same], other[same])) ++same;
@@ -42,7 +42,7 @@ class LiveTimeline extends Timeline {
     this.moveMarks();
   }
 
-  // The range grows, so all marks move; those before it disappear.
+  // The range changes, so all marks move; those before its beginning disappear.
   moveMarks() {
     this.slider.setAttribute("aria-valuemax", String(Math.round(this.recording.last_s)));
     this.highlights.forEach(({time_s}, i) => {

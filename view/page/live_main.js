@@ -17,7 +17,7 @@ class LivePage extends Page {
     const seek = (time_s) => this.player.seek(time_s);
     this.timeline = new LiveTimeline(recording, seek);
     this.events = new LiveEventList(seek);
-    this.isLoading = true;  // until the messages so far have arrived
+    this.isLoading = true;  // until all earlier messages have arrived
     this.drawn = 0;  // frames, for tests and measurements
   }
 
@@ -27,7 +27,7 @@ class LivePage extends Page {
     setInterval(() => { this.pitch.heat = null; }, kHeatEvery_ms);
   }
 
-  // The server sends the game from its beginning again.
+  // Called when the server starts to send the game from its beginning again.
   restart() {
     for (const list of [this.game.signals, this.game.clock, this.game.decisions]) list.length = 0;
     this.recording.clear();
@@ -86,7 +86,7 @@ class LivePage extends Page {
   }
 }
 
-// The button that follows the game, and what the connection is doing.
+// The button that follows the game, and the state of the connection.
 function addLiveControls() {
   const button = textElement("button", "", "Live");
   button.type = "button";

@@ -1,9 +1,9 @@
 // Time control of a live game: it follows the newest frame until the user chooses another time.
 
-const kFollowing_s = 0.15;   // how far behind the newest frame, at real time
-const kFarBehind_s = 2;      // farther behind, it jumps
+const kFollowing_s = 0.15;   // how far behind the newest frame it plays
+const kFarBehind_s = 2;      // if it is farther behind, it jumps
 const kAlmostLive_s = 0.05;
-const kNoLonger_s = 0.002;   // closer to the newest frame, it is reached
+const kNoLonger_s = 0.002;   // closer than this, it has reached the newest frame
 
 class LivePlayer extends Player {
   constructor(recording, onChange) {

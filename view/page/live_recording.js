@@ -1,7 +1,7 @@
 // A recording that grows while the game goes on.
 
 const kMostLiveFrames = 36000;  // 20 minutes at 30 frames per second
-const kDroppedAtOnce = 6000;    // the oldest, when there are too many
+const kDroppedAtOnce = 6000;    // number of the oldest frames dropped if there are too many
 
 class LiveRecording extends Recording {
   constructor(signals) {
@@ -50,7 +50,7 @@ class LiveRecording extends Recording {
     this.forgetFreed(begin);
   }
 
-  // Robots that are not in a message were not seen.
+  // A robot that is missing in a message was not seen.
   hide(begin, end) {
     for (const robot of this.robots) robot.x.fill(kNothing, begin, end);
   }
@@ -79,7 +79,7 @@ class LiveRecording extends Recording {
     this.forgetFreed(0);
   }
 
-  // Signals remember the frame in which the ball came into play (freedAt()), unless it may change.
+  // Signals cache the frame in which the ball came into play (freedAt()). Forgets those that can still change.
   forgetFreed(fromFrame) {
     for (let i = this.signals.length - 1; i >= 0; --i) {
       const signal = this.signals[i];

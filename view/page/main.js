@@ -7,7 +7,7 @@ function readGame() {
   const game = JSON.parse(document.getElementById("game").textContent);
   const element = document.getElementById("frames");
   const recording = new Recording(game, element.textContent);
-  element.remove();  // it is long and no longer needed
+  element.remove();  // it is large and no longer needed
   return {game, recording};
 }
 
@@ -49,7 +49,7 @@ class Page {
     requestAnimationFrame(frame);
   }
 
-  // An address that ends in #t=83.2 shows that moment, with &with=speeds,heat also these layers.
+  // An address that ends in #t=83.2 shows that moment; &with=speeds,heat also shows these layers.
   seekAddress() {
     const address = new URLSearchParams(location.hash.slice(1));
     const time_s = Number(address.get("t") ?? NaN);

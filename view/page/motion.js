@@ -1,6 +1,6 @@
 // Speeds and trails, computed from the frames.
 
-const kSpeedPictures = 3;  // frames before and after; fewer would show vision noise
+const kSpeedPictures = 3;  // frames before and after; with fewer, vision noise would show
 const kTrailPictures = 90;
 const kTrailParts = 9;  // opacity levels
 

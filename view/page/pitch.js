@@ -56,7 +56,7 @@ class Pitch {
     this.drawStill();
   }
 
-  // `layers` maps layer names to whether they are on; `highlight` is the latest call, if any.
+  // `layers` maps the name of each layer to whether it is on; `highlight` is the latest call, if any.
   draw(scene, signalIndex, layers, highlight) {
     const {context} = this;
     if (scene.yellowEnd !== this.yellowEnd) this.changeEnds(scene.yellowEnd);
@@ -134,7 +134,7 @@ class Pitch {
     this.drawTrail(this.recording.ball, scene.index, kColors.ball, 3, 0.95);
   }
 
-  // Fades with age.
+  // The trail, which fades with age.
   drawTrail(track, index, color, width_px, strongest) {
     const {context} = this;
     const length = kTrailPictures / kTrailParts;

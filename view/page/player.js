@@ -1,10 +1,10 @@
-// Time control: playing, speed, steps. Independent of the page.
+// Time control: playing, speed and steps. It does not depend on the page.
 
 const kSpeeds = [0.25, 0.5, 1, 2, 4, 8, 16];
 const kLongestTick_s = 0.25;  // longest step, so a hidden page does not jump
 
 class Player {
-  // `onChange()` is called whenever time, speed or the play state has changed.
+  // Calls `onChange()` whenever the time, the speed or the play state has changed.
   constructor(recording, onChange) {
     this.recording = recording;
     this.onChange = onChange;

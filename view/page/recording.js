@@ -95,7 +95,7 @@ class Recording {
     return ends;
   }
 
-  // Whether the teams kept their ends from one frame to the other.
+  // Whether the teams kept their ends from one frame to the next.
   keptEnds(from, to) {
     return this.yellowEnds[from] === this.yellowEnds[to];
   }
@@ -136,7 +136,7 @@ function lastNotAfter(list, time_s, timeOf) {
   return low - 1;
 }
 
-// Interpolation weight; 0 if the object moved so far in one frame that it must have been placed.
+// Interpolation weight: 0 if the object moved so far in one frame that it must have been placed.
 function shareFor(track, {index, next, share}) {
   if (track.x[next] === kNothing) return 0;
   const step = Math.hypot(track.x[next] - track.x[index], track.y[next] - track.y[index]);

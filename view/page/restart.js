@@ -1,8 +1,7 @@
-// What the rules require at restarts: who must keep away from the ball, and until when; and whether the
-// ball is in play.
+// The rules at restarts: who must keep away from the ball, and until when. Also whether the ball is in play.
 
 const kInPlay_mm = 50;  // the ball is in play once it has moved this far (Laws 13)
-const kOutsideFrames = 3;  // in a row; fewer may be a false detection
+const kOutsideFrames = 3;  // consecutive; fewer may be a false detection
 const kRestarts = ["DIRECT_FREE", "INDIRECT_FREE", "PREPARE_KICKOFF", "NORMAL_START"];
 const kRunning = ["NORMAL_START", "FORCE_START", "DIRECT_FREE", "INDIRECT_FREE"];
 
@@ -43,8 +42,8 @@ function hasLeftField(recording, {field, shapes}, begin, end) {
   return outside >= kOutsideFrames;
 }
 
-// "before" the kick of a restart or while the game is stopped, "in" play, or "out" of it: the ball has left
-// the field, and no command has followed.
+// "before" if the restart has not been taken or the game is stopped, "in" during play, or "out" if the ball
+// has left the field and no command has followed.
 function playAt(recording, game, signal, frame) {
   if (!signal || !isRunning(signal)) return "before";
   const isForced = kindOfCommand(signal.command) === "FORCE_START";

@@ -1,4 +1,4 @@
-// The page of an experiment that is being played. The server computes everything that it shows.
+// The page of a running experiment. The server computes everything that the page shows.
 
 const kTitle = document.title;
 const find = (id) => document.getElementById(id);
@@ -12,7 +12,7 @@ function showProgress({done, total, text, remark}) {
   document.title = total > 0 ? `${done}/${total} \u2013 ${kTitle}` : kTitle;
 }
 
-// Tables that a reader has scrolled sideways stay where they are.
+// Keeps the sideways scroll position of tables.
 function showResults({html}) {
   const left_px = scrollable().map((box) => box.scrollLeft);
   find("results").innerHTML = html;
@@ -46,7 +46,7 @@ function showGames({running, ended}) {
   find("before").hidden = ended.length === 0;
 }
 
-// Another experiment may be shown at the same address by now.
+// The same address may now show another experiment.
 let shownTitle = null;
 function start({title}) {
   if (shownTitle !== null && title !== shownTitle) location.reload();

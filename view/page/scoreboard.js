@@ -1,4 +1,4 @@
-// Team names, score, clock, and whether the ball is in play or which command holds.
+// Team names, score and clock, and whether the ball is in play or which command applies.
 
 function setText(id, text) {
   const element = document.getElementById(id);
@@ -23,7 +23,7 @@ class Scoreboard {
     });
   }
 
-  // `play` is as in playAt().
+  // `play` is a value of playAt().
   show(time_s, signal, play) {
     setText("clock", this.clockAt(time_s));
     if (!signal) return;

@@ -1,6 +1,6 @@
 // The table of shoot-out kicks: one row per side, one button per kick.
 
-const kMostKicksInLine = 16;  // kicks of both sides; a longer list goes below the names
+const kMostKicksInLine = 16;  // of both sides; a longer list moves below the names
 
 function kickButton(kick, seek) {
   const button = document.createElement("button");
@@ -35,7 +35,7 @@ class Shootout {
     }
   }
 
-  // Goals of both sides in the kicks so far; null before the first kick.
+  // Goals of both sides in the shoot-out so far; null before the first kick.
   standingAt(time_s) {
     const index = lastNotAfter(this.kicks, time_s + 1e-6, (kick) => kick.time_s);
     return index < 0 ? null : this.kicks[index].standing;

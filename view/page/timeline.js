@@ -1,7 +1,7 @@
 // The timeline: a slider with a mark for each highlight.
 
 class Timeline {
-  // `seek(time_s)` is called when the user points at a time.
+  // Calls `seek(time_s)` when the user picks a time.
   constructor(recording, highlights, seek) {
     this.recording = recording;
     this.seek = seek;

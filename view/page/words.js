@@ -65,7 +65,7 @@ function stageTitle(stage) {
   return plain(stage.replace(/_PRE$/, "")) + (stage.endsWith("_PRE") ? ", about to begin" : "");
 }
 
-// The teams' names, or their colours if unknown; colours distinguish two teams of the same name.
+// The teams' names, or their colours if the names are unknown. Colours also distinguish teams with the same name.
 function shownNames(teams) {
   return teams.map((name, side) => {
     if (!name) return capitalised(kSideNames[side]);

@@ -11,7 +11,7 @@ namespace {
 constexpr const char* kChallengers = "challengers";
 
 Key challengers_key(Gauntlet& gauntlet) {
-  Key key = teams_key(kChallengers, "who is tested", gauntlet.challengers, gauntlet.base, {1});
+  Key key = teams_key(kChallengers, "the teams to test", gauntlet.challengers, gauntlet.base, {1});
   key.read = [&gauntlet, read_teams = key.read](TopReader& top) {
     read_teams(top);
     for (const auto& [name, team] : gauntlet.challengers) {

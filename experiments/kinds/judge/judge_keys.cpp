@@ -138,7 +138,7 @@ Key strategies_key(JudgeSchedule& schedule) {
 }
 
 Key games_key(JudgeSchedule& schedule) {
-  Key key{"games", "whole number", "per rule book, camera and seed"};
+  Key key{"games", "whole number", "number of games per rule book, camera and seed"};
   key.read = [&schedule](TopReader& top) {
     schedule.games_each = top.whole_number("games", 1, kMostJudged);
   };
@@ -150,7 +150,7 @@ bool has_one_seed(const JudgeSchedule& schedule) { return schedule.seeds.front()
 
 // A single seed.
 Key unnamed_seed_key(JudgeSchedule& schedule) {
-  Key key{"seed", "whole number", "of the experiment"};
+  Key key{"seed", "whole number", "the experiment's random seed"};
   key.read = [&schedule](TopReader& top) {
     refuse_both(top, "seed", "seeds");
     if (top.find("seeds") != nullptr) return;

@@ -57,7 +57,7 @@ void read_bracket_order(TopReader& top, Knockout& knockout) {
 // The seeding decides which teams meet in which tie.
 Key order_key(Knockout& knockout) {
   Key key{"order", "list of names",
-          "all teams from the best seed to the worst; by name if it is missing"};
+          "all teams from the best seed to the worst; in order of their names if missing"};
   key.read = [&knockout](TopReader& top) { read_bracket_order(top, knockout); };
   key.text = [&knockout] {
     return fmt::format("order: [{}]  # the best seed first\n", io::listed(knockout.order));

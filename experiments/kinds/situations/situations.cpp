@@ -54,8 +54,8 @@ std::vector<KeyRow> situation_rows() {
            "robots by number, with `x_m`, `y_m`, `heading_deg`, `vx_mps`, `vy_mps`, `turn_radps`",
            "the robots; without `heading_deg`, a robot faces the ball"},
           {"`from`", "`log`, `at_s`, `attackers`, `spread_m`",
-           "instead of all of these: where an SSL log is at that time"},
-          {"`lasts_s`, `score`, `ends_on`", "as above", "of this situation only"}};
+           "instead of all of these: the state of an SSL log at that time"},
+          {"`lasts_s`, `score`, `ends_on`", "as above", "for this situation only"}};
 }
 
 // `scene` holds the defaults for what a situation leaves open.
@@ -76,7 +76,7 @@ Key situations_key(Situations& all, std::shared_ptr<const game::Scene> scene) {
 }
 
 Key base_of_scenes_key(game::GameSettings& base) {
-  Key key = base_without_teams_key(base, kRemedy, "of every scene");
+  Key key = base_without_teams_key(base, kRemedy, "shared by every scene");
   key.read = [read_base = key.read](TopReader& top) {
     top.refuse_assignments("teams.", "name a team instead, such as attackers.NAME.robots");
     read_base(top);
@@ -134,7 +134,7 @@ std::vector<std::size_t> playing_order(const Situations& situations) {
 
 constinit const Kind Situations::kKind = {
     "situations",
-    "Attacking teams in short scenes against defending ones; see [situations](../situations.md).",
+    "Attacking teams against defending teams in short scenes; see [situations](../situations.md).",
     make};
 
 std::vector<SituationMatchup> matchups_of(const Situations& situations) {
@@ -153,7 +153,7 @@ std::vector<Key> Situations::keys() {
   std::vector<Key> all = {
       base_of_scenes_key(base),
       teams_key("attackers", "the teams that are compared", attackers, base, {1}),
-      teams_key("defenders", "whom each of them plays against", defenders, base, {1})};
+      teams_key("defenders", "their opponents", defenders, base, {1})};
   for (Key& key : scene_keys(scene)) all.push_back(std::move(key));
   all.push_back(situations_key(*this, scene));
   all.push_back(pairs_key(pairs, "scenes per situation and teams, each played in both directions"));

@@ -14,7 +14,7 @@ namespace {
 
 Key rounds_key(Swiss& swiss) {
   Key key{"rounds", "whole number",
-          "rounds to play, at most one less than the teams, or as many if their number is odd"};
+          "rounds to play: at most the number of teams if it is odd, otherwise one fewer"};
   key.read = [&swiss](TopReader& top) {
     swiss.rounds = top.whole_number("rounds", 1, most_rounds(kMostInSwiss));
   };

@@ -120,7 +120,7 @@ void add_rounds(ExperimentResults& results, const SwissRounds& played) {
   results.table.insert(results.table.begin(), {rounds_table(round_rows(played)), "\n"});
   if (played.byes.empty()) return;
   results.table.emplace_back(
-      fmt::format("\nA bye counts {} points, as many as winning all games of a meeting.\n",
+      fmt::format("\nA bye is worth {} points, as many as winning all games of a meeting.\n",
                   played.points_of_bye));
 }
 

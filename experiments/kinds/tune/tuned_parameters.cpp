@@ -20,21 +20,16 @@ std::vector<game::Setting> settings_of(TunedParameter& parameter) {
   const auto path = [&parameter](const char* key) {
     return fmt::format("tune.{}.{}", parameter.name, key);
   };
-  return {{path("from"), &parameter.from, kParameterValue, {}, "", "least value"},
+  return {{path("from"), &parameter.from, kParameterValue, {}, "", "smallest value"},
           {path("to"), &parameter.to, kParameterValue, {}, "", "largest value"},
           {path("start"), &parameter.start, kParameterValue, {}, "", "value to improve on"},
-          {path("step"),
-           &parameter.step,
-           kParameterValue,
-           {},
-           "",
-           "distance over which its effect is looked for at first"},
+          {path("step"), &parameter.step, kParameterValue, {}, "", "how far it is varied at first"},
           {path("whole"),
            &parameter.whole,
            {},
            {"false", "true"},
            "",
-           "whether only whole numbers are played"}};
+           "whether to try only whole numbers"}};
 }
 
 // The strategy's own description of a parameter; nullptr if there is none or the team is a program.
@@ -93,7 +88,7 @@ class ParameterReader {
 
   void refuse_between() const {
     top_.file().refuse(game::find_entry(given_, "whole")->location, path_ + ".whole",
-                       "the parameter is either 0 or 1, and only these are played; leave it out");
+                       "the parameter can only be 0 or 1; leave this key out");
   }
 
   static double default_step(const TunedParameter& parameter) {
@@ -134,7 +129,7 @@ void read_parameters(TopReader& top, Tuning& tuning) {
 // A parameter's default in words, for the reference page.
 std::string default_of(const std::string& names) {
   static const std::map<std::string, std::string> kDefaults = {
-      {"`from`", "the strategy's least value"},
+      {"`from`", "the strategy's smallest value"},
       {"`to`", "the strategy's largest value"},
       {"`start`", "the team's value"},
       {"`step`", fmt::format("{} of the range", kStepShare)}};

@@ -63,7 +63,7 @@ void check_whole(const TunedParameter& parameter) {
                                    std::pair{"start", parameter.start}}) {
     if (value == std::round(value)) continue;
     throw game::SettingError(path_of(parameter, key),
-                             fmt::format(" is {}; a whole parameter needs a whole number", value));
+                             fmt::format(" is {}; this parameter needs a whole number", value));
   }
 }
 
@@ -104,7 +104,7 @@ void check_opponents(const Tuning& tuning) {
   for (const char* name : {"plus", "minus", "centre", "result", "start"}) {
     if (!tuning.opponents.contains(name)) continue;
     throw game::SettingError(fmt::format("opponents.{}", name),
-                             ": games of the tuned team have this name; choose another");
+                             ": this name is reserved for games of the tuned team; choose another");
   }
   check(tuning.base, tuning.opponents, "opponents");
 }

@@ -34,16 +34,18 @@ std::vector<game::Setting> settings_of(Tuning& tuning) {
        kGain,
        {},
        "",
-       "of spsa: steps that a usual difference moves the parameters in the first iteration"},
+       "for spsa: by how many steps a typical difference moves the parameters in the first "
+       "iteration"},
       {"test.delta",
        &tuning.test.d1,
        kDelta,
        {},
        "goals per game",
-       "gain that the final test looks for"}};
-  for (game::Setting& setting : settings_of(
-           tuning.test, "test",
-           {"probability of better without any gain", "probability of missing a gain of delta"}))
+       "gain that the final test should detect"}};
+  for (game::Setting& setting :
+       settings_of(tuning.test, "test",
+                   {"probability of the verdict \"better\" without any gain",
+                    "probability of missing a gain of delta"}))
     settings.push_back(std::move(setting));
   return settings;
 }
@@ -91,7 +93,7 @@ void read_weights(TopReader& top, Tuning& tuning) {
   if (entry == nullptr) return;
   if (tuning.is_against_itself()) {
     top.file().refuse(entry->location, "weights",
-                      "weights belong to opponents, and there are none; leave it out");
+                      "weights are only for opponents, and the file has none; leave it out");
   }
   for (const auto& [name, team] : tuning.opponents) tuning.weights[name] = 1;
   game::SettingsReader(top.file(), weight_settings_of(tuning), top.locations())
@@ -145,7 +147,7 @@ Key gain_key(Tuning& tuning) {
     read_setting(top);
     const game::YamlEntry* entry = top.find("gain");
     if (entry == nullptr || tuning.method == kSpsaName) return;
-    top.file().refuse(entry->location, "gain", "belongs to method spsa; leave it out");
+    top.file().refuse(entry->location, "gain", "only applies to method spsa; leave it out");
   };
   key.text = [&tuning, text_of_setting = key.text] {
     return tuning.method == kSpsaName ? text_of_setting() : "";
@@ -164,9 +166,9 @@ Key test_key(Tuning& tuning) {
 }
 
 Key tuned_base_key(Tuning& tuning) {
-  Key key = base_without_teams_key(tuning.base,
-                                   "give the tuned team under `team` and its opponents under "
-                                   "`opponents`, beside the base");
+  Key key = base_without_teams_key(
+      tuning.base,
+      "give the tuned team under `team` and its opponents under `opponents`, outside the base");
   key.read = [read_base = key.read](TopReader& top) {
     read_base(top);
     top.refuse_assignments("teams.", "the teams of a tuning are team.KEY and opponents.NAME.KEY");
@@ -198,8 +200,7 @@ Key weights_key(Tuning& tuning) {
 // Every candidate's score includes all opponents, so no opponent has games of its own.
 Key opponents_key(Tuning& tuning) {
   Key key = teams_key("opponents",
-                      "whom it plays against; `self`: both candidates of an iteration play each "
-                      "other",
+                      "its opponents; `self`: both candidates of an iteration play each other",
                       tuning.opponents, tuning.base);
   key.value = "teams by name, or `self`; `self`";
   key.read = [&tuning](TopReader& top) {

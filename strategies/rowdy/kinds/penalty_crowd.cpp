@@ -33,7 +33,7 @@ bool go_on(const RowdyView& view, ActiveFoul& foul, TeamOutput& output) {
 }  // namespace
 
 const FoulBehaviour kPenaltyCrowd = {"penalty_crowd",
-                                     "Puts a robot beside the mark when a penalty kick is taken.",
+                                     "Puts a robot next to the mark when a penalty kick is taken.",
                                      0.4,
                                      25,
                                      find_chance,

@@ -38,7 +38,7 @@ Options:
   -h,--help                   Print this help message and exit
   --delta GOALS REQUIRED      Difference to detect, in goals per game.
   --sd GOALS REQUIRED         Standard deviation of a SINGLE GAME's goal difference (not of a pair's mean).
-  --power SHARE               Probability of detecting it, between 0 and 1. Default: 0.8.
+  --power SHARE               Probability of detecting the difference, between 0 and 1. Default: 0.8.
   --json                      Print one JSON object.
 
 The unit of the test is the pair of legs, as in an experiment's intervals: a two-sided

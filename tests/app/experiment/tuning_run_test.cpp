@@ -57,7 +57,7 @@ TEST_F(TuningRun, IsWhatTheFormerVerbPlays) {
       {"tune", file_.c_str(), "-o", results_.c_str(), "-j", "1", "--shard", "0/2", "--wait", "0"});
   EXPECT_EQ(answer.code, io::kInterrupted) << answer.err;
   const Answer judge = answer_to({"judge", file_.c_str()});
-  EXPECT_TRUE(says(judge.err, "this is of kind tune, not a judge; play it with: autoref run"))
+  EXPECT_TRUE(says(judge.err, "this file is of kind tune, not a judge; play it with: autoref run"))
       << judge.err;
 }
 

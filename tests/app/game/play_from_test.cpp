@@ -52,7 +52,7 @@ TEST_F(PlayFrom, RefusesWhatIsNotAnInstantOfALog) {
   }
   const Answer beyond = play_from(log_ + "@9999");
   EXPECT_EQ(beyond.code, io::kBadInput);
-  EXPECT_TRUE(has(beyond.err, "--from: 9999 s is not in the log")) << beyond.err;
+  EXPECT_TRUE(has(beyond.err, "--from: 9999 s is outside the log")) << beyond.err;
   EXPECT_EQ(play_from("no.log@1").code, io::kBadInput);
 }
 

@@ -93,7 +93,7 @@ TEST_F(FolderVerbs, SayWhatIsThereIfTheScenarioIsMissing) {
 TEST_F(FolderVerbs, SayWhichFolderIsMeant) {
   run("0/1");
   const std::string games = folder_ / "results/games";
-  EXPECT_NE(answer_to({"results", "status", games.c_str()}).err.find("; give that one"),
+  EXPECT_NE(answer_to({"results", "status", games.c_str()}).err.find("; give that folder instead"),
             std::string::npos);
   const std::string above = folder_.path().string();
   EXPECT_NE(

@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(
             "FactorsBeyondTheirRange",
             kGameTop + "teams:\n  b: { speed_factor: 2, players: { 1: { speed_factor: 1.5 } } }\n",
             "x.yaml:4:36: teams.b.players.1: ",
-            {"combined with the team's, speed_factor is 3"}},
+            {"combined with the team's settings, speed_factor is 3"}},
         Mistake{"TeamsUnknownRobotKey",
                 kGameTop + "teams: { b: { robot: { mass: 3 } } }\n",
                 "x.yaml:3:24: teams.b.robot: ",

@@ -126,11 +126,10 @@ TEST(HostileScenario, IsRefusedIfItHasTooManyJudgedGames) {
   const std::string text =
       "schema: 1\nkind: judge\ngames: 9999\nseed: 1\nrules: [paper, 2014, 2014-double, 2026-b, "
       "2026-a]\ncameras: [none, paper, realistic]\n";
-  EXPECT_NE(
-      refusal_of([&] {
-        read_scenario_text(text, "x.yaml");
-      }).find("games: these settings make 149985 games; one experiment may have at most 100000"),
-      std::string::npos);
+  EXPECT_NE(refusal_of([&] { read_scenario_text(text, "x.yaml"); })
+                .find("games: these settings amount to 149985 games; one experiment may have at "
+                      "most 100000"),
+            std::string::npos);
 }
 
 TEST(ManyTeams, AreReadBackFromTheEffectiveFile) {

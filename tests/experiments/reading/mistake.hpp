@@ -1,4 +1,4 @@
-// Scenario files that must be refused.
+// Scenario files that must be rejected.
 #pragma once
 
 #include <gtest/gtest.h>

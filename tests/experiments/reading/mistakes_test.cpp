@@ -54,15 +54,15 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"Sweep",
                 changed(kCorrectSweep, "match: {", "teams: { a: { strategy: network } }, match: {"),
                 "x.yaml:5:",
-                {"teams.a.strategy", "plays only in autoref live"}},
+                {"teams.a.strategy", "can only play in autoref live"}},
         Mistake{"GameController",
                 changed(kCorrectSweep, "match: {", "match: { control: game-controller,"),
                 "x.yaml:5:",
-                {"match.control", "only games of autoref play"}},
+                {"match.control", "can only command games of autoref play"}},
         Mistake{"RoundRobin",
                 changed(kCorrectRobin, "strategy: zone", "strategy: network"),
                 "x.yaml:5:",
-                {"strategy", "plays only in autoref live"}}),
+                {"strategy", "can only play in autoref live"}}),
     [](const auto& one) { return one.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(
@@ -189,7 +189,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"TeamsInTheBase",
                 kCorrectRobin + "base: { teams: { a: {} } }\n",
                 "x.yaml:6:9: base.teams: ",
-                {"beside the base"}}),
+                {"outside the base"}}),
     [](const auto& test) { return test.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(

@@ -26,7 +26,7 @@ std::string text_for(game::EndReason reason, const std::string& void_reason = ""
 }
 
 TEST(EndText, NamesTheReasonInPlainWords) {
-  EXPECT_EQ(text_for(game::EndReason::kTime), "the playing time was over");
+  EXPECT_EQ(text_for(game::EndReason::kTime), "playing time ran out");
   EXPECT_EQ(text_for(game::EndReason::kGoals),
             "yellow (b) leads by 9 goals, and 10 goals are enough to win");
   EXPECT_EQ(text_for(game::EndReason::kShootout), "blue (a) won the shoot-out");
@@ -43,7 +43,7 @@ TEST(EndText, SaysWhoForfeitedAndWhy) {
 TEST(EndText, OfASceneSaysWhatEndedTheScene) {
   game::GameRecord record;
   record.scene = game::SceneRecord{};
-  EXPECT_EQ(end_text(game_of_blue_a(), record), "the scene's time was over");
+  EXPECT_EQ(end_text(game_of_blue_a(), record), "the scene's time ran out");
   record.scene->ended_by = game::SceneEnd::kBallOut;
   EXPECT_EQ(end_text(game_of_blue_a(), record), "the ball left the field");
 }
@@ -57,8 +57,7 @@ TEST(EndText, ClaimsNoReasonThatOnlyTheGameControllerKnows) {
 TEST(EndText, IsPrintedAfterAGame) {
   const game::GameConfiguration game = game_of_blue_a();
   const game::GameRecord record;
-  EXPECT_TRUE(
-      has(text_of({game, record, 2.0, "x"}), "\nended: the playing time was over\ncalls: none"));
+  EXPECT_TRUE(has(text_of({game, record, 2.0, "x"}), "\nended: playing time ran out\ncalls: none"));
 }
 
 }  // namespace

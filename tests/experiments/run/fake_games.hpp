@@ -36,7 +36,7 @@ inline game::GameRecord fake_game(const game::GameConfiguration& game) {
 
 using PlayGame = std::function<game::GameRecord(const game::GameConfiguration&)>;
 
-// Interrupts the run in each game, as Ctrl-C would, and plays it.
+// Interrupts the run in each game, as Ctrl-C would, and then plays that game to its end.
 inline PlayGame interrupting(PlayGame play = fake_game) {
   return [runner = getpid(), play = std::move(play)](const game::GameConfiguration& game) {
     kill(runner, SIGINT);
@@ -97,7 +97,7 @@ inline int line_count(const std::string& text) {
   return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
 }
 
-// results.csv and summary.csv of an undisturbed run.
+// results.csv and summary.csv of an uninterrupted run.
 inline std::string undisturbed_results(const Scenario& scenario) {
   const TemporaryFolder folder;
   run_experiment(scenario, fake_options(folder.path()));

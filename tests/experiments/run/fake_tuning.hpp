@@ -12,14 +12,14 @@ namespace autoref::experiments {
 
 inline constexpr double kBestRisk = 0.7;
 
-// How many goals per game a team scores more than another at the best risk.
+// Goal difference per game against a team with the best risk.
 inline double fake_strength(const std::map<std::string, double>& params) {
   const auto risk = params.find("pass_risk");
   const double off = risk == params.end() ? 0 : risk->second - kBestRisk;
   return -16 * off * off;
 }
 
-// The difference in strength, with a noise of -2 to 2 goals that depends on the seed only.
+// The difference in strength, with a noise of -2 to 2 goals that depends only on the seed.
 inline game::GameRecord fake_tuned_game(const game::GameConfiguration& game) {
   game::GameRecord record = fake_game(game);
   const double noise = static_cast<double>(game.seed % 401) / 100 - 2;

@@ -176,9 +176,10 @@ TEST(CostOfPrograms, NamesTheProgramsByTheirShareOfTheTime) {
   one.teams = {TrialTeam{"mine", true, 3.0}, TrialTeam{"basic", false, 0.5}};
   Trial other{"y", 10, "", 1.0};
   other.teams = {TrialTeam{"slow", true, 0.5}, TrialTeam{"basic", false, 0.5}};
-  EXPECT_EQ(cost_of_programs({one, other}, 1),
-            "of that, the teams' programs take: mine 30 s (60 %), slow 5 s (10 %); all else takes "
-            "about 15 s");
+  EXPECT_EQ(
+      cost_of_programs({one, other}, 1),
+      "of that, the teams' programs take: mine 30 s (60 %), slow 5 s (10 %); everything else takes "
+      "about 15 s");
 }
 
 TEST(CostOfPrograms, IsNotMentionedWithoutPrograms) {

@@ -1,4 +1,4 @@
-// Totals of round robins whose ratings are known from independent computations.
+// Totals of round robins for which independent computations give the ratings.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 
 namespace autoref::experiments {
 
-// Three teams, all against all. One game of the last matchup was drawn.
+// Three teams that all play each other. One game of the last matchup was drawn.
 inline const std::vector<MatchupTotals> kThree = {
     {.a = 0, .b = 1, .games = 4, .difference = 3, .wins = 3},
     {.a = 0, .b = 2, .games = 2, .difference = 5, .wins = 2},

@@ -1,4 +1,4 @@
-// Functions with a known optimum and noise like that of games, for optimisers.
+// Test functions for optimisers, with a known optimum and noise like that of games.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace autoref::experiments {
 
 // Goals per game lost at a point of the unit box; 0 at the optimum, which is at 0.65 in every
-// coordinate. The start, 0.35 everywhere, loses 1.5 goals in every number of dimensions.
+// coordinate. The start, 0.35 everywhere, loses 1.5 goals for any number of dimensions.
 using Loss = std::function<double(const Point& unit)>;
 
 inline constexpr double kOptimum = 0.65;
@@ -19,14 +19,14 @@ inline constexpr double kStart = 0.35;
 inline constexpr double kStartLoss = 1.5;
 inline constexpr double kPairNoise = 2.3;  // standard deviation of a pair of legs, in goals
 
-// A bowl: every parameter matters alike, and independently of the others.
+// A bowl: all parameters matter equally and independently of each other.
 inline double bowl(const Point& unit) {
   const Point off = (unit.array() - kOptimum) / (kOptimum - kStart);
   return kStartLoss * off.squaredNorm() / static_cast<double>(unit.size());
 }
 
-// Curved valleys like Rosenbrock's, one for each two parameters: off the valley's floor a parameter
-// matters four times as much as along it. The size must be even.
+// Curved valleys like Rosenbrock's, one for each pair of parameters: leaving the valley's floor
+// costs four times as much as moving along it. The size must be even.
 inline double valley(const Point& unit) {
   double sum = 0;
   for (Eigen::Index i = 0; i + 1 < unit.size(); i += 2) {
@@ -67,7 +67,7 @@ struct NoisySearch {
     return loss(step * optimiser->best());
   }
 
-  // Averaged over this many seeds.
+  // The loss averaged over this many seeds.
   double mean_loss(const Loss& loss, int seeds) const {
     double sum = 0;
     for (int seed = 1; seed <= seeds; ++seed) {

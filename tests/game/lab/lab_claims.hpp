@@ -23,7 +23,7 @@ struct Claim {
 const std::vector<Claim>& lab_claims();
 
 std::string lab_file(const std::string& scene);
-// Measures the claim in the default world, or in a world with this many sub-steps in every frame.
+// Measures the claim in the default world, or in a world with this many sub-steps per frame.
 double measured(const Claim& claim);
 double measured_with(const Claim& claim, int substeps);
 

@@ -1,5 +1,5 @@
-// A staged game in which the west commits a single kind of foul of `rowdy` whenever it can; the
-// east stands still unless a test says otherwise.
+// A staged game in which west commits one of the fouls of `rowdy` whenever it can. East stands
+// still unless a test says otherwise.
 #pragma once
 
 #include <algorithm>
@@ -36,9 +36,9 @@ struct FoulBehaviour : StagedGame {
     const sim::RobotState& its = robot(id);
     return distance_to_hull(ball().position_m, its.position_m, its.heading) - kBallRadius_m;
   }
-  // The distance from the ball to the nearer of the two field players.
+  // Distance from the ball to the nearer of the two field players.
   double nearest_to_ball_m() const { return std::min(to_ball_m(kFirst), to_ball_m(kSecond)); }
-  // Distance from a robot's centre to the defence area of `side`; hulls reach 90 mm farther.
+  // Distance from a robot's centre to the defence area of `side`; its hull reaches 90 mm farther.
   double to_area_m(Side side, RobotId id) const {
     return distance_to_defence_area(field, side, robot(id).position_m);
   }

@@ -1,4 +1,4 @@
-// A scripted stretch of play: robots' positions, touches of the ball, stops and goals.
+// A scripted sequence of play: robots' positions, touches of the ball, stops and goals.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ class PlaySequence {
     robots.push_back({id.number, position_m, {-goal_sign(id.side), 0}, velocity_mps, 0});
   }
 
-  // These touches are added to the next frame, in the order of the calls.
+  // Adds touches to the next frame, in the order of the calls.
   void kick(RobotId id, const Vec2& ball_m, const Vec2& ball_mps, double vertical_mps = 0) {
     add({now.frame + 1, substep, id, ball_m, true, ball_mps, vertical_mps});
   }

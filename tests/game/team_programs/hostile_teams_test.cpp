@@ -122,8 +122,8 @@ TEST(TeamPrograms, CannotStallTheirGameByAPipeInPlaceOfTheirStandardErrorsFile) 
   EXPECT_EQ(record.status, Status::kOk) << record.void_reason;
   EXPECT_EQ(marked_processes(), 0);
   const std::string text =
-      "stderr/game.a.txt: another program has put something there; what the program writes to its "
-      "standard error from now on in this game is dropped\n";
+      "stderr/game.a.txt: another program has created a file there; the rest of the program's "
+      "standard error in this game is discarded\n";
   const std::size_t first = messages.find(text);
   ASSERT_NE(first, std::string::npos) << messages;
   EXPECT_EQ(messages.find(text, first + 1), std::string::npos) << messages;

@@ -1,4 +1,4 @@
-// Finds the processes that a test has started, wherever they have gone.
+// Finds the processes that a test has started, whatever their parents.
 #pragma once
 
 #include <unistd.h>
@@ -10,7 +10,7 @@
 
 namespace autoref::game {
 
-// Every process of a test carries a mark in its environment, also those below a forked worker.
+// Every process of a test has a mark in its environment, even one below a forked worker.
 inline const std::string& marker() {
   static const std::string text = "AUTOREF_TEST_PROGRAM=" + std::to_string(getpid());
   return text;

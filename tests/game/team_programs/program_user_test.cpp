@@ -126,9 +126,9 @@ TEST_F(ProgramsOfRoot, AreRefusedWithAnExplanationIfTheyCouldNotReadTheirFiles) 
   write_content(file, "echo started");
   fs::permissions(file, fs::perms::owner_read);
   const std::string hint =
-      ": Permission denied; AutoRef runs as root, and therefore starts programs under a user that "
-      "may read only what everybody may: start AutoRef as a user, or give the program a folder "
-      "that everybody may read";
+      ": Permission denied; AutoRef is running as root, so it starts programs as an unprivileged "
+      "user, which can only read files that everybody can read: start AutoRef as an ordinary user, "
+      "or move the program to a folder that everybody can read";
   EXPECT_EQ(refusal_of(program({"/bin/sh", file.string()})),
             "/bin/sh may not use " + file.string() + hint);
   ProgramSpec relative = program({"/bin/sh", "team.sh"});
@@ -158,9 +158,11 @@ TEST_F(ProgramsOfRoot, ThatEndForLackOfRightsAreExplained) {
   } catch (const ProgramError& error) {
     fault = error.what();
   }
-  EXPECT_NE(fault.find(" (AutoRef runs as root, and therefore starts programs under a user that "
-                       "may read only what everybody may); its last lines on standard error:\n"),
-            std::string::npos)
+  EXPECT_NE(
+      fault.find(
+          " (AutoRef is running as root, so it starts programs as an unprivileged user, which can "
+          "only read files that everybody can read); its last lines on standard error:\n"),
+      std::string::npos)
       << fault;
 }
 
@@ -179,7 +181,7 @@ TEST_F(ProgramsOfRoot, AreRefusedWithAnExplanationWhereItCannotGiveUpItsRights) 
     give_up_changing_the_user();
     const std::string message = refusal_of(script("echo started"));
     const bool is_explained = message.starts_with(
-        "cannot start /bin/sh under a user without rights: Operation not permitted; AutoRef runs "
+        "cannot start /bin/sh as an unprivileged user: Operation not permitted; AutoRef is running "
         "as root");
     _exit(is_explained && !HasFailure() ? 0 : 1);
   }

@@ -11,14 +11,15 @@ namespace autoref::game {
 
 inline const std::string kGreets = "echo 'autoref-team 1 json'\n";
 
-// A line of input is in `line`, and its frame's number in `frame`, which is empty for START.
+// Reads a line of input into `line`, and the number of its frame into `frame`, which is empty for
+// START.
 inline const std::string kReads =
     "next() { read -r line || exit 0; frame=${line#*'\"frame\":{\"frame\":'}; "
     "case $line in *'\"frame\":{'*) frame=${frame%%,*};; *) frame=;; esac; }\n";
 
 inline const std::string kAnswers = "answer() { echo \"{\\\"frame\\\":$frame$1}\"; }\n";
 
-// Drives slower in its first run than in every later one. It makes the folder `mark`, which must
+// Drives slower in its first run than in all later ones. It creates the folder `mark`, which must
 // not exist yet.
 inline std::string changing_script(const std::string& mark) {
   return "speed=0.75\nmkdir '" + mark + "' 2>/dev/null && speed=0.25\n" + kGreets + kReads +
@@ -27,7 +28,7 @@ inline std::string changing_script(const std::string& mark) {
          "\\\"vx_mps\\\":$speed}]\"; done\n";
 }
 
-// Answers `frames` frames and then does what `then` says, in the place of another answer.
+// Answers `frames` frames and then runs `then` instead of answering.
 inline std::string script_that(int frames, const std::string& then) {
   return kGreets + kReads + kAnswers + "next\nn=0\nwhile [ $n -lt " + std::to_string(frames) +
          " ]; do next; answer; n=$((n + 1)); done\nnext\n" + then + "\n";

@@ -1,4 +1,4 @@
-// A staged world with hand-made referee commands, and the ground-truth observer that sees both.
+// A staged world with scripted referee commands, and the ground-truth observer that watches both.
 #pragma once
 
 #include <algorithm>

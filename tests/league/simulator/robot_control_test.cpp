@@ -104,7 +104,7 @@ TEST(RobotControl, TheResponseHasErrorsAndTheFeedbackOfCommandedRobots) {
   CommandPacket packet;
   packet.updates.resize(2);
   packet.updates[1].robot = 4;
-  packet.errors = {{"ROBOT_ID", "there is no robot 9"}};
+  packet.errors = {{"ROBOT_ID", "unknown robot 9"}};
   simulation::RobotControlResponse response;
   fill_response(packet, std::bitset<kMaxRobots>(1U << 4U), response);
   ASSERT_EQ(response.errors_size(), 1);

@@ -1,6 +1,6 @@
 // Messages as text: every value on one line, doubles in hexadecimal, so that equal texts mean equal
-// bits. Structured bindings name all members, so that a new member, which messages would lack, does
-// not compile.
+// bits. Structured bindings name all members, so that this fails to compile if a new member is
+// missing.
 #pragma once
 
 #include <fmt/format.h>
@@ -57,7 +57,7 @@ class Description {
     const auto& [length, width, run_off, goal_line_run_off, substitution_area, line, circle, mark,
                  area, goal_width, depth, opening, bar, wall, sides_reach_wall] = field;
     const auto& [shape, area_depth, straight] = area;
-    static_cast<void>(goal_line_run_off);  // 0 says the same as run_off
+    static_cast<void>(goal_line_run_off);  // 0 means the same as run_off
     static_cast<void>(substitution_area);  // is not sent
     return add_each(length, width, run_off, field.behind_goal_lines_m(), line, circle, mark, shape,
                     area_depth, straight, goal_width, depth, opening, bar, wall, sides_reach_wall);
@@ -100,7 +100,7 @@ inline std::string described(const TeamStart& start) {
   return all.add_all(robots).text;
 }
 
-// Without the parts of the view that detections replace.
+// The view without the parts that detections replace.
 inline std::string described(const TeamFrame& frame) {
   const auto& [number, time_s, latency_s, own, opponents, ball, play, ours, placement_m,
                placing_is_ours, next, next_is_ours, goals_own, goals_opponent, time_left_s] =

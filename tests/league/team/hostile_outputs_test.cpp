@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(
              "an output line is not JSON"),
         json("Overflow", R"({"frame": 1, "commands": [{"robot": 1, "vx_mps": 1e999}]})",
              "number overflow"),
-        json("NoFrame", R"({"keeper": 1})", "an output line names no frame"),
+        json("NoFrame", R"({"keeper": 1})", "an output line does not name a frame"),
         json("NegativeFrame", R"({"frame": -1})", "frame is -1; it must not be negative"),
         json("FractionalFrame", R"({"frame": 1.5})", "frame of an output line is not an integer"),
         json("HugeFrame", R"({"frame": 18446744073709551615})",
@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(
         json("ArrayInCommands", R"({"frame": 1, "commands": [[]]})", "a command is not an object"),
         json("ObjectInCommand", R"({"frame": 1, "commands": [{"robot": {}}]})",
              "robot of a command is not an integer"),
-        json("NoRobot", R"({"frame": 1, "commands": [{}]})", "a command names no robot"),
+        json("NoRobot", R"({"frame": 1, "commands": [{}]})", "a command does not name a robot"),
         json("NoSuchRobot", R"({"frame": 1, "commands": [{"robot": 16}]})",
              "robot is 16; it must be from 0 to 15"),
         json("SameRobotTwice", R"({"frame": 1, "commands": [{"robot": 3}, {"robot": 3}]})",
@@ -129,8 +129,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 INSTANTIATE_TEST_SUITE_P(
     Flat, HostileOutput,
     testing::Values(
-        Hostile{"Garbage", TeamEncoding::kFlat, "hello world", "a record has the kind 8303"},
-        flat("Kind", 4, std::uint16_t{2}, "a record has the kind 2; an output's is 4"),
+        Hostile{"Garbage", TeamEncoding::kFlat, "hello world", "a record has kind 8303"},
+        flat("Kind", 4, std::uint16_t{2}, "a record has kind 2; outputs have kind 4"),
         flat("Short", 0, std::uint32_t{31}, "length 31; it must be from 32 to 65536"),
         flat("Long", 0, std::uint32_t{65537}, "length 65537; it must be from 32 to 65536"),
         flat("OneByteLess", 0, std::uint32_t{71}, "1 commands and 0 bytes of text it must be 72"),
@@ -172,7 +172,7 @@ INSTANTIATE_TEST_SUITE_P(
         league(
             "NoRobot", [](auto& m) { m.clear_id(); }, "a RobotControl lacks robot_commands[0].id"),
         league(
-            "NoSuchRobot", [](auto& m) { m.set_id(16); }, "there is no robot 16; the team has 16"),
+            "NoSuchRobot", [](auto& m) { m.set_id(16); }, "unknown robot 16; the team has 16"),
         league(
             "Wheels",
             [](auto& m) {

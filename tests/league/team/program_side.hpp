@@ -16,12 +16,12 @@ class ProgramSide {
   ProgramSide& operator=(const ProgramSide&) = delete;
   virtual ~ProgramSide() = default;
 
-  // Each takes one message, and throws an exception if there is anything else.
+  // Each reads exactly one message and throws an exception if there is anything else.
   virtual TeamStart read_start(std::string_view bytes) const = 0;
   virtual TeamFrame read_frame(std::string_view bytes) const = 0;
   virtual TeamEnd read_end(std::string_view bytes) const = 0;
 
-  // The encoded output, with what delimits it.
+  // The encoded output with its delimiter or length.
   virtual std::string written(const TeamOutput& output) const = 0;
 };
 

@@ -10,7 +10,7 @@
 
 namespace autoref::league {
 
-// Draws values of every kind, among them doubles with 17 digits, of extreme size, and -0.
+// Draws values of every kind, including -0 and doubles with 17 digits or of extreme size.
 class RandomMessages {
  public:
   explicit RandomMessages(std::uint64_t seed) : random_(seed) {}

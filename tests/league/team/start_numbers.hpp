@@ -1,4 +1,4 @@
-// Reads the numbers of a START, as a team's program does.
+// Reads the numbers of a START message, as a team's program does.
 #pragma once
 
 #include <string_view>
@@ -9,7 +9,7 @@
 
 namespace autoref::league {
 
-// Switches the rule whose name, after `prefix`, is `name`; returns false if that is not one.
+// Switches the rule that is called `name` without the `prefix`; returns false if there is none.
 inline bool set_rule(RuleSet& rules, std::string_view prefix, std::string_view name, double value) {
   if (!name.starts_with(prefix)) return false;
   const std::optional<RuleId> rule = find_rule(name.substr(prefix.size()));
@@ -27,7 +27,7 @@ inline bool set_rule_number(RuleBook& rules, std::string_view name, double value
   return is_known;
 }
 
-// Sets the number of that name, as visit_start_numbers() names it; returns false if the name is
+// Sets the number that visit_start_numbers() calls by that name; returns false if the name is
 // unknown.
 inline bool set_start_number(TeamStart& start, std::string_view name, double value) {
   if (name == "field.goal_line_run_off_m") {

@@ -1,4 +1,4 @@
-// A program that is connected to a port of this computer by TCP.
+// A program that connects to a TCP port of this computer.
 #pragma once
 
 #include <netinet/in.h>
@@ -15,7 +15,7 @@
 
 namespace autoref::live {
 
-// Sends and receives messages that are preceded by their length. It waits for a minute at most.
+// Sends and receives messages that are preceded by their length. It waits for at most a minute.
 class Caller {
  public:
   explicit Caller(int port) : socket_(socket(AF_INET, SOCK_STREAM, 0)) {

@@ -1,4 +1,4 @@
-// A short game whose teams are both on the network, all of it on the loopback.
+// A short game in which both teams play over the network, on the loopback interface.
 #pragma once
 
 #include <vector>
@@ -21,7 +21,7 @@ inline game::GameConfiguration short_network_game() {
   return game;
 }
 
-// Every port is a free one, but grSim's is closed.
+// All ports are free ones, except that grSim's is closed.
 inline LiveOptions loopback_options(Pace pace) {
   NetworkThread thread;
   LiveOptions options;

@@ -109,7 +109,7 @@ TEST_F(TeamPortsTest, AStrangersPacketIsReportedOnceWithItsSender) {
   const std::string sender = "127.0.0.1:" + std::to_string(stranger.port());
   EXPECT_EQ(ports_->take_notices(),
             std::vector<std::string>{"a packet for yellow from " + sender +
-                                     " does not begin the game: a packet of 6 bytes is not a "
+                                     " does not start the game: a packet of 6 bytes is not a "
                                      "RobotControl; still waiting for commands"});
   EXPECT_EQ(ports_->traffic()[Side::kWest].last_error,
             "a packet of 6 bytes is not a RobotControl (from " + sender + ")");

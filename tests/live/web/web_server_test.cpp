@@ -113,10 +113,9 @@ TEST_F(Web, DropsARequestThatIsTooLong) {
 TEST_F(Web, SaysToAPersonWhatToDoAboutAnUnknownHost) {
   const std::string refused = answer(port(), "GET / HTTP/1.1\r\nHost: Example.com:80\r\n\r\n");
   EXPECT_TRUE(refused.starts_with("HTTP/1.1 421 ")) << refused;
-  EXPECT_TRUE(
-      refused.ends_with("AutoRef is not known as example.com:80 here. Open the page at this "
-                        "computer's address in numbers, or start AutoRef with --web-host and the "
-                        "name.\n"))
+  EXPECT_TRUE(refused.ends_with(
+      "AutoRef does not answer to the name example.com:80. Open the page at this computer's "
+      "numeric address, or start AutoRef with --web-host and this name.\n"))
       << refused;
 }
 

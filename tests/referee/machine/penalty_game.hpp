@@ -109,7 +109,7 @@ class PenaltyGame {
   }
 
   double now_s() const { return frame_.time_s; }
-  // Turns a position to the end that the kicking side attacks.
+  // Rotates a position to the end that the kicking side attacks.
   Vec2 at(const Vec2& v) const { return kicker_ == Side::kWest ? v : Vec2(-v); }
   const Field& field() const { return configuration_.field; }
 

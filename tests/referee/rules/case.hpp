@@ -66,14 +66,14 @@ struct Expected {
   std::optional<Side> offender;
   std::optional<Card> card;
   std::optional<Command> next;  // the restart
-  std::optional<Vec2> ball_m;   // position of the restart
+  std::optional<Vec2> ball_m;   // where the restart is taken
   double within_m = 1e-3;       // tolerance of that position
 };
 
 struct Case {
   std::string name;      // a sentence
   std::string rule;      // the rule under test
-  std::string source;    // the rule book's section that it follows from
+  std::string source;    // the section of the rule book that it follows from
   std::string location;  // file and line
   std::string error;     // why the case cannot be played; empty if it can
 
@@ -90,7 +90,7 @@ struct Case {
   std::vector<Cue> script;  // in order of time
 
   double ball_deceleration_mps2 = 0.3;  // deceleration of a rolling ball
-  double placement_mps = 0;             // speed of ball placement; 0: at once
+  double placement_mps = 0;             // speed of ball placement; 0: instantly
   double noise_m = 0;                   // standard deviation of vision noise
   std::uint64_t seed = 0;
 

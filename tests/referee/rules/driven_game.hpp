@@ -1,4 +1,4 @@
-// Games under a rule book with robots driven by the test, for tests of single rules.
+// Games under a rule book in which the test drives the robots, for tests of single rules.
 #pragma once
 
 #include <optional>
@@ -35,7 +35,7 @@ class DrivenGame {
     }
   }
 
-  // The ball stays `gap_m` in front of that robot; without a robot it stays where it is.
+  // Keeps the ball `gap_m` in front of that robot or, without a robot, in its place.
   void carry(std::optional<RobotId> id, double gap_m = 0) {
     carrier_ = id;
     gap_m_ = gap_m;

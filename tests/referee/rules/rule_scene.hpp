@@ -11,7 +11,7 @@ inline Configuration without(Configuration configuration, RuleId rule) {
   return configuration;
 }
 
-// Whether the event is called within the next seconds of play.
+// Whether the referee calls the event within the next seconds of play.
 inline bool is_called(ScriptedGame& game, std::string_view transition, double seconds = 1.0) {
   game.run(seconds);
   return game.count(transition) > 0;

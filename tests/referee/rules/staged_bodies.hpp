@@ -1,6 +1,6 @@
 // The bodies of a case: robots that follow the script, and a ball that rolls, flies, bounces off
-// robots and sticks to a robot that carries it. It is not a physics engine and models only what the
-// rules need.
+// robots and sticks to a robot that carries it. This is not a physics engine: it models only the
+// motion that the rules need.
 #pragma once
 
 #include <map>
@@ -19,7 +19,7 @@ class StagedBodies {
   void put(const RobotId& id, const Vec2& at_m, const Vec2& heading) {
     robots_[id] = {at_m, heading, at_m, 0, heading, 0, true, Vec2(0, 0)};
   }
-  // Puts its plate a millimetre behind the ball.
+  // Puts the robot with its plate a millimetre behind the ball.
   void put_behind_ball(const RobotId& id, const Vec2& heading);
   void put_ball(const Vec2& at_m);
   void clear_robots() { robots_.clear(); }

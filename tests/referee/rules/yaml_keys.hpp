@@ -11,14 +11,14 @@
 
 namespace autoref::referee {
 
-// "file:line: message", line counted from 1.
+// "file:line: message", with lines counted from 1.
 struct CaseError : std::runtime_error {
   CaseError(const std::string& file, const YAML::Node& node, const std::string& message)
       : std::runtime_error(file + ":" + std::to_string(node.Mark().line + 1) + ": " + message) {}
 };
 
-// Keys are read one by one; finish() rejects all others. All functions throw CaseError if something
-// is missing or has the wrong type.
+// Reads keys one by one; finish() rejects all that were not read. All functions throw CaseError if
+// something is missing or has the wrong type.
 class YamlKeys {
  public:
   YamlKeys(const YAML::Node& node, std::string file) : node_(node), file_(std::move(file)) {

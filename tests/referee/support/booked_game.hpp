@@ -15,7 +15,7 @@ inline Configuration by_book(std::string_view book) {
   return configuration;
 }
 
-// West put the ball out over the touch line at y > 0, and play was stopped in this frame: a
+// West has put the ball over the touch line at y > 0, and the referee has just stopped play: a
 // throw-in for east at x = 0.4.
 inline ScriptedGame stopped_game(const Configuration& configuration) {
   ScriptedGame game(configuration);

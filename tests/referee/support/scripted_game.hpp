@@ -63,10 +63,10 @@ class ScriptedGame {
     for (int i = 0; i < frames; ++i) step();
   }
 
-  // Nothing is seen for that long.
+  // Skips this time: vision sees nothing.
   void skip(double seconds) { next_number_ += static_cast<int>(seconds * kRate_hz + 0.5); }
 
-  // Runs until a transition with that label is taken; throws if none is taken within `limit_s`.
+  // Runs until a transition with that label; throws if there is none within `limit_s`.
   Decision run_until(std::string_view transition, double limit_s = 40) {
     for (int i = 0; i < limit_s * kRate_hz; ++i) {
       const std::size_t former = decisions.size();

@@ -1,4 +1,4 @@
-// What the tests of touch detection share: their frames and the ball's distance at a touch.
+// Shared by tests of touch detection: their frames and the ball's distance at a touch.
 #pragma once
 
 #include "soccer/robot_shape.hpp"

@@ -1,8 +1,8 @@
 /* A team of one page. Robot 0 stays in the goal, the robot nearest to the ball gets behind it and
    kicks it to the opponents' goal, and the others stand in a row. Our goal is at -x.
 
-   It reads flat records and answers each frame with one. Anything else, such as what you print while
-   you look for a mistake, belongs on stderr. Every number is in metres and seconds. */
+   It reads flat records and answers each frame with one. Anything else, such as debugging
+   output, belongs on stderr. Every number is in metres and seconds. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -12,8 +12,9 @@
 #define STOP_MPS 0.9  /* while play is stopped: the Laws of 2014 allow 1 m/s */
 #define TURN_RADPS 8.0
 #define KICK_MPS 5.0
-#define TOO_NEAR_M 0.6 /* to the ball or its path while we may not play it: the rules want 0.5 m to the hull */
-#define KEEP_OFF_M 0.65 /* from there */
+/* Distance to the ball or its path while we may not play it: the rules require 0.5 m to the hull. */
+#define TOO_NEAR_M 0.6
+#define KEEP_OFF_M 0.65 /* the distance to which robots retreat */
 
 enum { START = 1, FRAME = 2, END = 3, OUTPUT = 4 };       /* kinds of records */
 enum { HALT = 0, STOP = 1, KICKOFF = 4, RUNNING = 8 };    /* some values of `play` */
@@ -23,7 +24,7 @@ struct point { double x, y; };
 struct robot { int32_t number; struct point at, front, velocity; };
 struct aim { struct point at, facing; };
 
-static char record[1 << 16]; /* the last one read; the numbers below are offsets in it */
+static char record[1 << 16]; /* the last record read; the numbers below are offsets in it */
 static double length_m, width_m, area_depth_m, area_straight_m;
 static int area_is_box;
 
@@ -40,7 +41,7 @@ static struct point unit(double x, double y) {
   return p;
 }
 
-/* Whether a point is in the opponents' defence area, taken as a box; for ours, pass -x. */
+/* Whether a point is in the opponents' defence area, approximated by a box; for ours, pass -x. */
 static int is_in_area(double x, double y, double margin) {
   double half = area_straight_m / 2;
   double depth = area_depth_m + margin;
@@ -48,7 +49,7 @@ static int is_in_area(double x, double y, double margin) {
   return x > length_m / 2 - depth && -half - margin < y && y < half + margin;
 }
 
-/* The x nearest to this one at which a robot is in neither defence area. */
+/* The nearest x at which a robot is in neither defence area. */
 static double out_of_areas(double x, double y) {
   double limit = length_m / 2 - area_depth_m - 0.3;
   if (is_in_area(x, y, 0.3)) return limit;
@@ -65,7 +66,7 @@ static int nearest(const struct robot *own, int count, struct point ball) {
   return best;
 }
 
-/* Through the ball towards the goal, or first to a place behind the ball, or around it. */
+/* Drives through the ball towards the goal, or first to a place behind the ball, or around it. */
 static struct aim attack(const struct robot *robot, struct point ball) {
   struct point to = unit(length_m / 2 - ball.x, -ball.y);
   double dx = robot->at.x - ball.x, dy = robot->at.y - ball.y;
@@ -80,7 +81,7 @@ static struct aim attack(const struct robot *robot, struct point ball) {
   return aim;
 }
 
-/* On the line from the ball to the middle of our goal. */
+/* Stands on the line from the ball to the middle of our goal. */
 static struct aim guard(struct point ball) {
   double goal_x = -length_m / 2;
   struct aim aim;
@@ -90,7 +91,7 @@ static struct aim guard(struct point ball) {
   return aim;
 }
 
-/* In a row across our half, facing the ball. */
+/* Stands in a row across our half, facing the ball. */
 static struct aim line_up(double index, double count, struct point ball) {
   struct aim aim;
   aim.at.x = -length_m / 5;
@@ -99,7 +100,7 @@ static struct aim line_up(double index, double count, struct point ball) {
   return aim;
 }
 
-/* The point nearest to the robot on the ball's way to where the referee wants it. */
+/* The point nearest to the robot on the ball's path to the referee's target. */
 static struct point nearest_on_way(const struct robot *robot, struct point ball) {
   struct point end = u8(138) ? point_at(40) : ball;
   double way_x = end.x - ball.x, way_y = end.y - ball.y;
@@ -112,7 +113,8 @@ static struct point nearest_on_way(const struct robot *robot, struct point ball)
   return ball;
 }
 
-/* Away from a point if the robot is near to it; otherwise on to the place, but around the point. */
+/* Moves away from a point if the robot is near it; otherwise goes to the place, but around the
+   point. */
 static struct point keep_off(const struct robot *robot, struct point place, struct point point) {
   double dx = robot->at.x - point.x, dy = robot->at.y - point.y, lack;
   struct point from = unit(dx, dy);
@@ -135,7 +137,7 @@ static void drive(const struct robot *robot, struct aim aim, double most, double
   numbers[0] = vx * front.x + vy * front.y; /* forward */
   numbers[1] = vy * front.x - vx * front.y; /* to its left */
   numbers[2] = TURN_RADPS * turn;
-  numbers[3] = KICK_MPS; /* as soon as the ball is at the kicker */
+  numbers[3] = KICK_MPS; /* takes effect as soon as the ball is at the kicker */
   memcpy(command, numbers, sizeof numbers);
   memcpy(command + 32, &robot->number, 4);
 }
@@ -152,13 +154,13 @@ static int read_robots(struct robot *own) {
   return count;
 }
 
-/* Writes one command for each robot. Returns how many. */
+/* Writes one command for each robot. Returns their number. */
 static int decide(const struct robot *own, int count, char *commands) {
-  double latency = f64(24); /* what we see now, we act on then */
+  double latency = f64(24); /* our commands take effect this much later */
   struct point ball = {f64(56) + f64(72) * latency, f64(64) + f64(80) * latency};
   int play = u8(136), is_ours = play == RUNNING || (u8(137) && play >= KICKOFF);
   double most = play == STOP ? STOP_MPS : SPEED_MPS;
-  int chaser = 0; /* the keeper in our own area; elsewhere somebody else */
+  int chaser = 0; /* the keeper if the ball is in our area, otherwise another robot */
   if (play == HALT) return 0;
   if (!is_in_area(-ball.x, ball.y, 0.0)) chaser = nearest(own, count, ball);
   for (int i = 0; i < count; ++i) {

@@ -2,8 +2,7 @@
 // kicks it to the opponents' goal, and the others stand in a row. Our goal is at -x.
 //
 // It reads one JSON object per line and answers each frame with one line. Anything else, such as
-// what you print while you look for a mistake, belongs on os.Stderr. Every number is in metres and
-// seconds.
+// debugging output, belongs on os.Stderr. Every number is in metres and seconds.
 package main
 
 import (
@@ -19,8 +18,10 @@ const (
 	stopMps   float64 = 0.9 // while play is stopped: the Laws of 2014 allow 1 m/s
 	turnRadps float64 = 8.0
 	kickMps   float64 = 5.0
-	tooNearM  float64 = 0.6  // to the ball or its path while we may not play it: the rules want 0.5 m to the hull
-	keepOffM  float64 = 0.65 // from there
+
+	// Distance to the ball or its path while we may not play it: the rules require 0.5 m to the hull.
+	tooNearM float64 = 0.6
+	keepOffM float64 = 0.65 // the distance to which robots retreat
 )
 
 type Field struct {
@@ -57,13 +58,13 @@ type Frame struct {
 	Latency    float64  `json:"latency_s"`
 	Play       string   `json:"play"`
 	Ours       bool     `json:"ours"`
-	PlacementX *float64 `json:"placement_x_m"` // where the referee wants the ball
+	PlacementX *float64 `json:"placement_x_m"` // the referee's target for the ball, if any
 	PlacementY *float64 `json:"placement_y_m"`
 	Ball       Ball     `json:"ball"`
 	Own        []Robot  `json:"own"`
 }
 
-// What we are sent: one of START, FRAME and END.
+// A message to us: START, FRAME or END.
 type Input struct {
 	Start *Start `json:"start"`
 	Frame *Frame `json:"frame"`
@@ -74,7 +75,7 @@ type Command struct {
 	Vx    float64 `json:"vx_mps"` // forward
 	Vy    float64 `json:"vy_mps"` // to its left
 	Turn  float64 `json:"angular_velocity_radps"`
-	Kick  float64 `json:"kick_mps"` // as soon as the ball is at the kicker
+	Kick  float64 `json:"kick_mps"` // takes effect as soon as the ball is at the kicker
 }
 
 type Output struct {
@@ -109,14 +110,14 @@ func decide(frame Frame, field Field) Output {
 	if frame.Play == "HALT" || len(frame.Own) == 0 {
 		return output
 	}
-	latency := frame.Latency // what we see now, we act on then
+	latency := frame.Latency // our commands take effect this much later
 	ball := Point{frame.Ball.X + frame.Ball.Vx*latency, frame.Ball.Y + frame.Ball.Vy*latency}
 	isOurs := frame.Play == "RUNNING" || (frame.Ours && isPlayable(frame.Play))
 	most := speedMps
 	if frame.Play == "STOP" {
 		most = stopMps
 	}
-	chaser := 0 // the keeper in our own area; elsewhere somebody else
+	chaser := 0 // the keeper if the ball is in our area, otherwise another robot
 	if !isInArea(field, -ball.x, ball.y, 0) {
 		chaser = nearest(frame.Own, ball)
 	}
@@ -139,7 +140,7 @@ func decide(frame Frame, field Field) Output {
 	return output
 }
 
-// Whether the team whose restart it is may play the ball.
+// Whether the team that takes the restart may play the ball.
 func isPlayable(play string) bool {
 	return play == "KICKOFF" || play == "PENALTY" || play == "DIRECT_FREE" || play == "INDIRECT_FREE"
 }
@@ -156,8 +157,8 @@ func nearest(own []Robot, ball Point) int {
 	return best
 }
 
-// Through the ball towards the goal, or first to a place behind the ball, or around it. Like the
-// next two, it returns where the robot goes and the direction that it faces.
+// Drives through the ball towards the goal, or first to a place behind the ball, or around it. Like
+// the next two, it returns the robot's destination and the direction to face.
 func attack(robot Robot, ball Point, field Field) (Point, Point) {
 	to := unit(field.Length/2-ball.x, -ball.y)
 	dx, dy := robot.X-ball.x, robot.Y-ball.y
@@ -173,20 +174,20 @@ func attack(robot Robot, ball Point, field Field) (Point, Point) {
 	return Point{ball.x - back*to.x - off*to.y, ball.y - back*to.y + off*to.x}, to
 }
 
-// On the line from the ball to the middle of our goal.
+// Stands on the line from the ball to the middle of our goal.
 func guard(ball Point, field Field) (Point, Point) {
 	goalX := -field.Length / 2
 	to := unit(ball.x-goalX, ball.y)
 	return Point{goalX + 0.1 + 0.2*to.x, 0.3 * to.y}, to
 }
 
-// In a row across our half, facing the ball.
+// Stands in a row across our half, facing the ball.
 func lineUp(index, count float64, ball Point, field Field) (Point, Point) {
 	at := Point{-field.Length / 5, (index - count/2) * field.Width / (count + 1)}
 	return at, unit(ball.x-at.x, ball.y-at.y)
 }
 
-// Whether a point is in the opponents' defence area, taken as a box; for ours, pass -x.
+// Whether a point is in the opponents' defence area, approximated by a box; for ours, pass -x.
 func isInArea(field Field, x, y, margin float64) bool {
 	half := field.AreaStraight / 2
 	if !field.AreaIsBox {
@@ -196,7 +197,7 @@ func isInArea(field Field, x, y, margin float64) bool {
 	return x > field.Length/2-depth && -half-margin < y && y < half+margin
 }
 
-// The x nearest to this one at which a robot is in neither defence area.
+// The nearest x at which a robot is in neither defence area.
 func outOfAreas(field Field, x, y float64) float64 {
 	limit := field.Length/2 - field.AreaDepth - 0.3
 	if isInArea(field, x, y, 0.3) {
@@ -208,7 +209,7 @@ func outOfAreas(field Field, x, y float64) float64 {
 	return x
 }
 
-// The point nearest to the robot on the ball's way to where the referee wants it.
+// The point nearest to the robot on the ball's path to the referee's target.
 func nearestOnWay(robot Robot, ball Point, frame Frame) Point {
 	if frame.PlacementX == nil || frame.PlacementY == nil {
 		return ball
@@ -226,7 +227,8 @@ func nearestOnWay(robot Robot, ball Point, frame Frame) Point {
 	return Point{ball.x + along/whole*way.x, ball.y + along/whole*way.y}
 }
 
-// Away from a point if the robot is near to it; otherwise on to the place, but around the point.
+// Moves away from a point if the robot is near it; otherwise goes to the place, but around the
+// point.
 func keepOff(robot Robot, place, point Point) Point {
 	dx, dy := robot.X-point.x, robot.Y-point.y
 	if dx*dx+dy*dy < tooNearM*tooNearM {

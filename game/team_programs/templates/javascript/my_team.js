@@ -3,28 +3,28 @@
 // kicks it to the opponents' goal, and the others stand in a row. Our goal is at -x.
 //
 // It reads one JSON object per line and answers each frame with one line. Anything else, such as
-// what you print while you look for a mistake, belongs on console.error. Every number is in metres
-// and seconds.
+// debugging output, belongs on console.error. Every number is in metres and seconds.
 "use strict";
 
 const SPEED_MPS = 2.0; // of all robots
 const STOP_MPS = 0.9; // while play is stopped: the Laws of 2014 allow 1 m/s
 const TURN_RADPS = 8.0;
 const KICK_MPS = 5.0;
-const TOO_NEAR_M = 0.6; // to the ball or its path while we may not play it: the rules want 0.5 m to the hull
-const KEEP_OFF_M = 0.65; // from there
-const PLAYABLE = ["KICKOFF", "PENALTY", "DIRECT_FREE", "INDIRECT_FREE"]; // if it is ours
+// Distance to the ball or its path while we may not play it: the rules require 0.5 m to the hull.
+const TOO_NEAR_M = 0.6;
+const KEEP_OFF_M = 0.65; // the distance to which robots retreat
+const PLAYABLE = ["KICKOFF", "PENALTY", "DIRECT_FREE", "INDIRECT_FREE"]; // by the team that takes the restart
 
 function decide(frame, field) {
   const robots = frame.own;
   if (frame.play === "HALT" || robots.length === 0) return { frame: frame.frame };
-  const latency = frame.latency_s; // what we see now, we act on then
+  const latency = frame.latency_s; // our commands take effect this much later
   const ballX = frame.ball.x_m + frame.ball.vx_mps * latency;
   const ballY = frame.ball.y_m + frame.ball.vy_mps * latency;
   const isOurs = frame.play === "RUNNING" || (frame.ours && PLAYABLE.includes(frame.play));
   const speed = frame.play === "STOP" ? STOP_MPS : SPEED_MPS;
   const keeper = robots[0];
-  let chaser = keeper; // in our own area; elsewhere somebody else
+  let chaser = keeper; // if the ball is in our area, otherwise another robot
   if (!isInArea(field, -ballX, ballY, 0.0)) chaser = nearest(robots.slice(1), ballX, ballY);
   const commands = robots.map((robot, index) => {
     let [x, y, toX, toY] = lineUp(index, robots.length, ballX, ballY, field);
@@ -48,7 +48,7 @@ function nearest(robots, x, y) {
   return best;
 }
 
-// Through the ball towards the goal, or first to a place behind the ball, or around it.
+// Drives through the ball towards the goal, or first to a place behind the ball, or around it.
 function attack(robot, ballX, ballY, field) {
   const [toX, toY] = unit(field.length_m / 2 - ballX, -ballY);
   const dx = robot.x_m - ballX;
@@ -61,21 +61,21 @@ function attack(robot, ballX, ballY, field) {
   return [ballX - back * toX - off * toY, ballY - back * toY + off * toX, toX, toY];
 }
 
-// On the line from the ball to the middle of our goal.
+// Stands on the line from the ball to the middle of our goal.
 function guard(ballX, ballY, field) {
   const goalX = -field.length_m / 2;
   const [toX, toY] = unit(ballX - goalX, ballY);
   return [goalX + 0.1 + 0.2 * toX, 0.3 * toY, toX, toY];
 }
 
-// In a row across our half, facing the ball.
+// Stands in a row across our half, facing the ball.
 function lineUp(index, count, ballX, ballY, field) {
   const x = -field.length_m / 5;
   const y = ((index - count / 2) * field.width_m) / (count + 1);
   return [x, y, ...unit(ballX - x, ballY - y)];
 }
 
-// Whether a point is in the opponents' defence area, taken as a box; for ours, pass -x.
+// Whether a point is in the opponents' defence area, approximated by a box; for ours, pass -x.
 function isInArea(field, x, y, margin) {
   let half = field.defence_area_straight_m / 2;
   if (!field.defence_area_is_box) half = half + field.defence_area_depth_m;
@@ -83,14 +83,14 @@ function isInArea(field, x, y, margin) {
   return x > field.length_m / 2 - depth && -half - margin < y && y < half + margin;
 }
 
-// The x nearest to this one at which a robot is in neither defence area.
+// The nearest x at which a robot is in neither defence area.
 function outOfAreas(field, x, y) {
   const limit = field.length_m / 2 - field.defence_area_depth_m - 0.3;
   if (isInArea(field, x, y, 0.3)) return limit;
   return isInArea(field, -x, y, 0.3) ? -limit : x;
 }
 
-// The point nearest to the robot on the ball's way to where the referee wants it.
+// The point nearest to the robot on the ball's path to the referee's target.
 function nearestOnWay(robot, ballX, ballY, frame) {
   if (frame.placement_x_m === null) return [ballX, ballY];
   const [endX, endY] = [frame.placement_x_m, frame.placement_y_m];
@@ -102,7 +102,7 @@ function nearestOnWay(robot, ballX, ballY, frame) {
   return [ballX + (along / whole) * wayX, ballY + (along / whole) * wayY];
 }
 
-// Away from a point if the robot is near to it; otherwise on to (x, y), but around the point.
+// Moves away from a point if the robot is near it; otherwise goes to (x, y), but around the point.
 function keepOff(robot, x, y, nearX, nearY) {
   const [dx, dy] = [robot.x_m - nearX, robot.y_m - nearY];
   if (dx * dx + dy * dy < TOO_NEAR_M * TOO_NEAR_M) [x, y] = [robot.x_m, robot.y_m];
@@ -125,7 +125,7 @@ function drive(robot, x, y, toX, toY, most, latency) {
     vx_mps: vx * frontX + vy * frontY, // forward
     vy_mps: vy * frontX - vx * frontY, // to its left
     angular_velocity_radps: TURN_RADPS * turn,
-    kick_mps: KICK_MPS, // as soon as the ball is at the kicker
+    kick_mps: KICK_MPS, // takes effect as soon as the ball is at the kicker
   };
 }
 

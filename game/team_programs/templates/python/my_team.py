@@ -3,7 +3,7 @@
 kicks it to the opponents' goal, and the others stand in a row. Our goal is at -x.
 
 It reads one JSON object per line and answers each frame with one line. Anything else, such as
-print() while you look for a mistake, belongs on sys.stderr. Every number is in metres and seconds.
+debugging output, belongs on sys.stderr. Every number is in metres and seconds.
 """
 import json
 import math
@@ -13,9 +13,10 @@ SPEED_MPS = 2.0  # of all robots
 STOP_MPS = 0.9  # while play is stopped: the Laws of 2014 allow 1 m/s
 TURN_RADPS = 8.0
 KICK_MPS = 5.0
-TOO_NEAR_M = 0.6  # to the ball or its path while we may not play it: the rules want 0.5 m to the hull
-KEEP_OFF_M = 0.65  # from there
-PLAYABLE = ("KICKOFF", "PENALTY", "DIRECT_FREE", "INDIRECT_FREE")  # if it is ours
+# Distance to the ball or its path while we may not play it: the rules require 0.5 m to the hull.
+TOO_NEAR_M = 0.6
+KEEP_OFF_M = 0.65  # the distance to which robots retreat
+PLAYABLE = ("KICKOFF", "PENALTY", "DIRECT_FREE", "INDIRECT_FREE")  # by the team that takes the restart
 
 
 def main():
@@ -35,13 +36,13 @@ def decide(frame, field):
     robots = frame["own"]
     if frame["play"] == "HALT" or not robots:
         return {"frame": frame["frame"]}
-    latency = frame["latency_s"]  # what we see now, we act on then
+    latency = frame["latency_s"]  # our commands take effect this much later
     ball_x = frame["ball"]["x_m"] + frame["ball"]["vx_mps"] * latency
     ball_y = frame["ball"]["y_m"] + frame["ball"]["vy_mps"] * latency
     is_ours = frame["play"] == "RUNNING" or (frame["ours"] and frame["play"] in PLAYABLE)
     speed = STOP_MPS if frame["play"] == "STOP" else SPEED_MPS
     keeper = robots[0]
-    chaser = keeper  # in our own area; elsewhere somebody else
+    chaser = keeper  # if the ball is in our area, otherwise another robot
     if not is_in_area(field, -ball_x, ball_y, 0.0):
         chaser = nearest(robots[1:], ball_x, ball_y)
     commands = []
@@ -70,7 +71,7 @@ def nearest(robots, x, y):
 
 
 def attack(robot, ball_x, ball_y, field):
-    """Through the ball towards the goal, or first to a place behind the ball, or around it."""
+    """Drives through the ball towards the goal, or first to a place behind the ball, or around it."""
     to_x, to_y = unit(field["length_m"] / 2 - ball_x, -ball_y)
     dx, dy = robot["x_m"] - ball_x, robot["y_m"] - ball_y
     ahead, aside = dx * to_x + dy * to_y, dy * to_x - dx * to_y
@@ -84,21 +85,21 @@ def attack(robot, ball_x, ball_y, field):
 
 
 def guard(ball_x, ball_y, field):
-    """On the line from the ball to the middle of our goal."""
+    """Stands on the line from the ball to the middle of our goal."""
     goal_x = -field["length_m"] / 2
     to_x, to_y = unit(ball_x - goal_x, ball_y)
     return goal_x + 0.1 + 0.2 * to_x, 0.3 * to_y, to_x, to_y
 
 
 def line_up(index, count, ball_x, ball_y, field):
-    """In a row across our half, facing the ball."""
+    """Stands in a row across our half, facing the ball."""
     x, y = -field["length_m"] / 5, (index - count / 2) * field["width_m"] / (count + 1)
     to_x, to_y = unit(ball_x - x, ball_y - y)
     return x, y, to_x, to_y
 
 
 def is_in_area(field, x, y, margin):
-    """Whether a point is in the opponents' defence area, taken as a box; for ours, pass -x."""
+    """Whether a point is in the opponents' defence area, approximated by a box; for ours, pass -x."""
     half = field["defence_area_straight_m"] / 2
     if not field["defence_area_is_box"]:
         half = half + field["defence_area_depth_m"]
@@ -107,7 +108,7 @@ def is_in_area(field, x, y, margin):
 
 
 def out_of_areas(field, x, y):
-    """The x nearest to this one at which a robot is in neither defence area."""
+    """The nearest x at which a robot is in neither defence area."""
     limit = field["length_m"] / 2 - field["defence_area_depth_m"] - 0.3
     if is_in_area(field, x, y, 0.3):
         return limit
@@ -117,7 +118,7 @@ def out_of_areas(field, x, y):
 
 
 def nearest_on_way(robot, ball_x, ball_y, frame):
-    """The point nearest to the robot on the ball's way to where the referee wants it."""
+    """The point nearest to the robot on the ball's path to the referee's target."""
     if frame["placement_x_m"] is None:
         return ball_x, ball_y
     end_x, end_y = frame["placement_x_m"], frame["placement_y_m"]
@@ -132,7 +133,7 @@ def nearest_on_way(robot, ball_x, ball_y, frame):
 
 
 def keep_off(robot, x, y, near_x, near_y):
-    """Away from a point if the robot is near to it; otherwise on to (x, y), but around the point."""
+    """Moves away from a point if the robot is near it; otherwise goes to (x, y), but around the point."""
     dx, dy = robot["x_m"] - near_x, robot["y_m"] - near_y
     if dx * dx + dy * dy < TOO_NEAR_M * TOO_NEAR_M:
         x, y = robot["x_m"], robot["y_m"]
@@ -157,7 +158,7 @@ def drive(robot, x, y, to_x, to_y, most, latency):
         "vx_mps": vx * front_x + vy * front_y,  # forward
         "vy_mps": vy * front_x - vx * front_y,  # to its left
         "angular_velocity_radps": TURN_RADPS * turn,
-        "kick_mps": KICK_MPS,  # as soon as the ball is at the kicker
+        "kick_mps": KICK_MPS,  # takes effect as soon as the ball is at the kicker
     }
 
 

@@ -1,16 +1,17 @@
 // A team of one page. Robot 0 stays in the goal, the robot nearest to the ball gets behind it and
 // kicks it to the opponents' goal, and the others stand in a row. Our goal is at -x.
 //
-// It reads flat records and answers each frame with one. Anything else, such as what you print
-// while you look for a mistake, belongs into eprintln!. Every number is in metres and seconds.
+// It reads flat records and answers each frame with one. Anything else, such as debugging output,
+// belongs in eprintln!. Every number is in metres and seconds.
 use std::io::{self, Read, Write};
 
 const SPEED_MPS: f64 = 2.0; // of all robots
 const STOP_MPS: f64 = 0.9; // while play is stopped: the Laws of 2014 allow 1 m/s
 const TURN_RADPS: f64 = 8.0;
 const KICK_MPS: f64 = 5.0;
-const TOO_NEAR_M: f64 = 0.6; // to the ball or its path while we may not play it: the rules want 0.5 m to the hull
-const KEEP_OFF_M: f64 = 0.65; // from there
+// Distance to the ball or its path while we may not play it: the rules require 0.5 m to the hull.
+const TOO_NEAR_M: f64 = 0.6;
+const KEEP_OFF_M: f64 = 0.65; // the distance to which robots retreat
 
 const HALT: u8 = 0; // some values of `play`
 const STOP: u8 = 1;
@@ -37,7 +38,7 @@ struct Frame {
     ours: bool,
     ball: Point,
     ball_velocity: Point,
-    placement: Option<Point>, // where the referee wants the ball
+    placement: Option<Point>, // the referee's target for the ball
     own: Vec<Robot>,
 }
 
@@ -64,7 +65,7 @@ fn decide(frame: &Frame, field: &Field) -> Vec<Command> {
     if frame.play == HALT {
         return Vec::new();
     }
-    let latency = frame.latency; // what we see now, we act on then
+    let latency = frame.latency; // our commands take effect this much later
     let ball = Point {
         x: frame.ball.x + frame.ball_velocity.x * latency,
         y: frame.ball.y + frame.ball_velocity.y * latency,
@@ -107,7 +108,7 @@ fn nearest(own: &[Robot], ball: Point) -> usize {
     best
 }
 
-// Through the ball towards the goal, or first to a place behind the ball, or around it.
+// Drives through the ball towards the goal, or first to a place behind the ball, or around it.
 fn attack(robot: &Robot, ball: Point, field: &Field) -> Aim {
     let to = unit(field.length / 2.0 - ball.x, -ball.y);
     let (dx, dy) = (robot.at.x - ball.x, robot.at.y - ball.y);
@@ -127,7 +128,7 @@ fn attack(robot: &Robot, ball: Point, field: &Field) -> Aim {
     Aim { at, facing: to }
 }
 
-// On the line from the ball to the middle of our goal.
+// Stands on the line from the ball to the middle of our goal.
 fn guard(ball: Point, field: &Field) -> Aim {
     let goal_x = -field.length / 2.0;
     let to = unit(ball.x - goal_x, ball.y);
@@ -135,7 +136,7 @@ fn guard(ball: Point, field: &Field) -> Aim {
     Aim { at, facing: to }
 }
 
-// In a row across our half, facing the ball.
+// Stands in a row across our half, facing the ball.
 fn line_up(index: f64, count: f64, ball: Point, field: &Field) -> Aim {
     let at = Point {
         x: -field.length / 5.0,
@@ -144,7 +145,7 @@ fn line_up(index: f64, count: f64, ball: Point, field: &Field) -> Aim {
     Aim { at, facing: unit(ball.x - at.x, ball.y - at.y) }
 }
 
-// Whether a point is in the opponents' defence area, taken as a box; for ours, pass -x.
+// Whether a point is in the opponents' defence area, approximated by a box; for ours, pass -x.
 fn is_in_area(field: &Field, x: f64, y: f64, margin: f64) -> bool {
     let mut half = field.area_straight / 2.0;
     if !field.area_is_box {
@@ -154,7 +155,7 @@ fn is_in_area(field: &Field, x: f64, y: f64, margin: f64) -> bool {
     x > field.length / 2.0 - depth && -half - margin < y && y < half + margin
 }
 
-// The x nearest to this one at which a robot is in neither defence area.
+// The nearest x at which a robot is in neither defence area.
 fn out_of_areas(field: &Field, x: f64, y: f64) -> f64 {
     let limit = field.length / 2.0 - field.area_depth - 0.3;
     if is_in_area(field, x, y, 0.3) {
@@ -166,7 +167,7 @@ fn out_of_areas(field: &Field, x: f64, y: f64) -> f64 {
     }
 }
 
-// The point nearest to the robot on the ball's way to where the referee wants it.
+// The point nearest to the robot on the ball's path to the referee's target.
 fn nearest_on_way(robot: &Robot, ball: Point, frame: &Frame) -> Point {
     let end = frame.placement.unwrap_or(ball);
     let way = Point { x: end.x - ball.x, y: end.y - ball.y };
@@ -181,7 +182,8 @@ fn nearest_on_way(robot: &Robot, ball: Point, frame: &Frame) -> Point {
     }
 }
 
-// Away from a point if the robot is near to it; otherwise on to the place, but around the point.
+// Moves away from a point if the robot is near it; otherwise goes to the place, but around the
+// point.
 fn keep_off(robot: &Robot, mut place: Point, point: Point) -> Point {
     let (dx, dy) = (robot.at.x - point.x, robot.at.y - point.y);
     if dx * dx + dy * dy < TOO_NEAR_M * TOO_NEAR_M {
@@ -278,7 +280,7 @@ fn output_of(frame: i64, commands: &[Command]) -> Vec<u8> {
     output.extend([4, 0, 0, 0]); // the kind; no timeout
     output.extend(frame.to_le_bytes());
     output.extend(keeper.to_le_bytes());
-    output.extend((-1i32).to_le_bytes()); // nobody leaves
+    output.extend((-1i32).to_le_bytes()); // no robot leaves
     output.extend((commands.len() as u16).to_le_bytes());
     output.extend([0; 6]);
     for command in commands {

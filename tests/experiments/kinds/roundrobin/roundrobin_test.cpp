@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"TeamsInTheBase",
                 kTop + kTeams + "base: { teams: { a: { strategy: basic } } }\n",
                 "x.yaml:6:9: base.teams: ",
-                {"beside the base"}},
+                {"outside the base"}},
         Mistake{"SeedInTheBase", kTop + kTeams + "base: { seed: 1 }\n", "x.yaml:6:9: base: ", {}},
         Mistake{"LegsSide",
                 kTop + kTeams + "base: { match: { a_plays: east } }\n",

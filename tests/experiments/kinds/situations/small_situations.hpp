@@ -8,8 +8,8 @@
 
 namespace autoref::experiments {
 
-// A ball rolls into the empty goal from 1 m, and one that lies in front of a robot that does
-// nothing. Both teams stand still.
+// In one situation, a ball rolls into the empty goal from 1 m; in the other, a ball lies in front
+// of an idle robot. Both teams stand still.
 inline const std::string kSmallSituations =
     "schema: 1\n"
     "kind: situations\n"

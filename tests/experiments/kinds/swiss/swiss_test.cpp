@@ -221,7 +221,7 @@ TEST(SwissRun, CountsAByeAsAMeetingWon) {
   EXPECT_EQ(its->games(), 0);
   EXPECT_NE(content_of(folder / "rounds.csv").find("1," + bye + ",,0,0,12,\n"), std::string::npos)
       << content_of(folder / "rounds.csv");
-  EXPECT_NE(io::text_of(report.results.table).find("A bye counts 12 points"), std::string::npos);
+  EXPECT_NE(io::text_of(report.results.table).find("A bye is worth 12 points"), std::string::npos);
 }
 
 TEST(SwissRun, DoesNotRateTeamsThatNoGamesLink) {
@@ -290,9 +290,9 @@ TEST(SwissRun, WithOtherTeamsEndsAsIfItHadBegunWithThem) {
 
 TEST(SwissRun, SaysThatWithMorePairsSomeGamesMayNotCount) {
   const Scenario there = {"", swiss_of(6, 3)};
-  EXPECT_EQ(note_on_pairs({"", swiss_of(6, 3, 2)}, there, 12),
-            "the folder had 1 pairs, now 2; those of its games that still belong to the experiment "
-            "count");
+  EXPECT_EQ(
+      note_on_pairs({"", swiss_of(6, 3, 2)}, there, 12),
+      "the folder had 1 pairs, now 2; its games count if they still belong to the experiment");
 }
 
 TEST(SwissShards, WaitForEachOtherAndGiveTheSameResults) {
