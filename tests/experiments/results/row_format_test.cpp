@@ -36,22 +36,16 @@ GameRow full_row() {
   record.status = game::Status::kForfeit;
   record.void_reason = "no robots";
   for (std::size_t i = 0; i < record.events.size(); ++i) record.events[i] = static_cast<int>(i + 1);
-  record.counts[0] = {.shots = 12,
-                      .shots_on_goal = 7,
-                      .passes_tried = 30,
-                      .passes_completed = 21,
-                      .possession_s = 301.25,
-                      .fouls = 3,
-                      .duels_won = 5};
-  record.counts[1] = {.shots = 8,
-                      .shots_on_goal = 2,
-                      .passes_tried = 25,
-                      .passes_completed = 9,
-                      .possession_s = 200.5,
-                      .fouls = 4,
-                      .duels_won = 6};
+  for (const int team : {0, 1}) {
+    int next = 20 * team;
+    for (const game::CountField& field : game::count_fields()) {
+      if (field.count != nullptr) record.counts[team].*field.count = ++next;
+      if (field.seconds != nullptr) record.counts[team].*field.seconds = ++next + 0.25;
+    }
+  }
   record.transitions = {"begin", "goal", "start"};
-  record.ball_in_play_s = 700.125;
+  double time_s = 700.125;
+  for (const game::MeasuredTime& time : game::measured_times()) record.*time.seconds = time_s++;
   row.side_a = Side::kEast;
   return row;
 }
@@ -90,13 +84,12 @@ TEST(RowFormat, HasTheColumnsOfAGameWithTheChecksumLast) {
 
 TEST(RowFormat, HasBothTeamsPlayCounts) {
   std::map<std::string, std::string> cells = cells_by_name(full_row());
-  const io::Cells names = {"shots",        "shots_on_goal", "passes_tried", "passes_completed",
-                           "possession_s", "fouls",         "duels_won"};
-  const io::Cells of_a = {"12", "7", "30", "21", "301.250", "3", "5"};
-  const io::Cells of_b = {"8", "2", "25", "9", "200.500", "4", "6"};
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    EXPECT_EQ(cells[names[i] + "_a"], of_a[i]) << names[i];
-    EXPECT_EQ(cells[names[i] + "_b"], of_b[i]) << names[i];
+  EXPECT_EQ(cells["shots_a"], "1");
+  EXPECT_EQ(cells["shots_b"], "21");
+  EXPECT_EQ(cells["possession_s_a"], "5.250");
+  for (const game::CountField& field : game::count_fields()) {
+    for (const char* team : {"_a", "_b"})
+      EXPECT_TRUE(cells.contains(std::string(field.name) + team));
   }
 }
 
@@ -120,6 +113,8 @@ TEST(RowFormat, ReadsBackTypedValues) {
   EXPECT_EQ(read.record.end_reason, game::EndReason::kForfeitB);
   EXPECT_EQ(read.record.status, game::Status::kForfeit);
   EXPECT_EQ(read.record.counts, row.record.counts);
+  for (const game::MeasuredTime& time : game::measured_times())
+    EXPECT_DOUBLE_EQ(read.record.*time.seconds, row.record.*time.seconds) << time.name;
   EXPECT_EQ(read.record.transitions, row.record.transitions);
   EXPECT_EQ(read.record.state_hash, row.record.state_hash);
   EXPECT_EQ(read.circumstances.cpu, "A, \"fast\" CPU");
