@@ -32,10 +32,10 @@ std::vector<CLI::App*> all_verbs(CLI::App& app) {
   return app.get_subcommands([](const CLI::App*) { return true; });
 }
 
-// Parses the words after the program's name and does the work that they choose.
+// Parses the words after the program's name and does the work that they request.
 int run_parsed(CLI::App& app, std::vector<std::string> words, const Chosen& chosen) {
   try {
-    std::reverse(words.begin(), words.end());  // as CLI11 expects them
+    std::reverse(words.begin(), words.end());  // CLI11 expects them in reverse order
     app.parse(std::move(words));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == io::kDone) return app.exit(error);
@@ -44,7 +44,7 @@ int run_parsed(CLI::App& app, std::vector<std::string> words, const Chosen& chos
   return chosen();
 }
 
-// The program itself if the name is empty.
+// Finds the group with this name; the program itself if the name is empty.
 CLI::App& group_of(CLI::App& app, const std::string& name) {
   return name.empty() ? app : *app.get_subcommand(name);
 }

@@ -27,7 +27,7 @@ std::vector<std::string> long_options(const CLI::App& verb) {
   return names;
 }
 
-// "; did you mean '--seed'?", or empty if no option of the verb is close.
+// "; did you mean '--seed'?", or empty if no option of the verb has a similar name.
 std::string option_suggestion(const CLI::App& verb, const std::string& word) {
   const std::string name = option_name(word);
   if (name.size() < 2) return {};
@@ -76,10 +76,10 @@ std::string words_to(const CLI::App& verb) {
   return before.empty() ? verb.get_name() : before + " " + verb.get_name();
 }
 
-// The words that call a verb, by its name: "replay" maps to "results replay".
+// The words that call a verb, by the verb's own name: "replay" maps to "results replay".
 using CallsByName = std::map<std::string, std::string>;
 
-// Includes verbs in groups and former names.
+// All words that call a verb, including those of verbs in groups and former names.
 CallsByName all_calls(const CLI::App& program) {
   CallsByName calls;
   for (const CLI::App* verb : nested_verbs(program)) calls[verb->get_name()] = verb->get_name();

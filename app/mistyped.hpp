@@ -13,8 +13,9 @@ bool is_verb(const CLI::App& app, const std::string& word);
 // or without verbs below it.
 std::string unknown_verb_message(const CLI::App& app, const std::string& word);
 
-// Explains an error thrown by parse(): the verb, such as "team new", what is wrong with its
-// arguments (in the order given), and the most likely intended option or word.
+// Returns a message about an error thrown by parse(). The message names the verb, such as "team
+// new", says what is wrong with its arguments (in the order given), and suggests the option or word
+// that was probably meant.
 std::string message_of(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace autoref::app

@@ -13,8 +13,8 @@ namespace autoref::app {
 void add_web_flags(CLI::App& verb, WebFlags& flags, const std::string& help) {
   CLI::Option* web = verb.add_option("--web", flags.address, help)->type_name("[ADDRESS:]PORT");
   verb.add_option("--web-host", flags.hosts,
-                  "With --web: also answer browsers that know this computer as NAME, such as "
-                  "laptop.local; repeatable.")
+                  "With --web: also accept NAME, such as laptop.local, as the name of this "
+                  "computer in a browser; repeatable.")
       ->type_name("NAME")
       ->allow_extra_args(false)
       ->needs(web);

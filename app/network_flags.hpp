@@ -22,7 +22,8 @@ void add_web_flags(CLI::App& verb, WebFlags& flags, const std::string& help);
 // Throws InputError naming --web.
 live::WebOptions web_options_of(const WebFlags& flags);
 
-// The broadcast address of the interface given by --broadcast. Throws InputError if it has none.
+// The broadcast address of the interface given by --broadcast. Throws InputError if the interface
+// has no broadcast address.
 std::string broadcast_of(const std::string& interface);
 
 // The game controller at "HOST" or "HOST:PORT", with `port` unless the text contains one. Throws

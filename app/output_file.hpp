@@ -17,10 +17,10 @@ struct NamedFile {
   std::string path;
 };
 
-// Throws InputError naming both flags if two outputs are the same file (even if their paths are
-// written differently), or if an output is one of `inputs` or the file to which a standard stream
-// is redirected, since one of the two would be lost. Call this function before doing any work.
-// Several outputs may share a terminal or /dev/null.
+// Throws InputError naming both flags if two outputs are the same file, even if their paths are
+// written differently. Also throws it if an output is one of `inputs` or the file to which a
+// standard stream is redirected. In all these cases, one of the two files would be lost. Call this
+// function before doing any work. Several outputs may share a terminal or /dev/null.
 void check_outputs(const std::vector<NamedFile>& outputs, const std::vector<std::string>& inputs);
 
 // Opens the file before any work is done, so that a wrong name is reported immediately. Leaves
@@ -29,12 +29,12 @@ std::optional<io::PendingFile>& open_output(std::optional<io::PendingFile>& file
                                             const std::string& path);
 
 // An output file that grows line by line. Lines are written to disk in batches, so a long game
-// needs no more memory than a short one; the file appears under its name at commit(). Anything but
-// a regular file (a pipe, for example) gets all lines at commit(), since its reader must not delay
-// the game.
+// needs no more memory than a short one. The file appears under its name at commit(). If it is not
+// a regular file but, for example, a pipe, all lines are written at commit(), since its reader must
+// not delay the game.
 class LineOutput {
  public:
-  static constexpr std::size_t kMostWaiting_bytes = 64 * 1024;  // of a regular file
+  static constexpr std::size_t kMostWaiting_bytes = 64 * 1024;  // for a regular file
 
   // Opens no file if the path is empty. Throws InputError naming `flag`.
   LineOutput(const char* flag, const std::string& path);
@@ -47,7 +47,8 @@ class LineOutput {
   // Does nothing if no file is open. Throws InputOutputError.
   void commit();
 
-  std::size_t waiting_bytes() const { return waiting_.size(); }  // not written yet
+  // Size of the lines not written yet.
+  std::size_t waiting_bytes() const { return waiting_.size(); }
 
  private:
   std::string path_;

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kScenarios = "scenarios";
-constexpr int kMostEntries = 1000;  // of a folder
+constexpr int kMostEntries = 1000;  // maximum number of entries read from a folder
 
 // Adds the names of a folder's *.yaml files as `shown` / name, and returns its subfolders.
 std::vector<fs::path> add_scenarios(const fs::path& folder, const fs::path& shown,
@@ -28,7 +28,7 @@ std::vector<fs::path> add_scenarios(const fs::path& folder, const fs::path& show
        entry.increment(error)) {
     if (++entries > kMostEntries) break;
     const fs::path name = entry->path().filename();
-    std::error_code none;  // an unreadable entry is neither
+    std::error_code none;  // an unreadable entry is neither a file nor a folder
     if (entry->is_directory(none)) folders.push_back(name);
     if (name.extension() == ".yaml" && entry->is_regular_file(none))
       names.insert((shown / name).string());

@@ -12,18 +12,18 @@ namespace autoref::app {
 // of scenario_to_read().
 CLI::Option* add_scenario_argument(CLI::App& verb, std::string& file, const std::string& about);
 
-// found_scenario() for the running program. If the result is not `given`, a message on stderr names
-// it. Throws InputError if only a file with a similar name exists.
+// Returns found_scenario() for the running program. If the result differs from `given`, a message
+// on stderr names it. Throws InputError if only a file with a similar name exists.
 std::string scenario_to_read(const std::string& given);
 
 // `file` if it exists; otherwise the file of that name installed with `program` (io/files.hpp), in
-// the folder scenarios here, or in the installed folder scenarios. If there is none, returns
-// `file`.
+// the folder scenarios of the current directory, or in the installed folder scenarios. If there is
+// none, returns `file`.
 std::string found_scenario(const std::string& file, const std::filesystem::path& program);
 
-// The names of scenarios that found_scenario() would find: the files *.yaml here, in `folder`, and
-// in the local or installed folder scenarios and its folders. Returns at most a few thousand,
-// sorted.
+// The names of scenarios that found_scenario() would find: the files *.yaml in the current
+// directory, in `folder`, and in the local or installed folder scenarios and its subfolders.
+// Returns at most a few thousand names, sorted.
 std::vector<std::string> known_scenarios(const std::filesystem::path& folder,
                                          const std::filesystem::path& program);
 

@@ -29,15 +29,15 @@ void add_decision_outputs(CLI::App& verb, std::string& events, std::string& game
 // Adds the required argument LOG.
 void add_log_argument(CLI::App& verb, std::string& log);
 
-// Adds --rules, the rule book of a log without geometry.
+// Adds --rules, the rule book to use for a log without geometry.
 void add_field_option(CLI::App& verb, std::string& rules);
 
 // A check that accepts only these words; for any other word, its message suggests one of them. Help
 // and completion (described_verb.hpp) list them.
 CLI::Validator one_of(const std::vector<std::string>& words);
 
-// The allowed words in an option's type name, such as "STYLE:{plain,json,none}" or "west|east".
-// Words in capitals, such as FACTOR in "FACTOR|max", are left out.
+// The allowed words listed in an option's type name, such as "STYLE:{plain,json,none}" or
+// "west|east". Words in capitals, such as FACTOR in "FACTOR|max", are left out.
 std::vector<std::string> words_in_type(const std::string& type_name);
 
 }  // namespace autoref::app

@@ -7,18 +7,19 @@
 
 namespace autoref::app {
 
-// The work that the command line asks for; returns the exit code. Errors are thrown
+// The work requested by the command line. The function returns the exit code; errors are thrown
 // (io/errors.hpp).
 using Chosen = std::function<int()>;
 
-// Makes parsing `verb`, which fills in the arguments, set `chosen` to `work` with them.
+// Sets up `verb` so that parsing it sets `chosen` to `work` with the parsed arguments.
 template <typename Arguments>
 void choose(CLI::App& verb, Chosen& chosen, const std::shared_ptr<Arguments>& arguments,
             int (*work)(const Arguments&)) {
   verb.callback([=, &chosen] { chosen = [=] { return work(*arguments); }; });
 }
 
-// Each adds a verb to the program or to a group. Parsing the verb sets `chosen` to the verb's work.
+// Each of these functions adds a verb to the program or to a group. Parsing the verb sets `chosen`
+// to the verb's work.
 #define AUTOREF_GROUP(heading, name, about)
 #define AUTOREF_VERB(group, add) void add(CLI::App& app, Chosen& chosen);
 #include "app/verbs.def"

@@ -25,8 +25,8 @@ constexpr float kKick_mps = 6.0F;
 
 b2Vec2 units(float x_m, float y_m) { return {x_m * kScale, y_m * kScale}; }
 
-// A disc of radius 90 mm with its front cut off flat at 75 mm, with the eight vertices that Box2D
-// allows.
+// A disc of radius 90 mm with its front cut off flat at 75 mm, approximated by the eight vertices
+// that Box2D allows.
 b2PolygonShape robot_shape() {
   constexpr double kFrontCorner_rad = 0.58568554;  // acos(75 / 90)
   constexpr double kArc_rad = 2 * (kPi - kFrontCorner_rad);

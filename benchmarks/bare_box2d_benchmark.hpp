@@ -1,10 +1,11 @@
 // A fixed Box2D scene as the baseline for the speed of whole games: the cost of bare physics at
 // this scale.
 //
-// 12 robots of eight vertices with a flat front on a 9 x 6 m field, velocities set each 60 Hz frame
-// towards random targets, one bullet ball that is kicked when reached, 10 static edges, 8 velocity
-// and 3 position iterations, 240 Hz, 10 units per metre, no clock reads. The scene must never
-// change, so that measurements stay comparable.
+// 12 robots with eight vertices and a flat front drive on a 9 x 6 m field with 10 static edges. In
+// each 60 Hz frame, their velocities are set towards random targets. One ball, a bullet in Box2D's
+// terms, is kicked when a robot reaches it. The scene is simulated at 240 Hz with 8 velocity and 3
+// position iterations, 10 units per metre, and no clock reads. It must never change, so that
+// measurements stay comparable.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +23,8 @@ class BareBox2dBenchmark {
   // One 60 Hz frame: four steps of the world.
   void step_frame();
 
-  // Depends on every body's position, so that the compiler cannot optimise the simulation away.
+  // A sum that depends on every body's position, so that the compiler cannot optimise the
+  // simulation away.
   double checksum_m() const;
 
  private:

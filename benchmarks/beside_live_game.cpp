@@ -31,7 +31,7 @@ std::optional<Message> message_in(std::string_view bytes) {
   return message;
 }
 
-// All robots drive in circles.
+// Lets all robots drive in circles.
 std::string circling_commands(int robots) {
   simulation::RobotControl control;
   for (int i = 0; i < robots; ++i) {

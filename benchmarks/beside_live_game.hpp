@@ -20,7 +20,8 @@ namespace autoref::benchmarks {
 // A thread that does nothing but sleep until each frame is due.
 class BareLoop {
  public:
-  // The first frame is due after `delay`, so that the two loops do not wake each other.
+  // The first frame is due after `delay`, so that the loop and the live game do not wake each
+  // other.
   BareLoop(double frames_per_s, std::chrono::duration<double> delay);
 
   // Ends the loop and returns its punctuality.
@@ -32,10 +33,10 @@ class BareLoop {
 };
 
 // Processes that never sleep, like other programs on the computer. Since the system first
-// distributes processors between sessions, they have a session of their own.
+// distributes processor time between sessions, these processes have a session of their own.
 class BusyProcesses {
  public:
-  // Throws InputOutputError. Call it before there are threads.
+  // Throws InputOutputError. Call it before any thread is started.
   explicit BusyProcesses(int count);
   ~BusyProcesses();
   BusyProcesses(const BusyProcesses&) = delete;
@@ -45,7 +46,7 @@ class BusyProcesses {
   std::vector<pid_t> processes_;
 };
 
-// A thread that commands teams using the simulation protocol, with one packet per team and period.
+// A thread that sends commands to teams in the simulation protocol, one packet per team and period.
 class CommandingThread {
  public:
   CommandingThread(const std::vector<int>& ports, int robots, double packets_per_s);
@@ -64,7 +65,7 @@ class FrameCounter {
 
   int port() const { return receiver_.port(); }
   std::int64_t received() const { return received_; }
-  // The number of frames missing between 0 and the last one.
+  // The number of frames that are missing between frame 0 and the last one received.
   std::int64_t lost() const { return last_ + 1 - received_; }
 
  private:
@@ -73,7 +74,7 @@ class FrameCounter {
   live::DatagramReceiver receiver_;
 };
 
-// The numbers of the frames in packets of vision's first camera, and of trackers.
+// The number of the frame in a packet from vision's first camera, or from a tracker.
 std::optional<std::int64_t> vision_frame_in(std::string_view bytes);
 std::optional<std::int64_t> tracker_frame_in(std::string_view bytes);
 

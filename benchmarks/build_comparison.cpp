@@ -16,7 +16,7 @@
 namespace autoref::benchmarks {
 namespace {
 
-constexpr std::size_t kShownOutput = 60;  // bytes of an unexpected output
+constexpr std::size_t kShownOutput = 60;  // number of bytes that are shown of an unexpected output
 
 io::InputError build_error(const std::string& program, std::string_view message) {
   return io::InputError({program}, "", message);

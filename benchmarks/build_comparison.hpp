@@ -21,7 +21,7 @@ struct BuildComparison {
   MeasuredBuild before;
   MeasuredBuild after;
   // Processor time per simulated second of `after`, relative to `before`, in each round; `after` is
-  // faster if it is below 1.
+  // faster if this ratio is below 1.
   std::vector<double> ratios;
   MeasuredRatio ratio;
 
@@ -36,14 +36,14 @@ struct MeasuredGame {
 };
 
 // Reads the output of `autoref play --json`, which used `processor_s`. Throws an InputError that
-// names `program` if the text is anything else or the game is void.
+// names `program` if the text is not such output or the game is void.
 MeasuredGame measured_game(const std::string& program, const std::string& text, double processor_s);
 
-// In each round, both programs play the same fixed game twice, each time in a separate process, in
-// the order before, after, after, before, and in reverse order in the next round, so that a
-// slowdown of the machine affects both. `longest_game_s` limits a game's wall-clock time, only to
-// detect hangs. Throws InputError if a program cannot be run, takes too long, fails, or prints
-// something else.
+// In each round, both programs play the same fixed game twice, each time in a separate process. The
+// order is before, after, after, before in one round and the reverse in the next, so that a
+// slowdown of the machine affects both programs. `longest_game_s` limits a game's wall-clock time;
+// it serves only to detect hangs. Throws InputError if a program cannot be run, takes too long,
+// fails, or prints something else.
 BuildComparison compare_builds(const std::string& before, const std::string& after,
                                const Options& options, double longest_game_s = 600);
 

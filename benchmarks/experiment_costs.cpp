@@ -43,7 +43,7 @@ double waits_of(int whose) {
   return static_cast<double>(usage.ru_nvcsw);
 }
 
-// The processor time to start a program, read its command line and end.
+// The processor time that a program needs to start, read its command line and end.
 double start_s_of(const std::string& program) {
   constexpr double kLongest_s = 60;
   const std::optional<io::CommandResult> result =
@@ -112,7 +112,7 @@ class ExperimentRounds {
     short_wall_.add(brief.frames_per_wall_s() / full.frames_per_wall_s());
   }
 
-  // Every other round runs in the opposite order.
+  // Every second round runs in the opposite order.
   void compare_crowds() {
     std::array<RunCosts, kCrowds.size()> costs;
     for (std::size_t i = 0; i < kCrowds.size(); ++i) {
@@ -178,7 +178,7 @@ RunCosts costs_of(const MeasuredExperiment& experiment) {
   const double workers_s = io::processor_s_of(RUSAGE_CHILDREN);
   const double waits = waits_of(RUSAGE_CHILDREN);
   const Clock::time_point start = Clock::now();
-  // By the time the experiment returns, it has waited for all workers.
+  // When the experiment returns, all of its workers have ended.
   const experiments::ExperimentReport report =
       experiments::run_experiment({"", sweep_of(experiment)}, options);
   if (!report.is_complete) throw io::Interrupted();

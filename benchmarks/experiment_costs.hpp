@@ -1,5 +1,6 @@
 // Measures the cost of experiments besides the frames of their games (starting the program, games
-// and workers, writing rows, many short games, many workers), and the gain from a second worker.
+// and workers, writing rows, running many short games or many workers), and the gain from a second
+// worker.
 #pragma once
 
 #include <string>
@@ -13,7 +14,7 @@ namespace autoref::benchmarks {
 
 // An experiment in which the default team plays against itself.
 struct MeasuredExperiment {
-  int pairs = 1;  // with two games each
+  int pairs = 1;  // pairs of legs; each has two games
   double half_s = 600;
   int halves = 2;
   int workers = 1;
@@ -24,7 +25,7 @@ struct MeasuredExperiment {
 struct RunCosts {
   WorkerCosts worker;
   double parent_s = 0;   // processor time of the process that hands out games and writes rows
-  double workers_s = 0;  // of all workers
+  double workers_s = 0;  // processor time of all workers
   double waits = 0;      // number of times a worker had to wait: for a game, a lock or a file
   double wall_s = 0;
 
@@ -37,16 +38,16 @@ struct RunCosts {
   double waits_per_game() const { return waits / static_cast<double>(worker.games); }
 };
 
-// Runs the experiment in a temporary folder. Throws Interrupted after a signal, and
-// std::logic_error if a game is void.
+// Runs the experiment in a temporary folder and returns its costs. Throws Interrupted after a
+// signal, and std::logic_error if a game is void.
 RunCosts costs_of(const MeasuredExperiment& experiment);
 
 // An experiment with many workers, relative to the same games with one worker in the same round.
 struct CrowdRow {
   int workers = 1;
-  MeasuredRatio cost;         // of the processor time per game
+  MeasuredRatio cost;         // ratio of the processor time per game
   double waits_per_game = 0;  // median over the rounds
-  double parent_share = 0;    // of the processor time
+  double parent_share = 0;    // the parent's share of the processor time
   double private_mb = 0;      // the maximum over workers and rounds
   double resident_mb = 0;
 };
@@ -59,9 +60,9 @@ struct ExperimentCosts {
   double parent_share = 0;     // part of that share: handing out games, writing rows
   MeasuredRatio speedup;       // full games per wall-clock time, with two workers relative to one
   double short_game_s = 0;     // processor time of a game of 10 s
-  double short_overhead = 0;   // the same share in games of 10 s
+  double short_overhead = 0;   // the overhead share in games of 10 s
   MeasuredRatio short_speed;   // frames per processor time, relative to full games
-  MeasuredRatio short_frames;  // the same, counting only the time of the frames
+  MeasuredRatio short_frames;  // the same as `short_speed`, counting only the time of the frames
   MeasuredRatio short_wall;    // frames per wall-clock time, relative to full games
   double program_start_s = 0;  // processor time of `autoref` when it has nothing to do
   std::vector<CrowdRow> crowds;
@@ -69,7 +70,7 @@ struct ExperimentCosts {
 
 // In each round, runs full games with two workers and with one, games of 10 s, and games with 1, 4,
 // 16 and 64 workers in turn, so that a slowdown of the machine affects all of them. Also starts
-// `program`, which is `autoref`, once. `rounds` is at least kFewestRounds.
+// `program`, which is `autoref`, once per round. `rounds` is at least kFewestRounds.
 ExperimentCosts measure_experiments(const std::string& program, int rounds);
 
 void print_experiment_costs(const std::string& program, int rounds);

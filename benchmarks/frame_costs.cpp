@@ -16,7 +16,7 @@ namespace autoref::benchmarks {
 namespace {
 
 constexpr std::size_t kMostRobots = sim::TeamSpec::Robots::static_capacity;
-constexpr double kMeasuredHalf_s = 60;  // of each half of a game
+constexpr double kMeasuredHalf_s = 60;  // length of each half of a game
 
 game::GameConfiguration short_game(const Options& options) {
   game::GameConfiguration game = game::fixed_game(0, options.team());
@@ -37,7 +37,7 @@ ScaleSeries robots_series(const Options& options) {
   return series;
 }
 
-// Detections are missed and deviate, so that there is something to merge.
+// Some detections are missed and all have errors, so that the merger has work to do.
 ScaleSeries cameras_series(const Options& options) {
   ScaleSeries series{"cameras (rc2026-a)", "camera", {}, 0};
   for (const int cameras : {1, 2, 4}) {

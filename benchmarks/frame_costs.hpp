@@ -15,7 +15,7 @@ namespace autoref::benchmarks {
 // One configuration of a series.
 struct ScaledGame {
   std::string name;
-  int units = 0;  // robots per side, or cameras; 0 in the series of presets
+  int units = 0;  // number of robots per side, or of cameras; 0 in the series of presets
   game::GameConfiguration game;
 };
 
@@ -33,7 +33,8 @@ std::vector<ScaleSeries> scale_series(const Options& options);
 struct ScaleRow {
   std::string name;
   int units = 0;
-  MeasuredRatio ratio;  // of the processor time per frame, to the same round's game of the base row
+  // Processor time per frame relative to that of the base row's game in the same round.
+  MeasuredRatio ratio;
 };
 
 struct ScaleTable {
@@ -43,22 +44,22 @@ struct ScaleTable {
   double base_ns_per_frame = 0;  // median of the rounds
   std::vector<ScaleRow> rows;
 
-  // Factor that converts a row's ratio to that of the cost per unit. Only for series with units.
+  // Factor that converts a row's ratio to the ratio of costs per unit. Only for series with units.
   double per_unit(const ScaleRow& row) const;
 };
 
-// How the cost per unit behaves beyond the base row. Of all rows with more units, the one with the
-// highest cost per unit relative to the base row decides.
+// How the cost per unit grows beyond the base row. The result is decided by the row with the
+// highest cost per unit relative to the base row, among those with more units.
 enum class Growth : std::uint8_t {
   kNotApplicable,  // no units, or no row beyond the base row
   kLinearOrBetter,
-  kUndecided,    // above the base row, but the interval contains equality
-  kSuperlinear,  // the whole interval is above the base row
+  kUndecided,    // the cost per unit is higher than in the base row, but the interval contains 1
+  kSuperlinear,  // the whole interval is above 1
 };
 Growth growth_of(const ScaleTable& table);
 
-// `ns_per_frame` has one list per row of the series, with one value per round; at least
-// kFewestRounds rounds.
+// `ns_per_frame` has one list per row of the series, with one value per round. There must be at
+// least kFewestRounds rounds.
 ScaleTable scale_table(const ScaleSeries& series,
                        const std::vector<std::vector<double>>& ns_per_frame);
 

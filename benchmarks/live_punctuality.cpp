@@ -19,7 +19,7 @@ struct MeasuringIsOver {};
 
 game::GameConfiguration measured_configuration(double seconds, bool on_network) {
   game::GameConfiguration game;
-  game.match.half_s = seconds + 1;  // so the game does not end by itself
+  game.match.half_s = seconds + 1;  // so that the game does not end by itself
   for (game::TeamConfiguration* team : {&game.a, &game.b}) {
     team->strategy = on_network ? "network" : "cobalt";
     team->on_network = on_network;

@@ -12,7 +12,7 @@ namespace autoref::benchmarks {
 
 struct LiveConditions {
   double seconds = 60;  // length of each game
-  int load = 0;         // number of processes that compute all the time
+  int load = 0;         // number of processes that run all the time to put load on the machine
 };
 
 // A live game in real time, and a bare loop with the same period that runs alongside it.

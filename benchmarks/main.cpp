@@ -1,4 +1,4 @@
-// The program `benchmarks`, with a verb for each thing that it measures (README.md).
+// The program `benchmarks`, with one verb for each kind of measurement (README.md).
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <filesystem>
@@ -84,7 +84,7 @@ void add_programs(CLI::App& app) {
   app.add_subcommand("programs", "Compare games between programs with bare pipes.")->callback([] {
     print_program_costs({this_program(), "answer"});
   });
-  // A hidden verb: the team in those games.
+  // A hidden verb: the team program in the games of program_costs.hpp.
   app.add_subcommand("answer")->group("")->callback([] { std::exit(answer_frames()); });
 }
 

@@ -137,7 +137,7 @@ struct Answer {
   std::array<league::FlatCommand, kMostCommands> commands;
 };
 
-// Drives in curves, so that the robots in these games do move.
+// The robots drive in curves, so that they move in these games.
 void fill(Answer& answer, const league::FlatFrame& frame) {
   const std::size_t robots = std::min<std::size_t>(frame.own_robots, kMostCommands);
   answer.output.length =

@@ -64,7 +64,8 @@ double bare_ns(std::uint64_t seed, std::int64_t frames) {
   const Clock::time_point start = Clock::now();
   for (std::int64_t i = 0; i < frames; ++i) bare.step_frame();
   const double ns = ns_since(start);
-  // Uses the result, so that the compiler cannot remove the work; also fails for NaN.
+  // The check uses the result, so that the compiler cannot remove the work. It also fails if the
+  // result is NaN.
   if (!(bare.checksum_m() < 1e9)) throw std::logic_error("the bare Box2D benchmark has diverged");
   return ns;
 }
@@ -110,7 +111,7 @@ WholeGames measure_whole_games(const std::string& team) {
     ratios.push_back(game_ns.back() / bare_frame_ns.back());
     signature.add(record.state_hash);
   }
-  // The phases are measured in separate games, since reading the clock in every phase costs time.
+  // The phases are measured in separate games, since reading the clock in every phase takes time.
   Shares shares;
   game::play(game::fixed_game(0, team), &shares);
   Shares with_all_rules;

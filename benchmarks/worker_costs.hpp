@@ -1,4 +1,4 @@
-// Reports of workers about their own games while a benchmark runs.
+// Reports that workers make about their own games while a benchmark runs.
 #pragma once
 
 #include <cstdint>
@@ -15,16 +15,17 @@ namespace autoref::benchmarks {
 struct WorkerCosts {
   std::int64_t games = 0;
   std::int64_t frames = 0;
-  double set_up_s = 0;  // processor time to create a game, take its record and destroy it
-  double frames_s = 0;  // processor time of its frames
-  // Memory of the largest worker at the end of a game, in MB (10^6 bytes): pages of its own, and
-  // all pages, most of which it shares with its parent and other programs.
+  double set_up_s = 0;  // processor time to create a game, take its game record and destroy it
+  double frames_s = 0;  // processor time of a game's frames
+  // Memory of the largest worker at the end of a game, in MB (10^6 bytes). The first value counts
+  // the worker's own pages. The second counts all pages, most of which it shares with its parent
+  // and other programs.
   double most_private_mb = 0;
   double most_resident_mb = 0;
 };
 
-// Adds up the costs of games that are played in child processes, in shared memory. Create it before
-// the children.
+// Adds up, in shared memory, the costs of games that are played in child processes. Create the
+// meter before the child processes.
 class WorkerMeter {
  public:
   // Throws InputOutputError if shared memory cannot be created.

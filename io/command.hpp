@@ -9,7 +9,7 @@
 
 namespace autoref::io {
 
-// User and system time together, in s: Linux measures their sum exactly but only estimates the
+// User and system time together, in s: Linux measures the sum exactly but only estimates how it is
 // split.
 inline double processor_s(const rusage& usage) {
   const auto seconds = [](const timeval& time) {
@@ -31,13 +31,13 @@ inline constexpr double kUnlimited_s = std::numeric_limits<double>::infinity();
 struct CommandResult {
   int code = 0;     // the program's exit code, or 128 plus the number of the signal that ended it
   std::string out;  // the program's stdout; its stderr goes to AutoRef's stderr
-  double processor_s = 0;  // its processor time, including children it waited for
+  double processor_s = 0;  // the program's processor time, including children it waited for
   bool is_late = false;    // killed because it took too long
 };
 
-// Runs a program found in PATH and waits for its end, for at most `longest_s`. No shell interprets
-// the arguments. Returns nullopt if there is no such program. Throws InputOutputError if no process
-// can be started.
+// Runs a program found in PATH and waits for it to end, for at most `longest_s`. No shell
+// interprets the arguments. Returns nullopt if there is no such program. Throws InputOutputError if
+// no process can be started.
 std::optional<CommandResult> run_command(const std::vector<std::string>& words,
                                          double longest_s = kUnlimited_s);
 

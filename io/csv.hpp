@@ -26,11 +26,11 @@ std::string first_cell(std::string_view line);
 // Returns the complete lines of a text; anything after the last line break is dropped.
 std::vector<std::string_view> complete_lines(std::string_view text);
 
-// The same for a file that an editor or a spreadsheet may have rewritten: removes a byte order mark
-// and the carriage returns of lines that end in CR LF.
+// Like complete_lines(), for a file that an editor or a spreadsheet may have rewritten: removes a
+// byte order mark and the carriage returns of lines that end in CR LF.
 std::vector<std::string_view> lines_as_written(std::string_view text);
 
-// Gives the same lines for a text that arrives in pieces.
+// Gives the lines of lines_as_written() for a text that arrives in pieces.
 class LinesAsWritten {
  public:
   using TakeLine = std::function<void(std::string_view line)>;

@@ -12,7 +12,7 @@ namespace autoref::io {
 
 enum ExitCode : int {
   kDone = 0,
-  kBadInput = 2,     // a file, a key or a flag is wrong; the message says which
+  kBadInput = 2,     // a file, a key or a flag is invalid; the message says which
   kTooManyVoid = 3,  // more than one game in twenty failed
   kDifferent = 4,  // a replayed game differs from the original, or stored rows are damaged or lost
   kInternal = 70,  // internal error
@@ -20,7 +20,7 @@ enum ExitCode : int {
   kInterrupted = 75,  // repeat the command to continue
 };
 
-// If the proportion of void games exceeds this, an experiment ends with kTooManyVoid.
+// An experiment ends with kTooManyVoid if the proportion of void games exceeds this value.
 inline constexpr double kMostVoid = 0.05;
 
 // A position in a user's file. Lines and columns count from 1; 0 means unknown.
@@ -52,16 +52,18 @@ class InputOutputError : public std::runtime_error {
 // "cannot write results.csv: No space left on device": `what` and the reason for `error_number`.
 InputOutputError io_error(std::string_view what, int error_number);
 
-// Whether the error number means that the system is out of space, memory, processes or descriptors.
+// Whether the error number means that the system is out of disk space, memory, processes or
+// descriptors.
 bool is_shortage(int error_number);
 
 // The message if the exception is a failure of the environment: an InputOutputError, or an
-// exception of the standard library or Boost about memory or the operating system. Otherwise
-// nullopt.
+// exception of the standard library or Boost about memory or the operating system. nullopt for
+// other exceptions.
 std::optional<std::string> environment_failure(const std::exception& error);
 
 // Writes a message for the user to `stream`, usually stderr. Errors while writing are ignored (if
-// the terminal is gone or the disk is full, for example): results and exit code are still valid.
+// the terminal is gone or the disk is full, for example): the program's results and exit code are
+// still valid.
 void write_message(std::FILE* stream, std::string_view text);
 
 // The user pressed Ctrl-C: exit code 75.

@@ -33,7 +33,7 @@ InputOutputError not_a_file(const std::filesystem::path& path, mode_t mode) {
                                       kind_of_file(mode)));
 }
 
-// Must be called before a device is opened, since opening alone can have effects.
+// Call this before opening a file: if it is a device, opening it can have effects.
 void refuse_other_kinds(const std::filesystem::path& path, int flags) {
   struct stat named {};
   const bool is_followed = (flags & O_NOFOLLOW) == 0;

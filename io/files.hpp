@@ -15,7 +15,7 @@
 
 namespace autoref::io {
 
-// A temporary folder to work in, deleted with this object.
+// A temporary folder to work in, which is deleted when this object is destroyed.
 class WorkingFolder {
  public:
   // Throws InputOutputError.
@@ -49,7 +49,7 @@ int open_regular_file(const std::filesystem::path& path, int flags);
 // the file does not exist yet.
 bool is_same_file(const std::filesystem::path& one, const std::filesystem::path& other);
 
-// Returns whether `descriptor` is open on this file; always false for terminals and pipes.
+// Returns whether `descriptor` refers to this file; always false for terminals and pipes.
 bool is_open_as(const std::filesystem::path& path, int descriptor);
 
 // The path of the running program; empty if the system does not report it.
@@ -80,7 +80,7 @@ void write_all(int descriptor, std::string_view text, const std::filesystem::pat
 
 // What a file name may refer to.
 enum class FileKind {
-  kFile,        // in one of AutoRef's folders
+  kFile,        // a file in one of AutoRef's folders
   kFileOrPipe,  // named by the user: can also be a pipe or a device such as /dev/stdout
 };
 
@@ -90,14 +90,14 @@ enum class FileKind {
 class PendingFile {
  public:
   // Throws InputOutputError if the file cannot be created, or if another process is still writing
-  // it after `patience_s`.
+  // to it after `patience_s`.
   explicit PendingFile(std::filesystem::path path, FileKind kind = FileKind::kFile,
                        double patience_s = 2);
   ~PendingFile();
   PendingFile(const PendingFile&) = delete;
   PendingFile& operator=(const PendingFile&) = delete;
 
-  // For content that is written in parts. Valid until commit().
+  // The descriptor to write to, for content that is written in parts. Valid until commit().
   int descriptor() const { return descriptor_; }
 
   void commit(std::string_view text = {});

@@ -14,7 +14,7 @@ constexpr std::size_t kNarrowestCell = 8;  // words are not broken into shorter 
 
 using TextRows = std::vector<std::vector<std::string>>;
 
-// Where cells may be broken; each includes the ones before it.
+// Where cells may be broken. Each value includes the ones before it.
 enum class Breaks { kBetweenWords, kBeforeDeviations, kWithinWords };
 
 // In UTF-8, bytes of the form 10xxxxxx continue a character.
@@ -39,7 +39,7 @@ std::vector<std::string> broken(std::string_view text, std::size_t width, Breaks
   std::size_t space = std::string::npos;  // the last one in the line that may become a break
   std::size_t count = 0;                  // characters of the line
   int depth = 0;
-  bool has_word = false;  // on the line; spaces before it are its indentation
+  bool has_word = false;  // whether the line has a word; spaces before it are indentation
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (continues_character(text[i])) continue;
     depth += (text[i] == '[' ? 1 : 0) - (text[i] == ']' ? 1 : 0);
@@ -107,7 +107,7 @@ bool fits_in_columns(const std::vector<std::string>& row, const ColumnLayout& la
 std::string row_in_columns(const std::vector<std::string>& row, const std::vector<Align>& columns,
                            const ColumnLayout& layout) {
   if (fits_in_columns(row, layout)) return line_in_columns(row, columns, layout);
-  std::vector<std::vector<std::string>> lines;  // of cells
+  std::vector<std::vector<std::string>> lines;  // the lines of each cell
   for (std::size_t i = 0; i < row.size(); ++i) {
     std::vector<std::string> parts = broken(row[i], layout.widths[i], layout.breaks);
     if (lines.size() < parts.size())
@@ -193,7 +193,7 @@ class ColumnFitter {
   const TextRows& rows_;
   Breaks breaks_;
   std::vector<std::size_t> widths_;
-  std::vector<std::size_t> heights_;  // of the rows, in lines
+  std::vector<std::size_t> heights_;  // heights of the rows, in lines
 };
 
 // The keys and the columns from `begin` to `end`.

@@ -80,7 +80,7 @@ std::vector<Cells> table_rows(const TableColumns<Row>& columns, const std::vecto
   return rows;
 }
 
-// Adds the row's values in the columns that are included in JSON.
+// Adds to a JSON object the row's values in the columns that are included in JSON.
 template <typename Row>
 void add_members(Json& object, const TableColumns<Row>& columns, const Row& row) {
   for (const TableColumn<Row>& column : columns)

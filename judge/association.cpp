@@ -10,7 +10,7 @@ namespace {
 using referee::Decision;
 using referee::Event;
 
-// Three frames: the time it takes to confirm a fast kick.
+// Three frames: the time that the referee needs to confirm a fast kick.
 constexpr double kAssociationSameTime_s = 0.05;
 
 // Returns whether a call may be right for an event; a call with an unknown last touch fits several
@@ -99,7 +99,8 @@ class Matcher {
     return call.robot && call.robot == event.robot;
   }
 
-  // Lower is better: the same robot comes first, then the nearest in time.
+  // The cost of a match; lower is better. The same robot comes first, then the event nearest in
+  // time.
   static std::pair<bool, double> rank(const JudgedCall& call, const TrueEvent& event) {
     return {!is_same_robot(call, event), std::abs(call.time_s - event.time_s)};
   }

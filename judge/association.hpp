@@ -18,8 +18,8 @@
 namespace autoref::judge::ground_truth {
 
 // The league's evaluation of 2016 let the referee be up to 2 s early; with an exact ground truth, a
-// shorter lead is enough. Vision at 60 Hz and a touch confirmed after four frames explain a delay
-// of 0.1 s.
+// shorter lead is enough. Vision at 60 Hz, and touches that are confirmed after four frames,
+// account for a delay of 0.1 s.
 struct Window {
   double lead_s = 0.25;
   double lag_s = 1.0;
@@ -28,12 +28,13 @@ struct Window {
 struct JudgedCall {
   std::string_view name;
   double time_s = 0;
-  std::optional<Side> offender;  // as in TrueEvent; nullopt if the call does not say
+  std::optional<Side> offender;  // as in TrueEvent; nullopt if the call names none
   std::optional<RobotId> robot;
   std::optional<Vec2> position_m;
   bool ended_play = false;
-  bool is_in_air = false;                 // true state of the ball at the time of the call
-  std::optional<double> confidence = {};  // how sure the referee was; nullopt for cards
+  // Whether the ball was really in the air at the time of the call.
+  bool is_in_air = false;
+  std::optional<double> confidence = {};  // the referee's confidence; nullopt for cards
 };
 
 // Returns whether decisions on this event are evaluated: calls, and cards for every third foul.

@@ -52,7 +52,7 @@ class CallEvaluator final : public game::Observer {
     exits_.clear();
   }
 
-  // To be called after the game.
+  // Call this after the game.
   experiments::CallEvaluation evaluation() {
     evaluation_.verdicts = ground_truth::associate(observer_.true_events(), calls_);
     return std::move(evaluation_);

@@ -1,5 +1,5 @@
-// Plays games and judges their referee by ground truth, and determines which last touches are
-// contested.
+// Plays games and judges their referee by ground truth, and determines which of the last touches
+// before the ball left the field were contested.
 #pragma once
 
 #include <span>
@@ -13,7 +13,8 @@
 
 namespace autoref::judge {
 
-// A last touch is contested if both sides touched the ball within this time before it left.
+// A last touch is contested if both sides touched the ball within this time before the ball left
+// the field.
 inline constexpr double kContested_s = 0.1;
 
 // Remembers when each side last touched the ball.
@@ -30,9 +31,9 @@ class SideTouches {
   PerSide<double> latest_s_{{kNever_s, kNever_s}};
 };
 
-// When the ball left the field over a line, according to a call at `call_s`: the time of the latest
-// true exit, including one prevented by the end of play. If there was none in the last second, the
-// time of the call.
+// The time at which the ball left the field before a call made at `call_s`: the time of the latest
+// true exit, including one prevented by the end of play. If there was no exit in the second before
+// the call, the time is that of the call.
 double exit_time_s(const ground_truth::TrueEvents& true_events, double call_s);
 
 struct EvaluatedGame {

@@ -13,11 +13,11 @@ namespace autoref::judge {
 struct Measure {
   const char* head;  // heading of the table's column
   const char* name;
-  // Returns nullopt if there is nothing to measure.
+  // The value of the measure; nullopt if there is nothing to measure.
   std::optional<double> (*value)(const EventTally& tally);
-  int decimals = 0;  // shown
-  // The 95 % confidence interval, nullopt if there is nothing to measure. nullptr if the measure
-  // has no interval.
+  int decimals = 0;  // number of decimals shown
+  // The 95 % confidence interval, nullopt if there is nothing to measure. The function is null if
+  // the measure has no interval.
   std::optional<experiments::Interval> (*interval)(const EventTally& tally) = nullptr;
 };
 

@@ -73,7 +73,7 @@ void add_empty_tallies(const experiments::JudgeSchedule& schedule, const std::st
 void pool(const experiments::JudgeSchedule& schedule, JudgeReport& report) {
   if (schedule.rules.size() < 2) return;
   add_empty_tallies(schedule, kAllRules, report.pooled);
-  std::map<std::string, std::set<std::string>> books;  // by event
+  std::map<std::string, std::set<std::string>> books;  // rule books by event
   for (std::size_t i = 0; i < report.tallies.size(); ++i) {
     const CameraTally& tally = report.tallies[i];
     report.pooled[i % report.pooled.size()].add(tally);

@@ -15,14 +15,16 @@ namespace autoref::judge {
 
 struct JudgeReport {
   std::vector<experiments::NamedSeed> seeds;  // the master seeds of the schedule
-  std::vector<CameraTally> tallies;  // by rule book, camera and seed, in the order of the schedule
-  // The same, pooled over all rule books; empty if there is only one rule book.
+  // Tallies by rule book, camera and seed, in the order of the schedule.
+  std::vector<CameraTally> tallies;
+  // The tallies pooled over all rule books; empty if there is only one rule book.
   std::vector<CameraTally> pooled;
   // Events seen under several rule books that are rare in some tally.
   std::set<std::string> rare_events;
-  // One line each, with the game's id.
-  std::vector<std::string> second_calls;         // wrong since the event had already been called
-  std::vector<std::string> calls_in_stop;        // made in a stop, but only possible during play
+  // Calls to inspect: one line each, with the game's id.
+  std::vector<std::string> second_calls;  // wrong because the event had already been called
+  // Made while play was stopped, although possible only during play.
+  std::vector<std::string> calls_in_stop;
   std::vector<std::string> calls_before_events;  // right calls of events that happened later
   std::vector<std::string> void_games;
   std::vector<std::string> transitions_never_used;
@@ -43,14 +45,14 @@ std::vector<const experiments::CallVerdict*> faults_in(
 JudgeReport report_of(const experiments::JudgeSchedule& schedule,
                       const experiments::RowsById& rows);
 
-// Markdown: the seeds, a summary, F1 of all events by rule book, last touches, delays, the checks,
-// and a table of all measures for each rule book.
+// The report as Markdown: the seeds, a summary, F1 of all events by rule book, last touches,
+// delays, the checks, and a table of all measures for each rule book.
 std::string markdown_of(const JudgeReport& report);
 
-// The same for a terminal, where Markdown rows would be far too wide.
+// The report for a terminal, where the rows of Markdown tables would be far too wide.
 io::TextBlocks blocks_of(const JudgeReport& report);
 
-// Only the table of F1 by rule book.
+// The part of the report with the table of F1 by rule book, as Markdown.
 std::string scores_markdown_of(const JudgeReport& report);
 io::TextBlocks scores_text_of(const JudgeReport& report);
 

@@ -31,15 +31,15 @@ enum class ScoreCells : std::uint8_t {
 };
 
 // One row for last touches, one for contested ones, and one for F1 of each event; one column per
-// camera. Covers only the last-named seed, with the games of all rule books.
+// camera. Covers only the games with the last-named seed, under all rule books.
 JudgeTable summary_table(const JudgeReport& report);
 
 // F1 of every event by rule book, one column per camera. Each master seed has its own rows, one
 // below the other.
 JudgeTable scores_table(const JudgeReport& report, ScoreCells cells);
 
-// How often the referee named the right last touch when the ball left the field, for all exits and
-// for contested ones.
+// How often the referee named the right team as the last to touch the ball when it left the field,
+// for all exits and for contested ones.
 JudgeTable last_touch_table(const JudgeReport& report);
 
 // Delays of all right calls by camera.
@@ -48,7 +48,7 @@ JudgeTable delays_table(const JudgeReport& report);
 // The share of right calls by the referee's confidence, over all rule books and cameras.
 JudgeTable reliability_table(const JudgeReport& report);
 
-// All measures of a rule book's events; for kAllRules, those of pooled events.
+// All measures of a rule book's events; for kAllRules, those of the pooled events.
 JudgeTable events_table(const JudgeReport& report, const std::string& rules);
 
 }  // namespace autoref::judge

@@ -15,7 +15,7 @@
 
 namespace autoref::judge {
 
-// Calls of similar confidence.
+// The tally of calls with similar confidence.
 struct ReliabilityBand {
   int calls = 0;
   int right = 0;
@@ -26,7 +26,7 @@ struct ReliabilityBand {
 // right.
 class Reliability {
  public:
-  // Lower ends of the bands; each ends where the next one begins, and the last at 1.
+  // Lower ends of the bands; each band ends where the next one begins, and the last one ends at 1.
   static constexpr std::array kFrom = {0.0, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95, 0.98};
 
   // Verdicts without a confidence do not count.
@@ -42,7 +42,8 @@ class Reliability {
 // Events that happened less often are rare: their measures are uncertain by several hundredths.
 inline constexpr int kRareEvents = 100;
 
-// One event with one rule book and one camera. An early call counts as happened, called and right.
+// The tally of one event with one rule book and one camera. If a call is early, the event counts as
+// happened, called and right.
 struct EventTally {
   int right = 0;
   int missed = 0;  // happened but was not called
@@ -59,11 +60,13 @@ struct EventTally {
   int happened() const { return right + missed; }
   int calls() const { return right + wrong; }
   bool is_rare() const { return happened() < kRareEvents; }
-  // nullopt if undefined: nothing was called, nothing happened, or neither.
+  // nullopt if undefined: precision if nothing was called, recall if nothing happened, F1 if
+  // neither.
   std::optional<double> precision() const;
   std::optional<double> recall() const;
   std::optional<double> f1() const;
-  // Their 95 % confidence intervals: Wilson's, and f1_interval() (interval.hpp) for F1.
+  // The 95 % confidence intervals of precision, recall and F1: Wilson's, and f1_interval()
+  // (interval.hpp) for F1.
   std::optional<experiments::Interval> precision_interval() const;
   std::optional<experiments::Interval> recall_interval() const;
   std::optional<experiments::Interval> f1_interval() const;
@@ -85,15 +88,16 @@ std::optional<double> quantile(std::vector<double> sample, double share);
 // The name of the rule book in tallies pooled over all rule books.
 inline constexpr const char* kAllRules = "all";
 
-// All games with one master seed, one rule book and one camera.
+// The tallies of all games with one master seed, one rule book and one camera.
 struct CameraTally {
   std::string seeds;  // name of the master seed
   std::string rules;
   std::string camera;
   int games = 0;
   int void_games = 0;
-  std::map<std::string, EventTally> events;  // by name
-  // By the team that actually touched the ball: for all exits, and for contested ones.
+  std::map<std::string, EventTally> events;  // tallies by event name
+  // Last touches, indexed by the team that actually touched the ball: for all exits of the ball,
+  // and for contested ones.
   std::array<experiments::LastTouchTally, 2> last_touch;
   std::array<experiments::LastTouchTally, 2> contested_touch;
   Reliability reliability;
@@ -102,11 +106,13 @@ struct CameraTally {
   void add(const CameraTally& other);
 };
 
-// Last touches of both teams as an event: a touch that was attributed to the wrong team was missed
-// and is a wrong call; an unknown one was missed.
+// The last touches of both teams, counted like an event. A touch that was attributed to the wrong
+// team counts as missed and as a wrong call. A touch that was attributed to nobody counts as
+// missed.
 EventTally touch_tally(const std::array<experiments::LastTouchTally, 2>& by_team);
 
-// The referee's names of calls, in the order of referee/event.hpp, and of all evaluated events.
+// The names of the referee's calls, in the order of referee/event.hpp, and the names of all
+// evaluated events.
 std::vector<std::string> call_names();
 std::vector<std::string> judged_names();
 

@@ -23,8 +23,8 @@ void keep(EvaluatedGame judged, experiments::GameRow& row);
 void play_judged(const game::GameConfiguration& game, game::GamePrograms& programs,
                  experiments::GameRow& row);
 
-// How `autoref judge` plays its games, and the table that it shows while doing so. The programs'
-// files go into `folder`.
+// How `autoref judge` plays its games, and the table that it shows while playing them. The
+// programs' files go into `folder`.
 experiments::Outcomes judged_outcomes(const experiments::JudgeSchedule& schedule,
                                       const std::filesystem::path& folder);
 
@@ -33,7 +33,7 @@ JudgeReport report_of(const experiments::ResultFolder& folder);
 // A game found in a folder by find_game().
 struct FoundGame {
   std::string game_id;
-  std::string fault;  // "missed throw_in of west at 12.345 s"; empty if a game was requested
+  std::string fault;  // "missed throw_in of west at 12.345 s"; empty if the id is that of a game
 };
 
 // Finds a game by a fault's id or by its name in faults.csv, such as

@@ -6,27 +6,28 @@
 namespace autoref::league {
 namespace {
 
-// A camera heard within this time is a reference. A packet that is farther off has been delayed, or
-// its clock was set.
+// A camera heard within this time can be a reference. If a packet's clock is farther off than this,
+// the packet was delayed or the clock was set.
 constexpr double kOff_s = 0.1;
 constexpr double kShortly_s = 0.02;         // packets that arrive within this time of each other
-constexpr double kLeap_s = 1;               // larger steps are restarts
+constexpr double kLeap_s = 1;               // larger steps of a clock count as restarts
 constexpr double kImpossibleLeap_s = 1000;  // a larger leap is never real, whatever the pace
-constexpr int kLeaps = 5;                   // packets in a row that establish a restarted clock
-constexpr int kStrays = 20;                 // or a clock that is off
+constexpr int kLeaps = 5;    // number of packets in a row that establish a restarted clock
+constexpr int kStrays = 20;  // number of packets in a row that establish a clock that is off
 constexpr int kStraysOfAnyPace = 250;
-constexpr std::size_t kCompared = 31;  // packets, about half a second
+constexpr std::size_t kCompared = 31;  // number of packets; they take about half a second
 constexpr int kEstablished = 31;
 constexpr double kLongestInterval_s = 0.1;
-constexpr double kRestartPause_s = 0.2;  // at least, so that nothing seems to have moved instantly
+// Least pause, so that nothing seems to have moved instantly.
+constexpr double kRestartPause_s = 0.2;
 // The weight of a packet's interval in the usual interval. In a longer interval, packets may be
 // missing.
 constexpr double kIntervalShare = 0.125;
 constexpr double kGapShare = 0.01;
-constexpr double kGap = 1.5;  // times the usual interval
+constexpr double kGap = 1.5;  // as a multiple of the usual interval
 constexpr double kPaceOver_s = 1;
 constexpr double kPaceTolerance = 0.1;
-// As a fraction of the time between the first and the last stray.
+// Given as a fraction of the time between the first and the last stray packet.
 constexpr double kStrayTolerance = 0.25;
 constexpr double kStrayTolerance_s = 0.02;
 
@@ -73,8 +74,8 @@ CameraClocks::Clocks::const_iterator CameraClocks::reference(std::uint32_t camer
   });
 }
 
-// The median over the other cameras that are heard and keep pace, including those that may keep
-// pace if `counts_unknown`; nullopt if there are none.
+// The median over the other cameras that are heard and keep pace; if `counts_unknown`, also over
+// those for which this is unknown. nullopt if there are no such cameras.
 std::optional<double> CameraClocks::ahead_of_others_s(std::uint32_t camera, const Heard& heard,
                                                       bool counts_unknown) const {
   const Clock& clock = clocks_.at(camera);
@@ -94,8 +95,8 @@ CameraClocks::Clock CameraClocks::first_clock(std::uint32_t camera, const Heard&
   if (other == clocks_.end()) return clock;
   clock.start_s = other->second.start_s;
   const double apart_s = ahead_s(clock, other->second, heard);
-  // Unless the difference is large, it may be due to slow motion, in which little time passes
-  // between captures and much between arrivals.
+  // A difference that is not large may be due to slow motion, in which little time passes between
+  // captures and much between arrivals.
   const double between_arrivals_s = std::abs(heard.received_s - other->second.last->received_s);
   const bool is_plain = between_arrivals_s <= kShortly_s || std::abs(apart_s) > 2 * kOff_s;
   if (std::abs(apart_s) > kSameClock_s && is_plain && other->second.keeps_pace.value_or(true))
@@ -151,7 +152,8 @@ bool CameraClocks::has_changed(Clock& clock, const Heard& heard) const {
                     : clock.strays >= kStraysOfAnyPace;
 }
 
-// The clock continues at the time of the other cameras or, without them, with the time of arrival.
+// The clock continues at the time of the other cameras or, if there are none, at the time of
+// arrival.
 void CameraClocks::restart(std::uint32_t camera, const Heard& heard, double after_s) {
   Clock& clock = clocks_.at(camera);
   const double before_s = clock.start_s;

@@ -1,4 +1,4 @@
-// The cameras' clocks.
+// Corrects for differences between the cameras' clocks.
 #pragma once
 
 #include <cstddef>
@@ -13,16 +13,17 @@ namespace autoref::league {
 // packet was captured. Each camera may have its own clock, since vision may run on several
 // computers, and any clock may be set or restarted.
 //
-// How far a clock is ahead is found by comparing when two packets arrived with when they were
-// captured. Each camera is compared with the lowest-numbered camera heard within the last 0.1 s.
-// Differences up to kSameClock_s are left alone, since processing times vary by that much. A
-// camera's first packet decides immediately; after that, the median of 31 packets does.
+// To find how far one camera's clock is ahead of another, the times at which two packets arrived
+// are compared with those at which they were captured. Each camera is compared with the
+// lowest-numbered camera heard within the last 0.1 s. Differences up to kSameClock_s are left
+// alone, since processing times vary by that much. A camera's first packet sets its clock's offset
+// immediately; later, the median of 31 packets sets it.
 //
 // A packet is not used if it is not newer than the camera's last one, if it is more than kOld_s
-// older than the last frame, or if its clock is off by more than 0.1 s from those of the other
-// cameras heard. The clock has changed if 20 such packets in a row arrive at the pace at which they
-// were captured, or five if they are off by more than a second; it then continues with the time of
-// arrival. Packets that were held up arrive all at once, so then it takes 250.
+// older than the last frame, or if its clock is off by more than 0.1 s from the clocks of the other
+// cameras heard. If 20 such packets in a row arrive at the pace at which they were captured, or
+// five that are off by more than a second, the clock counts as changed, and its times continue from
+// the time of arrival. Delayed packets arrive all at once; in that case, it takes 250 packets.
 //
 // Clocks are not compared while packets arrive more slowly or faster than they were captured, as in
 // slow or fast motion.
@@ -30,28 +31,31 @@ class CameraClocks {
  public:
   static constexpr double kSameClock_s = 0.01;
   static constexpr double kOld_s = 0.03;
-  // Packets from further cameras are ignored.
+  // Packets from more cameras than this are ignored.
   static constexpr std::size_t kMaxCameras = 64;
   static constexpr double kLongestGame_s = 1e6;
   static constexpr double kLatestCapture_s = 1e12;  // later times lose their milliseconds
 
-  // When the next packet was captured; nullopt if the packet must not be used. `capture_s` is on
-  // the camera's clock, and at most kLatestCapture_s from 0; `received_s` is the packet's arrival
-  // on the frames' clock. `after_s` is the time of the last frame.
+  // The capture time of the next packet on the frames' clock; nullopt if the packet must not be
+  // used. `capture_s` is on the camera's clock, and at most kLatestCapture_s from 0; `received_s`
+  // is the packet's arrival on the frames' clock. `after_s` is the time of the last frame.
   std::optional<double> time_s(std::uint32_t camera, double capture_s, double received_s,
                                double after_s);
 
-  // Whether packets from the camera can be used: it is known, or there is room for another one.
+  // Whether packets from the camera can be used: the camera is known, or another camera can be
+  // added.
   bool has_room_for(std::uint32_t camera) const;
 
   // The usual time between two packets of a camera; 0 while unknown.
   double interval_s(std::uint32_t camera) const { return clocks_.at(camera).interval_s; }
 
   // The capture time of the frames' time 0, on the clock of the first camera with 31 used packets,
-  // or, until there is one, on that of the first camera; nullopt before the first packet.
+  // or, until there is such a camera, on the clock of the first camera; nullopt before the first
+  // packet.
   std::optional<double> start_capture_s() const;
 
-  // How far the clocks of other cameras are ahead of that one, for those that were corrected.
+  // How far the clocks of other cameras are ahead of the clock of start_capture_s(), for those that
+  // were corrected.
   std::map<std::uint32_t, double> ahead_s() const;
 
   int restarts() const { return restarts_; }  // simultaneous restarts count once
@@ -65,13 +69,14 @@ class CameraClocks {
   struct Clock {
     double start_s = 0;              // the capture time of the frames' time 0
     std::optional<Heard> last;       // the last packet used
-    std::optional<Heard> before;     // one from about a second earlier
+    std::optional<Heard> before;     // a packet from about a second before `last`
     std::optional<bool> keeps_pace;  // whether packets arrive at the pace of their capture; nullopt
                                      // while unknown
     int used = 0;                    // number of packets used
     double interval_s = 0;
-    std::vector<double> ahead_s;  // ahead of the reference, for the last packets
-    int strays = 0;               // consecutive packets that could not be used
+    // How far the clock is ahead of the reference, for each of the last packets.
+    std::vector<double> ahead_s;
+    int strays = 0;  // consecutive packets that could not be used
     Heard first_stray;
     Heard last_stray;
   };
@@ -92,7 +97,7 @@ class CameraClocks {
   void use(std::uint32_t camera, const Heard& heard);
 
   Clocks clocks_;
-  std::optional<std::uint32_t> epoch_;  // the camera whose clock dates the frames' time 0
+  std::optional<std::uint32_t> epoch_;  // the camera on whose clock the frames' time 0 is given
   double latest_s_ = 0;                 // time of the latest packet
   double restarted_s_ = -kLongestGame_s;
   int restarts_ = 0;

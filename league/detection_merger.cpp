@@ -14,8 +14,8 @@ constexpr double kLongestFrame_s = 0.1;
 
 constexpr float kFarthest_mm = 1e5F;
 constexpr float kWidest_rad = 100;
-constexpr double kLongestShare = 0.9;    // of a camera's interval: cameras may take turns
-constexpr std::size_t kMostBalls = 256;  // in one frame
+constexpr double kLongestShare = 0.9;    // fraction of a camera's interval; cameras may take turns
+constexpr std::size_t kMostBalls = 256;  // largest number of balls in one frame
 constexpr double kForgetRobot_s = 0.5;   // a robot unseen for this long may be anywhere
 constexpr float kClearlyBetter = 0.3F;   // difference of confidences
 
@@ -56,8 +56,8 @@ const Frame* DetectionMerger::finish() {
   return in_frame_.empty() || time_s_ <= last_time_s_ ? nullptr : complete();
 }
 
-// A frame that is not later than the last one continues; a camera's newer packet replaces its older
-// one.
+// A frame whose time is not later than that of the last frame is continued. In it, a camera's newer
+// packet replaces its older one.
 void DetectionMerger::forget(std::uint32_t camera) {
   const auto is_of_camera = [camera](const Detected& seen) { return seen.camera == camera; };
   for (const Side side : kSides) {

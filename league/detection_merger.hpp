@@ -17,16 +17,18 @@
 
 namespace autoref::league {
 
-// A frame consists of one packet per camera, and its time is that of the latest. The next frame
-// begins when a camera sends another packet, or nine tenths of a camera's interval after the first
-// packet, so that a lost packet has no other effect; or after a gap of 0.1 s. Clocks that differ or
-// restart are corrected (camera_clocks.hpp).
+// A frame consists of one packet per camera, and its time is that of the latest packet. The next
+// frame begins when a camera that is already in the frame sends another packet. It also begins nine
+// tenths of a camera's interval after the frame's first packet, so that a lost packet does not
+// affect later frames, or after a gap of 0.1 s. Clocks that differ or restart are corrected
+// (camera_clocks.hpp).
 //
-// A robot seen by several cameras stays with one camera, and changes to another without a jump
-// (followed_body.hpp). If it appears twice, the detection nearest to where it is expected is used,
-// unless another is clearly more confident. If there are several balls, one is followed
-// (followed_body.hpp). Ignores robots with a number outside the league's range, detections that are
-// not finite or more than 100 m away, and frames more than a million seconds after the first.
+// For a robot seen by several cameras, one camera is used, and a change to another causes no jump
+// (followed_body.hpp). If a robot appears twice, the detection nearest to its expected position is
+// used, unless another has a clearly higher confidence. If there are several balls, one of them is
+// followed (followed_body.hpp). The merger ignores robots with a number outside the league's range,
+// detections that are not finite or more than 100 m away, and frames more than a million seconds
+// after the first.
 class DetectionMerger {
  public:
   // Adds the next packet, which arrived at `received_s` on the frames' clock. Returns the frame
@@ -44,15 +46,15 @@ class DetectionMerger {
   const FieldGaps& field_gaps() const { return field_gaps_; }
   // How often the field has changed since the first geometry.
   int field_changes() const { return field_changes_; }
-  // Detections of robots with a number outside the league's range.
+  // The number of detections of robots whose number is outside the league's range.
   std::int64_t unnumbered() const { return unnumbered_; }
 
   const CameraClocks& clocks() const { return clocks_; }
 
-  // Packets that were ignored because they are not newer than those already used, or because their
-  // clock is not known yet.
+  // The number of packets that were ignored because they are not newer than those already used, or
+  // because their clock is not known yet.
   std::int64_t late() const { return late_; }
-  // Packets that were ignored for other reasons.
+  // The number of packets that were ignored for other reasons.
   std::int64_t unusable() const { return unusable_; }
 
  private:
@@ -80,12 +82,13 @@ class DetectionMerger {
   PerSide<std::array<Robot, kMaxRobots>> robots_;
   BallChoice ball_choice_;
   std::vector<Detected> balls_;                        // balls in the current frame
-  std::vector<std::optional<double>> ball_heights_m_;  // of each of these balls
+  std::vector<std::optional<double>> ball_heights_m_;  // height of each of these balls
   double last_time_s_ = -1;
   std::int64_t unnumbered_ = 0;
-  double begun_s_ = 0;     // time of the first packet of the current frame
-  double time_s_ = 0;      // time of its latest packet
-  double interval_s_ = 0;  // interval of the camera that sent its first packet
+  double begun_s_ = 0;  // time of the first packet of the current frame
+  double time_s_ = 0;   // time of the latest packet in the current frame
+  // Packet interval of the camera that sent the current frame's first packet.
+  double interval_s_ = 0;
   std::int64_t frames_ = 0;
   std::int64_t late_ = 0;
   std::int64_t unusable_ = 0;

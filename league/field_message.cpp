@@ -16,7 +16,8 @@ namespace autoref::league {
 namespace {
 
 constexpr double kLongest_m = 100;
-constexpr float kFocalLength_px = 1000;  // of a typical camera; no pictures are taken here
+// Focal length of a typical camera; no images are taken here.
+constexpr float kFocalLength_px = 1000;
 
 std::int32_t whole_mm(double metres) {
   return static_cast<std::int32_t>(std::llround(metres * 1000));
@@ -38,7 +39,7 @@ constexpr std::array<std::string_view, 14> kShapes = {"",
                                                       "RightFieldLeftPenaltyStretch",
                                                       "RightFieldRightPenaltyStretch"};
 
-// Sets the type of a line or arc, unless the list lacks it.
+// Sets the type of a line or arc, unless the list does not contain the shape.
 template <typename Shape>
 void set_name(const std::string& name, Shape& shape) {
   shape.set_name(name);
@@ -46,7 +47,7 @@ void set_name(const std::string& name, Shape& shape) {
   if (found != kShapes.end()) shape.set_type(static_cast<int>(found - kShapes.begin()));
 }
 
-// Adds lines and arcs; coordinates refer to the centres of the lines.
+// Adds lines and arcs; their coordinates refer to the centres of the painted lines.
 class Painter {
  public:
   Painter(const Field& field, FieldSize& size)
@@ -94,8 +95,8 @@ void paint_outline(const Field& field, Painter& painter) {
               2 * kPi);
 }
 
-// `sign` is the sign of the goal's x coordinate, `name` the league's name for that end of the
-// field.
+// `sign` is the sign of the goal's x coordinate, and `name` is the league's name for that end of
+// the field.
 void paint_round_area(const Field& field, double sign, const std::string& name, Painter& painter) {
   const double goal_x = sign * field.half_length_m();
   const double depth_m = field.defence_area.depth_m - field.line_width_m / 2;
@@ -144,7 +145,7 @@ double length_m(std::string_view name, std::int32_t mm) {
   throw std::invalid_argument(fmt::format("{} is {} mm", name, mm));
 }
 
-// Line names: the fronts of the areas and, for boxes only, their sides.
+// The names of the lines at the front of the areas and, for boxes only, at their sides.
 constexpr std::string_view kFront = "LeftPenaltyStretch";
 constexpr std::string_view kBoxSide = "LeftFieldLeftPenaltyStretch";
 constexpr std::string_view kQuarterCircle = "LeftFieldLeftPenaltyArc";
@@ -162,7 +163,8 @@ bool has_box_sizes(const FieldSize& size) {
   return size.has_penalty_area_depth() && size.has_penalty_area_width();
 }
 
-// Reads dimensions that older messages only give as lines, by their centres.
+// Reads dimensions that older messages give only as lines, whose coordinates refer to their
+// centres.
 void read_lines(const FieldSize& size, DefenceArea& area) {
   const FieldLine* front = line_called(kFront, size);
   if (front == nullptr) return;

@@ -9,18 +9,18 @@
 
 namespace autoref::league {
 
-// Fills `geometry` with the field and the cameras; a camera's id is its index in `cameras`. Lines
-// have the names used by the league's vision.
+// Fills `geometry` with the field and the cameras; a camera's id is its index in `cameras`. The
+// lines get the names that the league's vision uses.
 void fill_geometry(const Field& field, std::span<const CameraPosition> cameras, Geometry& geometry);
 
-// How a ball rolls and bounces, for receivers of the geometry.
+// How a ball rolls and bounces. Sent to the receivers of the geometry.
 struct BallModel {
   double slide_mps2 = 0;     // deceleration of a sliding ball
   double roll_mps2 = 0;      // deceleration of a rolling ball
-  double switch_ratio = 0;   // speed at which a ball begins to roll, relative to the kick's
+  double switch_ratio = 0;   // ratio of the speed at which a ball begins to roll to the kick speed
   double first_hop_xy = 0;   // fraction of the horizontal speed kept at a chip's first bounce
-  double later_hops_xy = 0;  // the same for later bounces
-  double hops_z = 0;         // fraction of the vertical speed kept
+  double later_hops_xy = 0;  // fraction of the horizontal speed kept at later bounces
+  double hops_z = 0;         // fraction of the vertical speed kept at each bounce
 };
 
 void fill_ball_models(const BallModel& model, Geometry& geometry);
@@ -39,7 +39,7 @@ struct FieldGaps {
 FieldGaps gaps_in(const Geometry& geometry);
 
 // The position of the camera with that id. If the message does not contain it, or its position is
-// below the carpet or more than 100 m away, the camera is above `below_m`.
+// below the carpet or more than 100 m away, the camera is assumed to be above `below_m`.
 CameraPosition camera_of(const Geometry& geometry, std::uint32_t id, const Vec2& below_m);
 
 }  // namespace autoref::league

@@ -11,7 +11,8 @@ namespace {
 constexpr double kLongestExpectation_s = 0.5;
 constexpr double kRecent_s = 0.25;  // older disagreements are not used
 constexpr double kMostDisagreement_rad = 0.1;
-constexpr double kJump_m = 0.3;  // the body was carried there, or it is a different one
+// Over a longer distance, the body was carried, or it is a different body.
+constexpr double kJump_m = 0.3;
 constexpr double kForgets_mps = 0.03;
 constexpr double kForgets_radps = 0.03;
 
@@ -21,15 +22,17 @@ const Detected* view_of(std::uint32_t camera, std::span<const Detected> views) {
   return view == views.end() ? nullptr : &*view;
 }
 
-constexpr double kAnyway_m = 0.3;   // a distance that is never too far
+constexpr double kAnyway_m = 0.3;   // a distance that a body may always have moved
 constexpr double kKicked_mps = 12;  // above any kick, including the parallax of a chip
-constexpr double kCarried_mps = 3;  // by a robot that hides the ball
+constexpr double kCarried_mps = 3;  // speed of a robot that carries and hides the ball
 constexpr double kOtherNoise_m = 0.05;
 constexpr double kLongestMotion_s = 0.1;
 constexpr double kForgotten_s = 3;
-constexpr double kSuccessor_s = 0.1;  // of a moving ball that appeared after the followed one
-constexpr double kStill_s = 0.5;      // of a ball that lies still
-constexpr double kTogether_s = 3;     // of a ball that was seen together with the followed one
+// Waiting time for a moving ball that appeared after the followed one.
+constexpr double kSuccessor_s = 0.1;
+constexpr double kStill_s = 0.5;  // waiting time for a ball that lies still
+// Waiting time for a ball that was seen together with the followed one.
+constexpr double kTogether_s = 3;
 constexpr double kStill_m = 0.1;
 constexpr double kLiesStill_s = 2;
 constexpr double kMoves_m = 0.5;
@@ -45,7 +48,7 @@ bool is_near(const Vec2& one_m, const Vec2& other_m, double distance_m) {
   return (one_m - other_m).squaredNorm() <= distance_m * distance_m;
 }
 
-// Whether these are one ball, perhaps seen by several cameras.
+// Whether these detections show one ball, perhaps seen by several cameras.
 bool is_one_ball(std::span<const Detected> all) {
   return !all.empty() && std::all_of(all.begin(), all.end(), [&](const Detected& seen) {
     return is_near(seen.position_m, all[0].position_m, FollowedBody::kSameBody_m);
@@ -177,8 +180,8 @@ const Detected* BallChoice::find_followed(double time_s, std::span<const Detecte
   return nearest;
 }
 
-// Whether this is a known other ball that is not nearer than it was to where the followed ball is
-// expected.
+// Whether this is a known other ball that has not come nearer to the expected position of the
+// followed ball.
 bool BallChoice::is_other(double time_s, const Detected& seen) const {
   const double away_m = (seen.position_m - ball_.expected_m(time_s)).norm();
   return std::any_of(others_.begin(), others_.end(), [&](const OtherBall& other) {
@@ -202,7 +205,8 @@ BallChoice::OtherBall* BallChoice::other_at(double time_s, const Detected& seen)
   return nearest;
 }
 
-// False detections come and go.
+// False detections come and go, so a ball is steady if it was seen in at least half of the frames
+// since it appeared.
 bool BallChoice::is_steady(const OtherBall& other) const {
   return 2 * other.frames >= frames_ - other.first_frame;
 }

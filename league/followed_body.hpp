@@ -19,9 +19,10 @@ struct Detected {
   Vec2 heading{1, 0};
 };
 
-// Cameras disagree by some 20 mm, so a robot or ball would jump whenever another camera is used. It
-// therefore stays with one camera as long as that camera sees it. After that, the new camera's
-// detections are moved and turned by the cameras' latest disagreement, which is slowly forgotten.
+// Cameras disagree by some 20 mm, so a robot or ball would jump whenever another camera is used.
+// Therefore, one camera's detections of the body are used as long as that camera sees it. After a
+// change, the new camera's detections are corrected by the latest difference in position and
+// heading between the two cameras. This correction slowly fades.
 class FollowedBody {
  public:
   // Detections of one frame within this distance are the same body seen by several cameras.
@@ -32,13 +33,13 @@ class FollowedBody {
   const Vec2& position_m() const { return last_->position_m; }
   std::uint32_t camera() const { return last_->camera; }
 
-  // Where the body is if it has kept its velocity until `time_s`, for at most 0.5 s. It must be
-  // known.
+  // The body's position at `time_s` if it has kept its velocity, which is assumed for at most 0.5
+  // s. The body must be known.
   Vec2 expected_m(double time_s) const;
 
   // Adds the detections of a frame; `chosen` is the body among them. A detection of the same body
-  // by the last camera is preferred. Returns the detection used, corrected if another camera was
-  // used before.
+  // by the camera used last is preferred. Returns the detection used, corrected if another camera
+  // was used before.
   Detected add(double time_s, std::span<const Detected> all, const Detected& chosen);
 
   void forget() { *this = {}; }
@@ -51,8 +52,8 @@ class FollowedBody {
   std::optional<Detected> last_;
   double seen_s_ = 0;
   Vec2 velocity_mps_{0, 0};
-  Vec2 shift_m_{0, 0};           // added to detections
-  double turn_rad_ = 0;          // added to headings
+  Vec2 shift_m_{0, 0};           // correction added to detected positions
+  double turn_rad_ = 0;          // correction added to headings
   std::vector<Detected> views_;  // the body in the last frame in which several cameras saw it
   double viewed_s_ = 0;
 };
@@ -61,22 +62,22 @@ class FollowedBody {
 const Detected* nearest_to(const Vec2& position_m, std::span<const Detected> all);
 
 // Decides which of the balls reported by vision is the one in play. One ball is followed; at first,
-// it is the one with the highest confidence. While it is hidden, it can reappear where a robot may
-// have carried it or where its velocity takes it. A ball elsewhere, or one that its camera sees
-// together with the followed ball in most frames, is another ball and remains one. Another ball
-// replaces the followed ball
-// - immediately, if it is the only ball in the frame and at most one other was seen together with
-//   the followed ball in the last 3 s: it may just have been kicked there, since false detections
-//   are then rare;
-// - 0.1 s after it appeared if it moves, or 0.5 s after if it does not, once the followed ball has
-//   disappeared, if the two were never seen together;
-// - 3 s after the followed ball disappeared, if the two were seen together; or, if the other ball
-//   appeared later or moves, after the time for which the ball was followed, if that is shorter;
+// it is the one with the highest confidence. While this ball is hidden, it can reappear where a
+// robot may have carried it or where its velocity takes it. A ball elsewhere is another ball, and
+// remains another ball. So is a ball that its camera sees together with the followed ball in most
+// frames. Another ball replaces the followed ball
+// - immediately, if it is the only ball in the frame and at most one other ball was seen together
+//   with the followed ball in the last 3 s: false detections are then rare, so the followed ball
+//   may just have been kicked there;
+// - if the two were never seen together and the followed ball has disappeared: 0.1 s after the
+//   other ball appeared if that moves, or 0.5 s after it appeared if it does not;
+// - 3 s after the followed ball disappeared, if the two were seen together. If the other ball
+//   appeared later or moves, the wait is at most as long as the ball was followed;
 // - if it moves by 0.5 m while the followed ball has lain still for 2 s, or since it appeared.
 class BallChoice {
  public:
-  // Returns the detection of the ball in play, or nullptr if it is not in `all`, the detections of
-  // one frame. Times must increase.
+  // Returns the detection of the ball in play, or nullptr if that ball is not in `all`, the
+  // detections of one frame. Times must increase from call to call.
   const Detected* choose(double time_s, std::span<const Detected> all);
 
  private:
@@ -86,8 +87,8 @@ class BallChoice {
     double first_s = 0;
     double seen_s = 0;
     std::int64_t first_frame = 0;
-    std::int64_t frames = 0;  // number of frames in which it was seen
-    bool was_beside = false;  // whether it was seen together with the followed ball
+    std::int64_t frames = 0;  // number of frames in which this ball was seen
+    bool was_beside = false;  // whether this ball was seen together with the followed ball
   };
 
   const Detected* find_followed(double time_s, std::span<const Detected> all) const;
@@ -101,10 +102,10 @@ class BallChoice {
   void follow(double time_s, std::span<const Detected> all, const Detected& chosen);
 
   FollowedBody ball_;
-  double since_s_ = 0;   // start of following, which includes short gaps
+  double since_s_ = 0;   // time since which the ball has been followed, including short gaps
   double latest_s_ = 0;  // time of the latest frame
   std::int64_t frames_ = 0;
-  Vec2 rest_m_{0, 0};  // the ball has stayed near this position
+  Vec2 rest_m_{0, 0};  // the ball has stayed near this position since `rest_s_`
   double rest_s_ = 0;  // since this time
   std::vector<OtherBall> others_;
   Detected used_;

@@ -87,7 +87,7 @@ class FieldWriter {
     reflection_.SetUInt64(&message_, field, number);
   }
 
-  // Required fields are teams, bools and texts.
+  // All required fields are teams, bools or texts.
   void set_nothing(const FieldDescriptor* field) const {
     if (field->cpp_type() == FieldDescriptor::CPPTYPE_INT32)
       reflection_.SetInt32(&message_, field, kUnknownTeam);

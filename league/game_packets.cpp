@@ -13,7 +13,7 @@ namespace autoref::league {
 namespace {
 
 constexpr std::size_t kMostGameEvents = 8;
-constexpr double kRounding_s = 1e-9;  // of times that are multiples of a frame
+constexpr double kRounding_s = 1e-9;  // rounding error of times that are multiples of a frame
 
 bool puts_play_on(CommandKind kind) {
   return kind == CommandKind::kNormalStart || kind == CommandKind::kForceStart ||
@@ -45,7 +45,7 @@ void GamePackets::note(GameEvent event) {
   has_new_events_ = true;
 }
 
-// Does not consider the clock.
+// The comparison ignores the clock.
 bool GamePackets::has_changed(const RefereeSignal& signal) const {
   return referee_.command_counter() != signal.command_counter ||
          referee_.stage() != static_cast<int>(signal.stage) ||
@@ -76,7 +76,7 @@ void GamePackets::add_referee(const RefereeSignal& signal, double time_s, Packet
   send_commands_before(signal, time_s, sink);
   const bool is_due = time_s >= referee_due_s_ - kRounding_s;
   if (is_due) {
-    // After a longer silence, the rhythm starts again.
+    // After a longer silence, the packet interval starts again from this frame.
     if (time_s - referee_due_s_ > times_.referee_every_s) referee_due_s_ = time_s;
     referee_due_s_ += times_.referee_every_s;
   }

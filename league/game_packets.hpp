@@ -1,4 +1,5 @@
-// Turns a game into the packets of its cameras and its referee, and writes them as an SSL log.
+// Turns a game into the packets that its cameras and its referee send, and writes them as an SSL
+// log.
 #pragma once
 
 #include <filesystem>
@@ -19,8 +20,8 @@
 
 namespace autoref::league {
 
-// Receives the packets of a game. `time_s` is the time of the frame; references are valid during
-// the call.
+// Receives the packets of a game. `time_s` is the time of the frame; references are valid only
+// during the call.
 class PacketSink {
  public:
   virtual ~PacketSink() = default;
@@ -30,14 +31,15 @@ class PacketSink {
 
 struct PacketTimes {
   double geometry_every_s = 1.0;
-  double referee_every_s = 0.1;  // on average, in whole frames
-  double start_s = 0;            // time of the game's first frame in the packets
+  // Average time between two packets; each interval is a whole number of frames.
+  double referee_every_s = 0.1;
+  double start_s = 0;  // time that the packets give for the game's first frame
 };
 
 // Every camera sends one packet per frame, in addition to the geometry; the referee sends packets
-// regularly and whenever its signal changes. These contain the game events since play was last on,
-// or only the newest ones if they would exceed kLongestPacket. The packets show each team at its
-// current end (soccer/referee_signal.hpp).
+// regularly and whenever its signal changes. Referee packets contain the game events since play was
+// last on, or only the newest ones if all of them would exceed kLongestPacket. All packets show
+// each team at its current end (soccer/referee_signal.hpp).
 class GamePackets {
  public:
   GamePackets(const Field& field, std::vector<CameraPosition> cameras, PerSide<LoggedTeam> teams,
@@ -49,18 +51,18 @@ class GamePackets {
   // The packet with the geometry.
   const VisionPacket& geometry() const { return geometry_; }
 
-  // Notes a command of the next frame. This matters only if one frame has several commands, since
-  // the signal contains only the last one.
+  // Records a command sent in the next frame. This matters only if several commands are sent in one
+  // frame, since the signal contains only the last of them.
   void note(Command command);
 
-  // Adds an event to the referee's packets from the next frame on. An event without an id is given
-  // its number as one.
+  // Adds an event to the referee's packets from the next frame on. An event without an id gets its
+  // number as its id.
   void note(GameEvent event);
 
-  // Notes what the cameras report in addition to the next frame.
+  // Records what the cameras report in addition to the next frame.
   void note(const OtherDetections& others) { others_ = others; }
 
-  // Passes the packets of a frame to `sink`, those of vision first.
+  // Passes the packets of a frame to `sink`, vision packets first.
   void add(const Frame& frame, const RefereeSignal& signal, PacketSink& sink);
 
   // The two parts of add().
@@ -79,26 +81,26 @@ class GamePackets {
   PacketTimes times_;
   VisionPacket geometry_;
   std::vector<VisionPacket> packets_;  // one per camera
-  RefereePacket referee_;              // the last one sent
-  std::vector<Command> sent_;          // during the current frame
-  std::vector<GameEvent> events_;      // since play was last on
+  RefereePacket referee_;              // the last packet sent
+  std::vector<Command> sent_;          // commands sent during the current frame
+  std::vector<GameEvent> events_;      // events since play was last on
   int noted_events_ = 0;
   bool has_new_events_ = false;
-  OtherDetections others_;  // those of the current frame
+  OtherDetections others_;  // other detections in the current frame
   double geometry_due_s_ = 0;
   double referee_due_s_ = 0;
 };
 
-// Writes a game as an SSL log: the packets of its cameras and its referee. Times count from the
-// game's first frame. The log contains the geometry about once a second, and ten referee packets
-// per second plus one whenever the referee's signal changes.
+// Writes a game as an SSL logthat contains the packets of its cameras and its referee. Times count
+// from the game's first frame. The log contains the geometry about once a second, and ten referee
+// packets per second plus one whenever the referee's signal changes.
 class GameLog final : PacketSink {
  public:
   // Creates or truncates the file. Throws LogError.
   GameLog(const std::filesystem::path& path, const Field& field,
           std::vector<CameraPosition> cameras, PerSide<LoggedTeam> teams);
 
-  // As for GamePackets.
+  // These functions do the same as those of GamePackets.
   void note(Command command) { packets_.note(command); }
   void note(GameEvent event) { packets_.note(std::move(event)); }
   void note(const OtherDetections& others) { packets_.note(others); }

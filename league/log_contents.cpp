@@ -14,8 +14,8 @@ namespace {
 constexpr double kOutOfOrder_s = 1;  // maximum step back in time within one log
 constexpr double kLongestPause_s = 1e6;
 
-// The kind of a message whose log does not give it. A message is of a kind if it has everything
-// that messages of that kind must have.
+// The kind of a message for which the log does not give the kind. A message is of a kind if it has
+// everything that messages of that kind must have.
 MessageKind guessed_kind(const std::string& bytes) {
   VisionPacket vision;
   if (parse(bytes, vision) && (vision.has_detection() || vision.has_geometry()))
@@ -49,7 +49,7 @@ bool has_detection(const LogRecord& record) {
 
 // Whether the log's first records contain tracker packets, but no vision.
 bool begins_with_tracker_only(const std::filesystem::path& path) {
-  constexpr int kBeginning = 3000;  // records: a few seconds of a game with two trackers
+  constexpr int kBeginning = 3000;  // number of records: a few seconds of a game with two trackers
   LogReader log(path);
   LogRecord record;
   bool has_tracker = false;
@@ -101,8 +101,8 @@ class Walk {
   }
 
  private:
-  // If record times jump, as in two concatenated logs, they continue from the last one. Computed in
-  // double, since the difference of malicious times may overflow int64.
+  // If record times jump, as in two concatenated logs, times continue from the last record. The
+  // difference is computed in double, since the difference of malicious times may overflow int64.
   void take_time() {
     const double since_first_s =
         (static_cast<double>(record_.time_ns) - static_cast<double>(first_ns_)) / 1e9;
@@ -129,7 +129,7 @@ class Walk {
   bool has_unreadable_ = false;
   std::int64_t records_ = 0;
   std::int64_t first_ns_ = 0;
-  double leaps_s_ = 0;  // total shift of the times
+  double leaps_s_ = 0;  // total shift applied to record times
   double now_s_ = 0;    // time of the current record since the first
 };
 

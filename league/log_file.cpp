@@ -15,14 +15,15 @@ namespace {
 
 constexpr std::string_view kSignature = "SSL_LOG_FILE";
 constexpr std::uint32_t kVersion = 1;
-constexpr std::size_t kHeaderSize = 16;    // bytes, for both a record and the file
+// Size in bytes, for the header of a record as well as of the file.
+constexpr std::size_t kHeaderSize = 16;
 constexpr std::size_t kBuffer = 1U << 16;  // zlib's buffer size
 constexpr std::uint64_t kFlushEvery_ns = 1'000'000'000;
 constexpr std::size_t kPortion = 1U << 16;  // step by which a message grows while it is read
 
 gzFile zlib_file(void* file) { return static_cast<gzFile>(file); }
 
-// Big-endian on every machine.
+// Numbers are big-endian on every machine.
 template <typename Number>
 void put_number(char* bytes, Number number) {
   for (std::size_t i = 0; i < sizeof(Number); ++i)
@@ -92,8 +93,8 @@ void LogWriter::write(std::int64_t time_ns, MessageKind kind, std::string_view m
   put_number(header.data() + 12, static_cast<std::uint32_t>(message.size()));
   put({header.data(), header.size()});
   put(message);
-  // Unsigned, since arbitrary times may be far apart. A clock that was set back also causes a
-  // flush.
+  // The difference is unsigned, since arbitrary times may be far apart. A clock that was set back
+  // also causes a flush.
   const std::uint64_t since_ns =
       static_cast<std::uint64_t>(time_ns) - static_cast<std::uint64_t>(flushed_ns_);
   if (since_ns < kFlushEvery_ns) return;
@@ -142,7 +143,7 @@ bool LogReader::fail(const std::string& what) {
   return false;
 }
 
-// The index in a game's log takes several megabytes, with 8 bytes per record.
+// An index has 8 bytes per record, so that of a game's log takes several megabytes.
 void LogReader::skip_index(std::size_t length) {
   std::vector<char> portion(std::min(kPortion, length));
   while (length > 0 && !is_over_) {
@@ -183,7 +184,8 @@ bool LogReader::read(LogRecord& record) {
     return fail(
         fmt::format("a message of {} bytes exceeds the maximum of {}", length, kLongestMessage));
   }
-  // Grows with the data actually read, so a damaged length does not allocate memory for nothing.
+  // The message grows with the data actually read, so a damaged length does not allocate memory for
+  // nothing.
   while (record.message.size() < length) {
     const std::size_t had = record.message.size();
     const std::size_t portion = std::min(kPortion, length - had);

@@ -1,12 +1,14 @@
-// The league's log files: network messages with their times.
+// The league's log files, which contain network messages with their times.
 //
-// A file begins with the 12 bytes "SSL_LOG_FILE" and an int32 version, 1. Records follow: int64
-// time in ns, int32 kind, int32 size, and the message; all numbers are big-endian. Files whose
-// names end in .gz are written gzip-compressed; the reader detects compression from the content.
-// Logs appended to each other are read as one if either all or none of them are compressed.
+// A file begins with the 12 bytes "SSL_LOG_FILE" and an int32 version, 1. Then come the records:
+// int64 time in ns, int32 kind, int32 size, and the message. All numbers are big-endian. Files
+// whose names end in .gz are written gzip-compressed; the reader detects compression from the
+// content. Several logs that were appended to each other are read as one log if either all or none
+// of them are compressed.
 //
-// A log can end with an index, a record of kind 6 and time 0: the offset of each record before it
-// (int64), the size of the index record with its header (int64), and the 7 bytes "INDEXED".
+// A log can end with an index, which is a record of kind 6 with time 0. It contains the offset of
+// each record before it (int64), the size of the index record with its header (int64), and the 7
+// bytes "INDEXED".
 #pragma once
 
 #include <cstddef>
@@ -48,8 +50,8 @@ class LogWriter {
   LogWriter(const LogWriter&) = delete;
   LogWriter& operator=(const LogWriter&) = delete;
 
-  // Written records reach the file after every second of the messages' time, so that little more is
-  // lost if the program is killed. Throws LogError.
+  // Written records reach the file after every second of the messages' time, so that little more
+  // than a second is lost if the program is killed. Throws LogError.
   void write(std::int64_t time_ns, MessageKind kind, std::string_view message);
 
   // Flushes and closes the file; nothing can be written afterwards. Throws LogError.
@@ -67,7 +69,7 @@ class LogWriter {
 // Whether a file that begins with `bytes` may be a log, compressed or not.
 bool may_begin_log(std::string_view bytes);
 
-// Where a file becomes unreadable. Everything before it is valid.
+// The point at which a file becomes unreadable. Everything before it is valid.
 struct LogDamage {
   std::int64_t offset = 0;  // in bytes, in the uncompressed content
   std::string what;
@@ -92,7 +94,7 @@ class LogReader {
   // Offset of the last record read.
   std::int64_t offset() const { return offset_; }
 
-  // Why reading stopped; nullopt before that, and at the end of an intact file.
+  // Why reading stopped; nullopt while it has not stopped, and at the end of an intact file.
   const std::optional<LogDamage>& damage() const { return damage_; }
 
  private:

@@ -10,7 +10,7 @@
 
 namespace autoref::league {
 
-// Teams in the league's messages; 0 is unknown.
+// The numbers of the teams in the league's messages; 0 means unknown.
 inline constexpr int kYellowTeam = 1;
 inline constexpr int kBlueTeam = 2;
 
@@ -21,8 +21,8 @@ inline double to_m(std::int32_t mm) { return static_cast<double>(mm) / 1000.0; }
 inline std::int64_t to_ns(double seconds) { return std::llround(seconds * 1e9); }
 inline std::int64_t to_us(double seconds) { return std::llround(seconds * 1e6); }
 
-// Returns whether `bytes` are a complete message. Partial parsing keeps protobuf from printing its
-// own messages to stderr.
+// Returns whether `bytes` are a complete message. The function parses partially, so that protobuf
+// does not print its own messages to stderr.
 template <typename Message>
 bool parse(std::string_view bytes, Message& message) {
   return message.ParsePartialFromArray(bytes.data(), static_cast<int>(bytes.size())) &&

@@ -86,7 +86,8 @@ ReadResult RecordReader::dispatch(const ParsedMessage& message, const std::strin
   return ReadResult::kUsed;
 }
 
-// Whether the message repeats one of the last ones. Every message of a game contains its time.
+// Whether the message is a copy of a recent one. Different messages of a game always differ, since
+// each contains its time.
 bool RecordReader::is_copy(std::size_t hash) {
   if (std::find(recent_.begin(), recent_.end(), hash) != recent_.end()) return true;
   recent_[compared_++ % recent_.size()] = hash;
@@ -120,7 +121,8 @@ ReadResult RecordReader::read_referee(const RefereePacket& packet, std::size_t h
   if (!referee_source_.follows(name.empty() ? sender : name, now_s_))
     return ReadResult::kOtherReferee;
   if (is_copy(hash)) return ReadResult::kCopy;
-  // A packet that was overtaken by a newer one. After a larger step, the referee's clock was set.
+  // A packet that was overtaken by a newer one. If the step back is larger, the referee's clock was
+  // set.
   const std::uint64_t sent_us = packet.packet_timestamp();
   const bool is_same = referee_changes_ == referee_source_.changes();
   if (is_same && sent_us < referee_sent_us_ && referee_sent_us_ - sent_us < kLongestDelay_us)

@@ -26,8 +26,8 @@ struct ParsedMessage {
   std::size_t hash = 0;  // hash of its bytes
 };
 
-// Reuses the message's memory if its last packet was of the same type. Packets in the format of
-// 2010 are converted to the current one.
+// Parses `bytes` into `message`, whose memory is reused if its last packet was of the same type.
+// Packets in the format of 2010 are converted to the current one.
 void parse(MessageKind kind, const std::string& bytes, ParsedMessage& message);
 
 class RecordReader {
@@ -38,8 +38,8 @@ class RecordReader {
       : visitor_(visitor), frames_are_tracked_(frames_are_tracked) {}
 
   // Takes the next message, parsed or not, which arrived at `now_s` on the frames' clock. Ignored
-  // messages and those of other kinds are not passed on. `sender` distinguishes referees without a
-  // name.
+  // messages and those of other kinds are not passed on. `sender` distinguishes referees that do
+  // not send a name.
   ReadResult read(const ParsedMessage& message, double now_s, const std::string& sender = {});
   ReadResult read(MessageKind kind, const std::string& bytes, double now_s,
                   const std::string& sender = {});
@@ -67,12 +67,13 @@ class RecordReader {
   DetectionMerger merger_;
   TrackFollower follower_;
   FollowedSource referee_source_;
-  int referee_changes_ = 0;               // before the last packet
+  int referee_changes_ = 0;               // changes of the followed referee before the last packet
   std::uint64_t referee_sent_us_ = 0;     // time of the last packet, on the referee's clock
   std::array<std::size_t, 64> recent_{};  // hashes of the last messages
   std::size_t compared_ = 0;
   MessageFaults faults_;
-  std::map<MessageKind, ParsedMessage> parsed_;  // the last ones, kept to reuse their memory
+  // The last message of each kind, kept to reuse its memory.
+  std::map<MessageKind, ParsedMessage> parsed_;
   std::int64_t frames_ = 0;
 };
 

@@ -57,7 +57,7 @@ void fill_referee(const RefereeSignal& signal, const PerSide<LoggedTeam>& teams,
 }
 
 std::optional<double> command_age_s(const RefereePacket& packet) {
-  // Computed in double, since the difference of malicious times may overflow.
+  // The difference is computed in double, since with malicious times an integer may overflow.
   const double age_s = (static_cast<double>(packet.packet_timestamp()) -
                         static_cast<double>(packet.command_timestamp())) /
                        1e6;

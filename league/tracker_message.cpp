@@ -13,12 +13,12 @@ constexpr double kSilence_s = 1;
 constexpr std::size_t kMostSources = 64;
 constexpr std::size_t kLongestSourceName = 64;  // bytes
 
-constexpr int kDetectsFlyingBalls = 1;  // a capability
+constexpr int kDetectsFlyingBalls = 1;  // the capability to detect flying balls
 constexpr double kTrackerLeap_s = 1;    // larger steps of a tracker's clock are jumps
 constexpr double kStep_s = 1e-3;        // the shortest time between frames after a jump
 constexpr double kLongestTrack_s = 1e6;
 constexpr double kFarthest_m = 100;
-constexpr double kFastest = 1000;  // m/s or rad/s
+constexpr double kFastest = 1000;  // largest credible speed, in m/s or rad/s
 constexpr int kYellow = 1;
 constexpr int kBlue = 2;
 
@@ -35,7 +35,7 @@ Vec2 velocity_of(const Object& object) {
   return object.has_vel() ? vector_of(object.vel(), kFastest).value_or(Vec2{0, 0}) : Vec2{0, 0};
 }
 
-// 1 if the tracker does not report it.
+// The visibility; 1 if the tracker does not report it.
 template <typename Object>
 double visibility_of(const Object& object) {
   return object.has_visibility() ? static_cast<double>(object.visibility()) : 1;

@@ -15,16 +15,16 @@
 namespace autoref::league {
 
 // Decides which of several programs that send the same kind of packets is followed: the first one,
-// until it has been silent for 1 s; then the next one that sends.
+// until it has been silent for 1 s, and then the next one that sends a packet.
 class FollowedSource {
  public:
-  // Notes a packet from the program `name`, which arrived at `received_s`, on any clock. Returns
+  // Records a packet from the program `name`, which arrived at `received_s` on any clock. Returns
   // whether that program is followed.
   bool follows(std::string_view name, double received_s);
 
-  // The name of the program followed, cut off after 64 bytes; empty before the first packet.
+  // The name of the program followed, truncated after 64 bytes; empty before the first packet.
   const std::string& name() const { return name_; }
-  int changes() const { return changes_; }  // how often following changed to another program
+  int changes() const { return changes_; }  // how often another program was followed from then on
   int sources() const { return static_cast<int>(sources_.size()); }  // at most 64 are counted
 
   // The first program that was ignored; empty if there is none.
@@ -43,7 +43,7 @@ class FollowedSource {
 struct TrackerSource {
   std::string uuid;  // unique for each run of the program
   std::string name;
-  bool detects_flying_balls = false;  // whether a ball's height is known
+  bool detects_flying_balls = false;  // whether the program knows the height of a ball
 };
 
 // Fills `packet` with the tracks at `unix_s`, the time of their frame. West is yellow. Objects that
@@ -54,7 +54,7 @@ void fill_tracker(const Tracks& tracks, const TrackerSource& source, double unix
 // Follows one of the trackers that send packets. If there are several balls, the most visible one
 // is used or, among equals, the one nearest to the previous position. Ignores robots with a number
 // outside the league's range or without a team, and objects whose position is not finite or more
-// than 100 m away; a velocity that is not finite or as large becomes 0.
+// than 100 m away. A velocity that is not finite or too large becomes 0.
 class TrackFollower {
  public:
   // Takes the next packet; `received_s` is its arrival time on any clock. Returns whether it
@@ -77,8 +77,8 @@ class TrackFollower {
   void take_ball(const TrackerFrame& tracked);
 
   FollowedSource source_;
-  int changes_ = 0;        // of the source, before the last frame
-  double offset_s_ = 0;    // from the tracker's clock to the frames'
+  int changes_ = 0;        // changes of the source before the last frame
+  double offset_s_ = 0;    // difference between the frames' clock and the tracker's clock
   double received_s_ = 0;  // time of the last frame
   std::int64_t frames_ = 0;
   std::int64_t unusable_ = 0;

@@ -1,5 +1,5 @@
-// Splits a frame of the field into the packets of the league's cameras, and converts packets of
-// 2010.
+// Splits a frame of the field into the packets of the league's cameras, and converts packets in the
+// format of 2010.
 #pragma once
 
 #include <span>
@@ -13,9 +13,9 @@ namespace autoref::league {
 inline constexpr int kOtherSource = 1;
 
 // Fills `packets` with the part of the frame that each of `cameras` sees: a robot or ball belongs
-// to the nearest camera, a ball of unknown height to the camera that saw it. West is yellow. The
-// detections in `others` follow those of the frame, with a lower confidence. Writes one packet per
-// camera. Allocates nothing once the packets are large enough.
+// to the nearest camera, but a ball of unknown height to the camera that saw it. West is yellow.
+// The detections in `others` follow those in the frame and have a lower confidence. Writes one
+// packet per camera. Allocates nothing once the packets are large enough.
 void fill_detections(const Frame& frame, std::span<const CameraPosition> cameras,
                      std::span<VisionPacket> packets, const OtherDetections& others = {});
 

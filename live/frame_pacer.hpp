@@ -35,8 +35,8 @@ class SteadyFrameClock final : public FrameClock {
 };
 
 // Frames are due at equal intervals. No frame is skipped: after a delay, the next frames follow
-// immediately until the schedule is met again; after a delay of more than a second, the schedule
-// restarts.
+// immediately until the game is on schedule again. After a delay of more than a second, the
+// schedule restarts.
 class FramePacer {
  public:
   FramePacer(FrameClock& clock, double frames_per_s);
@@ -44,8 +44,8 @@ class FramePacer {
   // Changes the frame rate; the next frame is due immediately.
   void set_rate(double frames_per_s);
 
-  // Sleeps until the next frame is due. Calls `meanwhile`, if given, at least every 50 ms; it may
-  // change the rate.
+  // Sleeps until the next frame is due. Calls `meanwhile`, if given, at least every 50 ms;
+  // `meanwhile` may change the rate.
   void wait(const std::function<void()>& meanwhile = {});
 
   const Punctuality& punctuality() const { return punctuality_; }
@@ -56,14 +56,14 @@ class FramePacer {
   FrameClock* clock_;
   std::chrono::duration<double> period_;
   FrameClock::Time start_;
-  std::int64_t frames_ = 0;  // since `start_`
+  std::int64_t frames_ = 0;  // number of frames since `start_`
   Punctuality punctuality_;
 };
 
 // Asks the system to run the calling thread promptly when it wakes, in exchange for shorter time
-// slices, and not to delay its timers. No privileges are needed. This has no effect on systems that
-// do not support it, such as Linux before 6.12, or on a thread with a real-time policy. Threads and
-// processes that the calling thread starts later inherit the short slices.
+// slices, and not to delay the thread's timers. No privileges are needed. This has no effect on
+// systems that do not support it, such as Linux before 6.12, or on a thread with a real-time
+// policy. Threads and processes that the calling thread starts later inherit the short slices.
 void be_prompt();
 
 }  // namespace autoref::live

@@ -8,13 +8,13 @@
 
 namespace autoref::live {
 
-// The pace of a live game is set by the clock, by the network teams' packets (as fast as they
-// answer), or by their SimulationSyncRequests.
+// What sets the pace of a live game: the clock, the packets from network teams (as fast as the
+// teams answer), or the teams' SimulationSyncRequests.
 enum class Pace : std::uint8_t { kClock, kPackets, kLockStep };
 
 struct LiveSpeed {
   Pace pace = Pace::kClock;
-  double factor = 1;  // of real time, with Pace::kClock
+  double factor = 1;  // speed relative to real time, with Pace::kClock
 };
 
 // The league's default ports. Port 0 means closed.
@@ -35,7 +35,7 @@ struct LiveOptions {
   std::string interface = kLoopback;  // address of the interface
   std::string unicast;                // host to send to instead of the multicast groups
   LivePorts ports;
-  double lapse_s = 0.1;  // after this time without an update, a robot stops
+  double lapse_s = 0.1;  // a robot stops after this time without a new command
   double answer_s = 10;  // longest wait for a team at unlimited speed
 };
 

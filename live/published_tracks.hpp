@@ -7,7 +7,8 @@
 
 namespace autoref::live {
 
-// The tracks in the field's coordinates, if those differ from the program's (referee_signal.hpp).
+// The tracks converted to the field's coordinates if these differ from the program's coordinates
+// (referee_signal.hpp).
 Tracks turned(Tracks tracks);
 
 // A random UUID of version 4.

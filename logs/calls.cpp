@@ -40,7 +40,7 @@ std::string text_of(const Call& call) {
   return fmt::format("{} at {:.2f} s", title_of(call), call.stop_s);
 }
 
-// The other referee's call nearest in time, if it is near.
+// The other referee's call that is nearest in time, if it is near enough.
 const Call* nearest_of(std::optional<Call> CallPair::*referee, double time_s,
                        const Agreement& agreement) {
   const Call* nearest = nullptr;
@@ -128,7 +128,7 @@ std::optional<Side> side_in(std::string_view name, const std::string& file, int 
 
 Call call_in(const io::Cells& cells, const std::string& file, int line) {
   if (cells.size() != 3)
-    refuse(file, line, fmt::format("has {} cells instead of time, call, side", cells.size()));
+    refuse(file, line, fmt::format("has {} cells; expected three: time, call, side", cells.size()));
   const std::optional<double> time_s = time_in(cells[0]);
   if (!time_s)
     refuse(file, line, fmt::format("'{}' is not a time such as 83.2 or 1:23.2", cells[0]));

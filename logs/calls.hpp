@@ -13,7 +13,8 @@
 
 namespace autoref::logs {
 
-// A stop and the restart that ends it; the league's evaluation of 2016 calls this an event.
+// A call: a stop in play and the restart that ends it. The league's evaluation of 2016 calls this
+// an event.
 struct Call {
   double stop_s = 0;
   double restart_s = 0;
@@ -37,7 +38,7 @@ class CallMaker {
   std::vector<Call> calls_;
 };
 
-// A recorded call and the matching AutoRef call; one of the two is missing if it has no match.
+// A recorded call and the matching AutoRef call; if one of them has no match, the other is missing.
 struct CallPair {
   std::optional<Call> recorded;
   std::optional<Call> refereed;
@@ -48,7 +49,7 @@ struct CallPair {
 double time_of(const CallPair& pair);
 
 struct Agreement {
-  std::vector<CallPair> pairs;  // in order of time
+  std::vector<CallPair> pairs;  // pairs in order of time
   int right = 0;
   int recorded = 0;
   int refereed = 0;
@@ -61,13 +62,12 @@ struct Agreement {
   int challenge_score() const { return right - 2 * (refereed - right); }
 };
 
-// For a call that only one referee made: the other referee's action and its time. Empty for a right
-// call.
+// What the other referee did, and when, if only one referee made the call. Empty for a right call.
 std::string other_referee_text(const CallPair& pair, const Agreement& agreement);
 
 // Matches AutoRef's calls with the recorded ones. A call is right if a recorded call has the same
-// restart and they overlap in time; AutoRef may be up to `lead_s` early. Both lists must be in
-// order of time; each call is matched once, with the first one that fits.
+// restart and the two overlap in time; AutoRef may be up to `lead_s` early. Both lists must be in
+// order of time. Each call is matched at most once, with the first call that fits.
 Agreement agreement_of(std::span<const Call> recorded, std::span<const Call> refereed,
                        double lead_s = 2.0);
 

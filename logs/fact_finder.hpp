@@ -18,10 +18,11 @@
 namespace autoref::logs {
 
 // Collects the game events in a log's referee packets, each once. Packets repeat an event for as
-// long as the game controller keeps it; it is dated by the first of them. Two events are the same
-// if their ids are equal or, without ids, if everything except their origins is equal. An event
-// without id and creation time that reappears later is a new one. Events in the log's first packet
-// happened earlier and are left out, as are proposals, which the game controller has not accepted.
+// long as the game controller keeps it. The time of the event is that of the first of these
+// packets. Two events are the same if their ids are equal or, without ids, if everything except
+// their origins is equal. An event without id and creation time that reappears later is a new one.
+// Events in the log's first packet happened earlier and are left out, as are proposals, which the
+// game controller has not accepted.
 class RecordedGameEvents {
  public:
   static constexpr std::size_t kMostEvents = 10'000;
@@ -35,23 +36,23 @@ class RecordedGameEvents {
   void take_new(double time_s, const league::RefereePacket& packet);
 
   bool is_first_ = true;
-  std::vector<std::string> current_;  // the last packet's events as bytes
+  std::vector<std::string> current_;  // the serialised events of the last packet
   std::set<std::string> shown_;       // keys of the last packet's events
   std::set<std::string> known_;       // keys of all events that have an id or a time of creation
   std::vector<game::TimedGameEvent> events_;
 };
 
 // Measures the noise of the vision that recorded a log from third-order differences of four
-// successive positions. These are nearly free of motion, since accelerations change slowly compared
-// with the frame rate, and sqrt(20) times as noisy as a position. The median absolute value ignores
-// kicks and false detections.
+// successive positions. These differences hardly depend on motion, since accelerations change
+// slowly compared with the frame rate. The differences are sqrt(20) times as noisy as a position.
+// Kicks and false detections do not affect their median absolute value.
 class LoggedNoise {
  public:
   // Frames must be in order of time.
   void add(const Frame& frame);
 
-  // Standard deviations. Zero if there is hardly any noise, as in logs of a simulator without
-  // noise. nullopt if the log is too short or its frames are too irregular for an estimate.
+  // The standard deviations of the noise. Zero if there is hardly any, as in logs of a simulator
+  // without noise. nullopt if the log is too short or its frames are too irregular for an estimate.
   std::optional<tracking::VisionNoise> noise() const;
 
  private:

@@ -15,11 +15,12 @@
 
 namespace autoref::logs {
 
-// Whether AutoRef has decisions that become events of this type (referee/events.def). When it
+// Whether any of AutoRef's decisions become events of this type (referee/events.def). When AutoRef
 // assists a human referee, it neither judges placements nor shows cards.
 bool is_judged(GameEventType type, referee::Control control);
 
-// A recorded event and the matching one of AutoRef; one of the two is missing without a match.
+// A recorded event and the matching event of AutoRef. If one of them has no match, the other is
+// missing.
 struct GameEventPair {
   std::optional<game::TimedGameEvent> recorded;
   std::optional<game::TimedGameEvent> refereed;
@@ -33,23 +34,25 @@ struct GameEventCounts {
 };
 
 struct GameEventComparison {
-  std::vector<GameEventPair> pairs;  // in order of time; only types that AutoRef judges
+  std::vector<GameEventPair> pairs;  // in order of time; only event types that AutoRef judges
   std::map<GameEventType, GameEventCounts> types;
   GameEventCounts all;
-  std::map<GameEventType, int> not_judged;  // recorded events of the other types
+  std::map<GameEventType, int> not_judged;  // number of recorded events of each other type
 };
 
 // Matches events of the same type and team that are at most `tolerance_s` apart. Both lists must be
-// in order of time; each recorded event takes the first that fits. `control` is AutoRef's.
+// in order of time; each recorded event is matched with the first event that fits. `control` is
+// AutoRef's control mode.
 GameEventComparison compared(std::span<const game::TimedGameEvent> recorded,
                              std::span<const game::TimedGameEvent> refereed,
                              referee::Control control, double tolerance_s = 2.0);
 
-// A table of the types; empty if nothing was recorded. `other` is the title of the recorded events.
+// A table with a row per event type; empty if no events were recorded. `other` is the title of the
+// recorded events.
 std::string game_events_text(const GameEventComparison& comparison,
                              std::string_view other = "recorded");
 
-// The comparison as a JSON object; null if nothing was recorded.
+// The comparison as a JSON object; null if no events were recorded.
 io::Json game_events_json(const GameEventComparison& comparison);
 
 }  // namespace autoref::logs

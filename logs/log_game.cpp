@@ -137,7 +137,7 @@ std::vector<std::string> gaps_of(const RecordedFacts& facts, const game::GameSet
                    field.defence_area.depth_m, game.match.rules.name));
   note(!has_referee, "match.control",
        "no referee packets: assuming that play is on throughout; there are no calls to compare "
-       "AutoRef's with (change with --control autoref)");
+       "AutoRef's with (to let AutoRef command the game: --control autoref)");
   const bool is_alone = game.match.control == referee::Control::kAutoref;
   note(
       is_alone && !recorded.half_s, "match.half_s",

@@ -15,32 +15,33 @@ namespace autoref::logs {
 // The rule book that a recorded game seems to use.
 struct GuessedRules {
   std::string book;    // a name of find_rule_book()
-  std::string reason;  // what it was guessed from, as text
+  std::string reason;  // what the guess is based on, as text
 };
 
-// Guesses from the size of the field, the shape of its defence areas and the date of the recording.
-// Until 2017 the areas were quarter circles; since 2018 they have been boxes, on fields of 12 m
-// (Division A) or 9 m. A log without a date (with times that count from 0, as in this program's
-// logs) on the single-size field gets the paper's rules.
+// Guesses the rule book from the size of the field, the shape of its defence areas and the date of
+// the recording. Until 2017, the defence areas were quarter circles. Since 2018 they have been
+// boxes, on fields of 12 m (Division A) or 9 m. A log without a date (with times that count from 0,
+// as in this program's logs) on the single-size field gets the paper's rules.
 GuessedRules guessed_rules(const league::LogSummary& log);
 
 // The field according to the log's geometry; values that the geometry lacks come from the rule
-// book's field. Vision does not say whether the goals' side walls reach the field's wall: the rule
-// book decides this if the walls are where the rule book puts them.
+// book's field, `of_book`. Vision does not say whether the goals' side walls reach the field's
+// wall: the rule book decides this if the walls are where the rule book puts them.
 Field field_in(const league::LogSummary& log, const Field& of_book);
 
 // A game under the rule book, with field, robots, durations and first kick-off overridden by the
-// log. The recorded referee commands it if there is one; otherwise nobody does. `recorded` is one
-// of the log's games. Throws std::invalid_argument for an unknown rule book.
+// log. If the log has a referee, that referee commands the game; otherwise nobody does. `recorded`
+// is one of the log's games. Throws std::invalid_argument for an unknown rule book.
 game::GameSettings logged_game(const std::string& book, const RecordedFacts& facts,
                                const RecordedGame& recorded);
 
-// Throws std::invalid_argument if a referee cannot judge the game; the message begins with the
-// invalid setting. Unlike in a simulation, there need not be space for a robot outside the lines.
+// Throws std::invalid_argument if a referee cannot judge a game with these settings; the message
+// begins with the invalid setting. Unlike in a simulation, there need not be space for a robot
+// outside the lines.
 void check_judged(const game::GameSettings& game);
 
-// One line for each setting that the log lacks and that is not in `is_set`: it gives the value used
-// instead and the option that sets it. `game` is the game to judge.
+// One line for each setting that the log lacks and that is not in `is_set`: the line gives the
+// value used instead and the option that sets it. `game` is the game to judge.
 std::vector<std::string> gaps_of(const RecordedFacts& facts, const game::GameSettings& game,
                                  const std::function<bool(const std::string& path)>& is_set);
 

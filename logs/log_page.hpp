@@ -32,9 +32,9 @@ class LogRecorder final : public league::LogVisitor {
   void on_frame(const Frame& frame) override;
   void on_referee(double time_s, const league::RefereePacket& packet) override;
 
-  // The frames and signals of the part. Its first signal is the last one before it.
+  // The frames and signals of the part. The first signal is the last one before the part.
   view::GameRecording recording;
-  PerSide<std::string> names;  // of the teams, as in the last packet
+  PerSide<std::string> names;  // names of the teams, as in the last packet
 
  private:
   void add_signal_before();
@@ -46,13 +46,14 @@ class LogRecorder final : public league::LogVisitor {
 // The calls of both referees in order of time.
 std::vector<view::ComparedCall> compared_calls(const Agreement& agreement);
 
-// `decisions` are AutoRef's, and `name` is the user's name for the log. Throws league::LogError.
+// `decisions` are AutoRef's decisions, and `name` is the path that the user gave for the log.
+// Throws league::LogError.
 std::string log_page(const std::filesystem::path& log, const std::string& name, const Field& field,
                      const std::vector<view::RecordedDecision>& decisions,
                      const Agreement& agreement,
                      league::FrameSource source = league::FrameSource::kFirst);
 
-// The address of a moment on that page, such as "game.html#t=83.20".
+// The address of a moment on the page of a recorded game, such as "game.html#t=83.20".
 std::string moment_in(const std::string& page, double time_s);
 
 }  // namespace autoref::logs

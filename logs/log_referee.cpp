@@ -86,8 +86,8 @@ class DecisionCollector {
   int decisions_ = 0;
 };
 
-// A STOP before a half, such as before the first kick-off, is not a call that a second referee
-// could make.
+// A STOP before a half, such as before the first kick-off, is not a call that another referee could
+// make.
 bool may_be_call(const RecordedCommand& recorded) {
   const bool is_between_halves =
       recorded.stage == Stage::kFirstHalfPre || recorded.stage == Stage::kHalfTime ||

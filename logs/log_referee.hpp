@@ -22,14 +22,14 @@ namespace autoref::logs {
 // Called with each decision.
 using DecisionWatch = std::function<void(const referee::Decision&)>;
 
-// When a referee packet takes effect: in a log, after the last frame captured before it; live,
-// after the frame being received when the packet arrives.
+// When a referee packet takes effect: in a log, after the last frame captured before the packet; in
+// a live game, after the frame that is being received when the packet arrives.
 enum class SignalOrder : std::uint8_t { kByTime, kByArrival };
 
-// Under Control::kHuman, AutoRef follows the other referee's signals. Each game has its own
-// configuration and referee; the last configuration is reused if there are more games. If the other
-// referee says that blue defends the goal at -x, frames are rotated, since AutoRef assumes that
-// yellow is west.
+// Under Control::kHuman, AutoRef follows the other referee's signals. Each game in the log has its
+// own configuration and referee. If there are more games than configurations, the last
+// configuration is reused. If the other referee says that blue defends the goal at -x, frames are
+// rotated, since AutoRef assumes that yellow is west.
 class LogReferee final : public league::LogVisitor {
  public:
   // `configurations` must not be empty. Throws std::invalid_argument if one is not valid for a
@@ -42,8 +42,8 @@ class LogReferee final : public league::LogVisitor {
 
   const referee::Configuration& configuration() const { return configurations_[game_]; }
   const referee::AutoRef& referee() const { return referee_; }
-  // The signal now in force: AutoRef's own or the one that it follows. Like the tracks, it treats
-  // yellow as west.
+  // The signal now in force: AutoRef's own or the one that it follows. In this signal, as in the
+  // tracks, yellow is west.
   const RefereeSignal& signal() const { return signal_; }
   // Whether frames are rotated.
   bool is_turned() const { return ends_.yellow() == Side::kEast; }
@@ -77,10 +77,10 @@ struct LogRefereeResult {
   Agreement agreement;      // between AutoRef's calls and those of the recorded referee
   std::vector<Call> calls;  // AutoRef's calls with their events, including those that stop nothing
   PerSide<int> goals;       // goals counted by AutoRef
-  std::vector<game::TimedGameEvent> game_events;  // of AutoRef's decisions
+  std::vector<game::TimedGameEvent> game_events;  // game events for AutoRef's decisions
   std::string events;  // AutoRef's decisions, one JSON object per line (event_log.hpp)
   int decisions = 0;
-  referee::Control control = referee::Control::kAutoref;  // of the first game
+  referee::Control control = referee::Control::kAutoref;  // control mode of the first game
 };
 
 // Judges every frame of the log in order. The goals in the result are those of the last game.

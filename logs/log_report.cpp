@@ -95,8 +95,9 @@ std::string commands_text(const RecordedFacts& facts, bool lists_commands) {
   return io::aligned(rows, {io::Align::kRight, io::Align::kLeft});
 }
 
-// The restart and AutoRef's reason, of which the restart is compared with recorded commands; or the
-// event and side that are compared with annotations.
+// The cells of a call. If AutoRef's calls are compared with recorded commands, these are the
+// restart, which is compared, and AutoRef's reason. If they are compared with annotations, these
+// are the event and the side.
 std::string name_of(const std::optional<Call>& call) {
   if (!call) return "-";
   const bool has_restart = call->restart.kind != CommandKind::kHalt;

@@ -9,16 +9,16 @@
 
 namespace autoref::logs {
 
-// Length, message types, field, cameras, score, and the number of times each command was sent or,
-// with `lists_commands`, each command with its time.
+// A summary of a log: length, message types, field, cameras, score, and how often each command was
+// sent. With `lists_commands`, it lists each command with its time instead.
 std::string info_text(const RecordedFacts& facts, bool lists_commands);
 
-// The same as a single-line JSON object, with all commands.
+// The summary as a single-line JSON object, with all commands.
 std::string info_json(const RecordedFacts& facts);
 
 // The calls with which AutoRef's are compared.
 struct Comparison {
-  bool is_annotated = false;  // a person's annotations instead of the recorded commands
+  bool is_annotated = false;  // the calls are a person's annotations, not the recorded commands
   std::string page;           // path of the page to link moments to (log_page.hpp); empty: none
 };
 

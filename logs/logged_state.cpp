@@ -130,7 +130,7 @@ class StateReader final : public league::LogVisitor {
   std::optional<Command> next_;          // the first restart afterwards
   std::optional<Vec2> ball_m_;
   std::optional<Vec2> ball_from_m_;  // when the command was given
-  bool has_moved_ = false;           // since then
+  bool has_moved_ = false;           // whether the ball has moved since then
 };
 
 sim::RobotState state_of(const TrackedRobot& robot) {

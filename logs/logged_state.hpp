@@ -10,23 +10,25 @@
 namespace autoref::logs {
 
 struct LoggedState {
-  // Yellow is in the west, whichever end it defends in the log. Positions and velocities come from
-  // the tracker (tracking/tracker.hpp); the ball's vertical velocity is unknown and assumed to be
-  // 0. The restart is the one that was pending. After HALT, STOP and the like, it is the restart
-  // that the packet announces, or else the next one in the log, or else a force start.
+  // The start state. Yellow is in the west, whichever end it defends in the log. Positions and
+  // velocities come from the tracker (tracking/tracker.hpp). The ball's vertical velocity is
+  // unknown and assumed to be zero. The restart is the one that was pending. If the command was
+  // HALT, STOP or the like, it is the restart that the packet announces. If the packet announces
+  // none, it is the next restart in the log, or a force start if there is none.
   game::StartState start;
   league::LogSummary log;
 };
 
 // The state of the last frame at or before `at_s`, in seconds from the start of the log. Throws
-// std::invalid_argument if the file is not a log, or does not cover that time, or has no ball then.
+// std::invalid_argument if the file is not a log, if the log does not cover that time, or if there
+// is no ball at that time.
 LoggedState logged_state(const std::filesystem::path& log, double at_s);
 
 // Gives the robots numbers below `count`, in the same order, unless they already have such numbers.
 // Throws std::invalid_argument if there are more than `count` robots.
 void renumber(game::StartingRobots& robots, int count);
 
-// Throws std::invalid_argument if the log's field is not the game's.
+// Throws std::invalid_argument if the log's field differs from the field of the game.
 void check_same_field(const LoggedState& logged, const Field& field);
 
 }  // namespace autoref::logs

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kKeepers_s = 60;
 constexpr double kRobots_s = 10;
-constexpr double kNearArea_m = 0.5;  // beyond the depth of the defence area
+constexpr double kNearArea_m = 0.5;  // distance beyond the depth of the defence area
 constexpr double kClearlyApart_m = 0.5;
 
 double mean_x_m(const SeenRobots& robots) {

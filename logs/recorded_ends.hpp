@@ -14,13 +14,14 @@
 
 namespace autoref::logs {
 
-// The end that yellow defends, judged by a keeper's position; nullopt if the keeper is not near a
-// goal. `team` is the keeper's team.
+// The end that yellow defends, inferred from a keeper's position; nullopt if the keeper is not near
+// a goal. `team` is the keeper's team.
 std::optional<Side> yellow_end_by(const Field& field, Side team, const Vec2& keeper_m);
 
-// Evidence from the beginning of a game, before the teams change ends. Sources, in order of
-// preference: the referee's packets, if they give the ends; the keepers they name, if near a goal
-// in the first minute; the mean position of each team's robots in the first ten seconds.
+// Evidence for the end that yellow defends, from the beginning of a game, before the teams change
+// ends. The best evidence is the referee's packets, if they give the ends. The next best evidence
+// is the keepers that the packets name, if they are near a goal in the first minute. The last is
+// the mean position of each team's robots in the first ten seconds.
 class YellowEnd {
  public:
   explicit YellowEnd(const Field& field) : field_(field) {}
@@ -29,7 +30,7 @@ class YellowEnd {
   void add(const Frame& frame);
   void add(const league::RefereePacket& packet);
 
-  // kWest: the goal at -x. nullopt without evidence.
+  // The end that yellow defends; kWest is the goal at -x. nullopt if there is no evidence.
   std::optional<Side> end() const;
 
  private:
@@ -37,22 +38,23 @@ class YellowEnd {
 
   Field field_;
   std::optional<double> first_s_;
-  std::optional<Side> said_;  // by the referee
+  std::optional<Side> said_;  // the end given by the referee's packets
   PerSide<std::optional<int>> keepers_;
-  PerSide<int> votes_;  // for each end, frames in which a keeper makes it yellow's
-  double apart_m_ = 0;  // blue's mean x minus yellow's, summed over frames
+  // For each end, number of frames in which a keeper's position indicates that it is yellow's.
+  PerSide<int> votes_;
+  double apart_m_ = 0;  // mean x of blue's robots minus mean x of yellow's, summed over frames
   int frames_apart_ = 0;
 };
 
 // Stages in which the referee's packets name the wrong ends, for example because nobody switched
-// them.
+// the ends at the game controller.
 using TurnedStages = std::set<Stage>;
 
 // Follows the ends given in the referee's packets. If packets do not give them, the teams change
 // ends before every half after the first if the rule book demands it.
 class RecordedEnds {
  public:
-  // `at_first` holds until a packet says otherwise; west is -x.
+  // `at_first` is the end that yellow defends until a packet says otherwise; west is -x.
   RecordedEnds(Side at_first, bool change_ends, TurnedStages turned = {})
       : yellow_(at_first), change_ends_(change_ends), turned_(std::move(turned)) {}
 

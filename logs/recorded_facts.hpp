@@ -39,10 +39,11 @@ struct RecordedCamera {
 // Facts about one game. Most logs contain one.
 struct RecordedGame {
   double begins_s = 0;
-  std::optional<double> half_s = {};  // from the clock of the first half
+  std::optional<double> half_s = {};  // length of a half, from the clock of the first half
   int halves = 0;                     // number of halves that were started, without extra time
-  bool is_knockout = false;           // the game went to extra time or a shoot-out
-  std::optional<double> extra_half_s = {};  // from the clock of extra time's first half
+  bool is_knockout = false;           // whether the game went to extra time or a shoot-out
+  // Length of a half of extra time, from the clock of its first half.
+  std::optional<double> extra_half_s = {};
   std::optional<Side> first_kickoff = {};
 };
 
@@ -52,23 +53,24 @@ class NextGame {
   bool begins_with(Stage stage);
 
  private:
-  Stage latest_ = Stage::kFirstHalfPre;  // of the current game
+  Stage latest_ = Stage::kFirstHalfPre;  // latest stage of the current game
 };
 
 struct RecordedFacts {
   league::LogSummary log;
-  std::vector<RecordedCommand> commands;            // at most kMostCommands
+  std::vector<RecordedCommand> commands;            // recorded commands, at most kMostCommands
   std::int64_t commands_left_out = 0;               // number of further commands
-  PerSide<std::string> names;                       // empty if unknown
-  std::optional<RefereeSignal> last_signal;         // nullopt without referee packets
-  std::map<std::uint32_t, RecordedCamera> cameras;  // by number
-  PerSide<int> robots;                              // maximum number in a frame
-  bool has_ball = false;                            // in any frame
-  std::vector<RecordedGame> games = {{}};           // at least one, at most kMostGames
-  std::optional<tracking::VisionNoise> noise;       // measured (fact_finder.hpp)
-  std::vector<game::TimedGameEvent> game_events;    // the recorded referee's
-  RecordedTeams teams;                              // found out separately (recorded_teams.hpp)
-  std::int64_t unknown_signals = 0;                 // packets with an unknown stage or command
+  PerSide<std::string> names;                       // names of the teams; empty if unknown
+  std::optional<RefereeSignal> last_signal;         // nullopt if there are no referee packets
+  std::map<std::uint32_t, RecordedCamera> cameras;  // by camera number
+  PerSide<int> robots;                              // maximum number of robots in a frame
+  bool has_ball = false;                            // whether any frame has a ball
+  // Games in the log: at least one, at most kMostGames.
+  std::vector<RecordedGame> games = {{}};
+  std::optional<tracking::VisionNoise> noise;     // measured (fact_finder.hpp)
+  std::vector<game::TimedGameEvent> game_events;  // game events of the recorded referee
+  RecordedTeams teams;                            // found out separately (recorded_teams.hpp)
+  std::int64_t unknown_signals = 0;               // packets with an unknown stage or command
 
   static constexpr std::size_t kMostCommands = 100'000;
   static constexpr std::size_t kMostGames = 100;

@@ -47,7 +47,7 @@ class DutyCounter final : public league::LogVisitor {
 
   RecordedTeams teams() const {
     RecordedTeams teams{end_.end(), {}, turned_stages()};
-    // Before the first packet, the ends are those of that packet's stage.
+    // Before the first packet, the ends are those of the first packet's stage.
     if (said_ && first_stage_ && teams.turned.contains(*first_stage_))
       teams.yellow_end = opponent_of(*said_);
     const Side end = end_.end().value_or(Side::kWest);
@@ -57,7 +57,7 @@ class DutyCounter final : public league::LogVisitor {
   }
 
  private:
-  // Whether the announced keeper is where the packets say.
+  // Whether the announced keeper is at the end that the packets give.
   void compare_ends(Side team, const SeenRobots& robots) {
     for (const RobotObservation& robot : robots) {
       if (keepers_[team] != robot.number) continue;
@@ -102,13 +102,14 @@ class DutyCounter final : public league::LogVisitor {
   Field field_;
   std::optional<Side> said_;  // yellow's initial end according to the referee
   RecordedEnds ends_;
-  PerSide<PerSide<GoalDuty>> duties_;  // by the end of yellow, then by team
+  PerSide<PerSide<GoalDuty>> duties_;  // indexed by yellow's end, then by team
   PerSide<int> announced_;
   Stage stage_ = Stage::kFirstHalfPre;
-  std::optional<Stage> first_stage_;  // that says the ends
+  std::optional<Stage> first_stage_;  // first stage in which the packets give the ends
   bool says_ends_ = false;
   PerSide<std::optional<int>> keepers_;
-  // Frames in which a team's keeper is seen where the packets say, and at the other end.
+  // Numbers of frames in which a team's keeper is seen at the end that the packets give, and at the
+  // other end.
   std::map<Stage, PerSide<int>> as_said_;
   std::map<Stage, PerSide<int>> turned_;
 };

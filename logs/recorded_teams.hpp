@@ -12,27 +12,29 @@
 
 namespace autoref::logs {
 
-// In how many frames each robot of a side is nearest to its own goal.
+// For each robot of a side, the number of frames in which it is the side's robot nearest to its own
+// goal.
 struct GoalDuty {
   std::array<int, kMaxRobots> nearest{};
-  int all = 0;  // frames with any robot of the side
+  int all = 0;  // number of frames with any robot of the side
 };
 
-// The robot that actually keeps the goal if positions contradict the announced keeper, that is, if
-// over at least 100 frames the announced keeper is hardly ever nearest to its own goal. This is the
-// robot that is nearest most of the time, or -1 if there is none.
+// The robot that actually keeps the goal, if positions contradict the announced keeper: in at least
+// 100 frames, that robot is hardly ever nearest to its own goal. The actual keeper is the robot
+// that is nearest most of the time, or -1 if there is none. nullopt if positions do not contradict
+// the announced keeper.
 std::optional<int> actual_keeper(const GoalDuty& duty, int announced);
 
 struct RecordedTeams {
   // The end that yellow defends when the log begins (recorded_ends.hpp): west is -x. nullopt:
   // unknown.
   std::optional<Side> yellow_end;
-  // Robots that keep the goals although others are announced; -1: unknown; nullopt: the announced
-  // keeper. If no keeper is ever announced, robot 0 is assumed.
+  // Robots that keep the goals although other robots are announced as keepers. -1: unknown;
+  // nullopt: the announced keeper. If no keeper is ever announced, robot 0 is assumed.
   PerSide<std::optional<int>> actual_keepers;
-  // Stages in which both announced keepers stand in front of the goal opposite to the one given by
-  // the referee's packets, in at least 100 frames each and nine times as often as in front of the
-  // given one.
+  // Stages in which both announced keepers stand at the wrong goal according to the referee's
+  // packets. Each keeper does so in at least 100 frames, and nine times as often as it stands at
+  // the right goal.
   TurnedStages turned;
 };
 

@@ -142,7 +142,7 @@ std::vector<std::string> texts_of(const league::MessageFaults& faults) {
   }
   if (faults.clock_restarts > 0) {
     texts.push_back(fmt::format(
-        "the cameras' clock restarts {}; adjusted to continue",
+        "the cameras' clock restarts {}; times were adjusted to continue",
         faults.clock_restarts == 1 ? "once" : fmt::format("{} times", faults.clock_restarts)));
   }
   return texts;

@@ -14,30 +14,32 @@ namespace autoref::logs {
 // opened, and InputOutputError if it cannot be copied.
 std::string seekable_log(const std::string& path);
 
-// Reads the whole log from such a copy. Throws InputError if the file is not a log.
+// Reads the whole log from a copy returned by seekable_log(). Throws InputError if the file is not
+// a log.
 RecordedFacts read_facts(const std::string& path, const std::string& copy,
                          league::FrameSource source = league::FrameSource::kFirst);
 
-// The message of an error in such a copy, with the name given by the user.
+// The message about an error in a log, with the path given by the user in place of the copy's path.
 std::string text_of(const league::LogError& error, const std::string& copy,
                     const std::string& path);
 
-// Descriptions of the faults in the messages of a game, recorded or live; without line breaks.
+// Descriptions of the faults in the messages of a recorded or live game, without line breaks.
 std::vector<std::string> texts_of(const league::MessageFaults& faults);
 
 // Lines for stderr: where the log is damaged, how many of its messages are ignored, and other
-// oddities. Empty if everything is fine.
+// oddities. Empty if there are none.
 std::string damage_text(const std::string& path, const league::LogSummary& log);
 
-// The same lines, plus lines about oddities of the games in the log.
+// The lines of damage_text() for the summary, followed by lines about oddities of the games in the
+// log.
 std::string damage_text(const std::string& path, const RecordedFacts& facts);
 
 // Feeds the log to `visitor`. Reports damage and ignored messages on stderr. Throws InputError if
 // the file is not a log or contains no frame.
 league::LogSummary read_user_log(const std::string& path, league::LogVisitor& visitor);
 
-// The log's field, or that of the rule book (reported on stderr) if the log has no geometry. Throws
-// InputError for an unknown rule book.
+// The log's field. If the log has no geometry, it is the field of the rule book, which is reported
+// on stderr. Throws InputError for an unknown rule book.
 Field field_shown(const std::string& path, const league::LogSummary& log, const std::string& book);
 
 }  // namespace autoref::logs

@@ -34,15 +34,16 @@ using game::GameRecord;
 using game::GameSettings;
 using strategies::Strategy;
 
-constexpr double kFastestBall_mps = 20;     // far above the speed of any kick
-constexpr std::size_t kRobotNumbers = 8;    // in a row of View.own: number, x, y, heading, ...
+constexpr double kFastestBall_mps = 20;  // far above the speed of any kick
+// Number of values in a row of View.own: number, x, y, heading, ...
+constexpr std::size_t kRobotNumbers = 8;
 constexpr std::size_t kBallNumbers = 5;     // x, y, vx, vy, height
 constexpr std::size_t kCommandNumbers = 6;  // vx, vy, angular velocity, kick, chip, dribble
 
 using RobotRows = std::array<std::array<double, kRobotNumbers>, kMaxRobots>;
 using Commands = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-// A team's view, as numbers. The arrays in Python refer to these numbers.
+// A team's view as an array of values. The arrays in Python refer to these values.
 struct View {
   TeamView seen;
   RobotRows own{};
@@ -162,7 +163,7 @@ class PythonGame {
     return is_played_;
   }
 
-  // Continues the game with the last commands given. Returns the number of frames played.
+  // Continues the game with the commands given last. Returns the number of frames played.
   std::int64_t run(std::int64_t most_frames) {
     const std::int64_t before = playing().record().frames;
     for (std::int64_t i = 0; i < most_frames && is_played_; ++i) {
@@ -291,7 +292,7 @@ class PythonGame {
   bool is_played_ = false;
 };
 
-// An array over numbers that belong to `owner`.
+// An array that refers to values owned by `owner`.
 py::array_t<double> rows_of(RobotRows& rows, std::size_t count, const py::object& owner) {
   return py::array_t<double>({count, kRobotNumbers}, rows[0].data(), owner);
 }

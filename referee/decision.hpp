@@ -17,16 +17,17 @@ namespace autoref::referee {
 struct LastTouch {
   std::optional<Side> side;      // nullopt if unknown
   std::optional<RobotId> robot;  // nullopt if unknown or ambiguous within the side
-  double time_s = 0;             // time of the touch
+  double time_s = 0;             // when the robot touched the ball
   double gap_m = 0;              // gap between the ball's surface and the robot's hull at that time
   double speed_change_mps = 0;   // change in the ball's velocity that friction does not explain
-  std::optional<RobotId> runner_up;  // the next best candidate
-  // Probability, from 0.5 to 1, that the other side did not touch the ball later, unseen, in a gap
-  // in vision since this touch or around it (touch/kept_touch.hpp); 1 without a gap.
+  std::optional<RobotId> runner_up;  // the second most likely toucher
+  // Probability, from 0.5 to 1, that the other side did not touch the ball after this touch, hidden
+  // by a gap in vision (touch/kept_touch.hpp). It is 1 if there was no gap since or around this
+  // touch.
   double kept = 1;
 };
 
-// A half's clock: time played and time left, as the rule book counts them.
+// A half's clock: time played and time left, counted as the rule book says.
 struct HalfClock {
   double played_s = 0;
   double left_s = 0;
@@ -46,7 +47,7 @@ struct Decision {
   State from = State::kInit;
   State to = State::kInit;
   std::optional<Command> command;  // sent with this decision, if any
-  Finding finding;                 // why it was decided; `card` is the card actually shown
+  Finding finding;                 // the reason for the decision; `card` is the card actually shown
   std::string card_reason;         // why that card was shown; empty without a card
   LastTouch last_touch;
 
@@ -60,7 +61,7 @@ struct Decision {
 
   // The restart after a call that stopped play, or that changed the restart during a stop.
   std::optional<Command> restart() const {
-    // If nobody commands the game, play continues.
+    // If nobody commands the game, play continues after a call.
     const bool stops =
         from != to || (from == State::kRun && entry_of(finding.event).effect == Effect::kStopsPlay);
     const bool decides = stops || finding.event == Event::kAttackerStaysNearArea ||

@@ -5,7 +5,7 @@
 namespace autoref::referee {
 namespace {
 
-// An X-macro: events.def also expands into the enumeration, so the two cannot differ.
+// An X-macro: events.def also expands into the enumeration, so table and enumeration cannot differ.
 constexpr std::array<EventEntry, kEventCount> kTable = {{
 #define AUTOREF_EVENT(id, number, ...) {.event = Event::id, __VA_ARGS__},
 #include "referee/events.def"

@@ -32,25 +32,25 @@ constexpr auto names_of(Card /*any*/) {
 
 using autoref::name_of;
 
-// The effect of a call while the ball is in play.
+// The effect of a call that is made while the ball is in play.
 enum class Effect : std::uint8_t {
   kNone,         // not a call
   kStopsPlay,    // a restart follows
-  kStopsByBook,  // stops play if fouls do under the rule book; otherwise it is only counted
+  kStopsByBook,  // stops play if fouls stop play under the rule book; otherwise only counted
   kCounts,       // play continues
 };
 
 // When a call may be made. A call made while play is stopped is only counted.
 enum class When : std::uint8_t { kInPlay, kInStop, kAnyTime };
 
-// The properties that an event always has.
+// The fixed properties of an event.
 struct EventEntry {
   Event event = Event::kBegin;
   std::string_view name{};          // snake_case, as in event logs and column names: "throw_in"
   std::string_view about{};         // what happened, as a sentence
   std::string_view league_event{};  // the league's GameEvent.Type; empty if it has none
   Effect effect = Effect::kNone;
-  When when = When::kInPlay;     // only for calls
+  When when = When::kInPlay;     // used only if the event is a call
   bool is_foul = false;          // counted among the team's fouls in the game's row
   bool counts_to_card = false;   // 2026: every third such foul brings a yellow card
   bool is_non_stopping = false;  // 2026: the team's goals in the next 2 s do not count
@@ -59,7 +59,7 @@ struct EventEntry {
   std::optional<CommandKind> restart{};  // the restart that always follows
 };
 
-// The entries of all events, ordered by event number.
+// The entries for all events, ordered by event number.
 std::span<const EventEntry> event_table();
 const EventEntry& entry_of(Event event);
 
@@ -68,7 +68,7 @@ std::string_view name_of(Event event);
 // Whether the event is a call. A game's row in the results counts the calls.
 bool is_call(Event event);
 
-// Whether the call may be made while play is stopped.
+// Whether a call of this event may be made while play is stopped.
 bool may_come_in_stop(Event event);
 
 }  // namespace autoref::referee

@@ -1,5 +1,5 @@
-// A rule's finding: the event, the restart it leads to, and the evidence. Also the functions that
-// create findings.
+// A rule's finding: the event, the restart it leads to, and the evidence. Also declares the
+// functions that create findings.
 #pragma once
 
 #include <array>
@@ -18,26 +18,30 @@
 
 namespace autoref::referee {
 
-// Details that a finding's league event needs in addition to the finding. Unknown values are not
-// set.
+// Details that the league's game event needs beyond the other members of the finding. Unknown
+// values are not set.
 struct EventDetails {
-  std::optional<RobotId> robot;  // the robot at fault, if it is not the finding's first one
-  std::optional<Vec2> robot_m;   // its position
+  // The robot at fault, if it is not the first robot that the finding names.
+  std::optional<RobotId> robot;
+  std::optional<Vec2> robot_m;  // position of the robot at fault
   std::optional<Vec2> ball_m;
-  std::optional<Vec2> kick_m;               // for a goal: where the ball was kicked
-  std::optional<Vec2> dribble_from_m;       // where the ball was when the robot gained it
-  std::optional<double> ball_top_m;         // greatest height of its top since the scorers' touch
-  std::optional<double> scorers_touched_s;  // time of that touch
-  std::optional<bool> is_chipped;           // for a kick
-  std::optional<int> robots;                // of this side, on the field
-  std::optional<int> robots_allowed;        // of the same side
-  std::optional<double> speed_difference_mps;  // of colliding robots
-  std::optional<double> crash_angle_rad;       // between their velocities, at most pi
-  std::optional<double> waited_s;              // without progress
-  std::optional<double> to_target_m;           // from the ball to its designated position
-  std::optional<double> from_target_m;         // the same when the placement began
-  std::optional<double> own_robot_to_ball_m;   // from the placing team's nearest robot, hull to
-                                               // hull
+  std::optional<Vec2> kick_m;          // for a goal: where the ball was kicked
+  std::optional<Vec2> dribble_from_m;  // where the ball was when the dribbling robot gained it
+  // Greatest height of the ball's top since the scoring team's last touch.
+  std::optional<double> ball_top_m;
+  std::optional<double> scorers_touched_s;  // time of the scoring team's last touch
+  std::optional<bool> is_chipped;           // for a kick: whether it was a chip kick
+  std::optional<int> robots;                // number of robots that this side has on the field
+  std::optional<int> robots_allowed;        // number of robots that this side may have
+  // Difference between the speeds of the colliding robots.
+  std::optional<double> speed_difference_mps;
+  // Angle between the velocities of the colliding robots, at most pi.
+  std::optional<double> crash_angle_rad;
+  std::optional<double> waited_s;             // how long play has made no progress
+  std::optional<double> to_target_m;          // distance from the ball to its designated position
+  std::optional<double> from_target_m;        // that distance when the placement began
+  std::optional<double> own_robot_to_ball_m;  // from the placing team's nearest robot, hull to
+                                              // hull
 };
 
 // The features on which the confidence in a call depends (machine/confidence.hpp).
@@ -46,7 +50,7 @@ using ConfidenceFeatures = std::array<double, kConfidenceFeatures>;
 
 using ConcernedRobots = boost::container::static_vector<RobotId, 4>;
 
-// Rules report findings; the machine decides what follows, depending on its state.
+// Rules report findings; the machine decides what to do about them, depending on its state.
 struct Finding {
   Event event = Event::kBegin;
   std::string_view rule;  // the rule's source, such as "paper 4.2"
@@ -55,18 +59,18 @@ struct Finding {
   std::string_view unit;  // unit of value and threshold; empty if nothing was measured
   ConcernedRobots robots;
   std::optional<Side> offender;  // the side at fault; nullopt if neither or both are
-  bool is_foul = false;          // a foul of the offender, or of both sides if there is no offender
+  bool is_foul = false;          // a foul by the offender, or of both sides if there is no offender
   // The card shown immediately to the offender, or to both sides if there is no offender.
   Card card = Card::kNone;
-  std::optional<Vec2> position_m;  // where it happened
+  std::optional<Vec2> position_m;  // where the event happened
   Command restart;                 // how play resumes; only for calls that stop play
   Vec2 ball_to_m{0, 0};            // where the ball is placed for the restart
   std::string evidence;            // one human-readable sentence
   EventDetails details;            // for the league's game event
-  // The probability, from 0 to 1, that the call is right (machine/confidence.hpp). 1 for findings
-  // that are not calls.
+  // The probability, from 0 to 1, that the call is right (machine/confidence.hpp). It is 1 for
+  // findings that are not calls.
   double confidence = 1;
-  ConfidenceFeatures confidence_features{};  // what `confidence` was computed from
+  ConfidenceFeatures confidence_features{};  // the features from which `confidence` was computed
 };
 
 // A finding with the event's fixed card and restart (event.hpp) and the rule's section, threshold
@@ -78,7 +82,7 @@ Finding finding_of(Event event, RuleId rule, const RuleBook& rules);
 Finding offence_of(Event event, RuleId rule, const Configuration& configuration, RobotId robot,
                    const Vec2& where_m);
 
-// The same for an unknown robot of `offender`'s side.
+// The same for an offence by an unknown robot on the side `offender`.
 Finding offence_of(Event event, RuleId rule, const Configuration& configuration, Side offender,
                    const Vec2& where_m);
 
@@ -102,7 +106,7 @@ std::string text_of(RobotId robot);
 // "367 mm"; "0 mm" if noise makes the distance between two touching bodies negative.
 std::string mm_text(double distance_m);
 
-// "83 mm from", or "302 mm inside" if the signed distance to the area is negative.
+// "83 mm from", or "302 mm inside" if the signed distance to the defence area is negative.
 std::string gap_text(double signed_distance_m);
 
 }  // namespace autoref::referee

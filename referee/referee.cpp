@@ -20,7 +20,7 @@ constexpr Range kFieldLengths = positive(1000);
 
 void validate(const Configuration& configuration) {
   check_ranges<Match>(configuration);
-  // A real field can have any size and end close to its lines.
+  // A real field can have any size, and its walls can be close to its lines.
   const Field& field = configuration.field;
   check_number("field.length_m", field.length_m, kFieldLengths);
   check_number("field.width_m", field.width_m, kFieldLengths);
@@ -91,7 +91,7 @@ class Referee::Impl {
 
   // Follows the ball and its touches while play is on.
   void follow_ball() {
-    // Somebody has put a ball back on the field after it was called out.
+    // Somebody has put a ball back on the field after the referee called it out of the field.
     if (official_->is_exit_called() && sight_.ball() && !is_ball_out(input())) {
       official_->note_return();
       sight_.rejoin_play();
@@ -137,7 +137,7 @@ class Referee::Impl {
     if (is_shootout) evaluate(kShootoutRule, input);
   }
 
-  // Returns whether the machine's state is unchanged.
+  // Returns whether the machine's state has stayed the same.
   bool evaluate(const Rule& rule, const RefereeInput& input) {
     const State before = state().machine_state;
     for (const RuleSearch& search : rule.searches()) {
@@ -179,7 +179,7 @@ class Referee::Impl {
   PerSide<TeamRequests> requests_;
   Sight sight_;
   std::unique_ptr<Official> official_;
-  std::optional<RefereeSignal> pending_;  // given before the first frame
+  std::optional<RefereeSignal> pending_;  // the signal given before the first frame
   std::vector<Decision> decisions_;
 };
 

@@ -39,16 +39,16 @@ class Referee {
   Referee(Referee&&) noexcept;
   Referee& operator=(Referee&&) noexcept;
 
-  // Starts the game in the middle of the first half instead of with the first kick-off. Call it
-  // before the first frame, and only for Control::kAutoref (asserted).
+  // Starts the game in the middle of the first half instead of with the first kick-off. Call
+  // begin() before the first frame, and only if the configuration has Control::kAutoref (asserted).
   void begin(const MidwayStart& midway_start);
 
-  // A frame as the referee sees it. The tracks must be made from it.
+  // A frame as the referee sees it. Update the tracker with this frame.
   struct View {
     const Frame& frame;  // valid until judge(), which completes it
-    // After a gap of more than a second, tracks and touches begin afresh. The last touch stays
-    // known, with less confidence, if the ball's path shows that nobody has touched it since or
-    // that the robot that had the ball still had it (touch/kept_touch.hpp).
+    // After a gap of more than a second, tracks and touches start again from nothing. The last
+    // touch stays known, with less confidence, if the ball's path shows that nobody has touched it
+    // since or that the robot that had the ball still had it (touch/kept_touch.hpp).
     bool tracks_begin_afresh = false;
   };
 
@@ -57,19 +57,19 @@ class Referee {
   // that is suddenly farther away than any ball can fly (touch/sight.hpp).
   View see(const Frame& frame);
 
-  // Judges that frame, and returns the signal now in force. Call it once after each see(), with
-  // tracks made from the frame in its view. A robot that is missing from the frame is judged at its
-  // tracked position.
+  // Judges the frame given to see(), and returns the signal now in force. Call it once after each
+  // see(), with tracks made from the frame in its view. A robot that is missing from the frame is
+  // judged at its tracked position.
   const RefereeSignal& judge(const Tracks& tracks, const PerSide<TeamRequests>& requests);
 
-  // Notes a signal from the person who commands the game (Control::kHuman; otherwise only which end
-  // each team defends). Call it after the last frame that was captured before the signal; repeated
-  // signals are harmless. A new command adds a decision to those of that frame. Its
-  // `command_time_s` is on the frames' clock and matters only if the command is older than the
-  // first frame. Signals before the first frame take effect after it.
+  // Records a signal from the person who commands the game. Unless Control::kHuman is set, it takes
+  // from the signal only which end each team defends. Call it after the last frame that was
+  // captured before the signal; repeated signals are harmless. A new command adds a decision to
+  // those made in that frame. Its `command_time_s` is on the frames' clock and matters only if the
+  // command is older than the first frame. Signals before the first frame take effect after it.
   void follow(const RefereeSignal& given);
 
-  // The decisions of the last frame and of the signals followed since, in order; usually empty.
+  // The decisions made in the last frame and for signals received since, in order; usually empty.
   std::span<const Decision> decisions() const;
 
   State state() const;
@@ -91,7 +91,7 @@ class Referee {
 // A referee with a tracker of its own.
 class AutoRef final : public Referee {
  public:
-  // As for Referee.
+  // Takes the same arguments, and throws the same exceptions, as Referee.
   explicit AutoRef(const Configuration& configuration)
       : Referee(configuration), tracker_(configuration.noise) {}
 
@@ -102,7 +102,7 @@ class AutoRef final : public Referee {
     return judge(tracker_.update(view.frame), requests);
   }
 
-  // The tracked robots and ball as of the last update. Referees in the league also publish the
+  // The tracked robots and ball after the last update. Referees in the league also publish the
   // objects they track.
   const Tracks& tracks() const { return tracker_.tracks(); }
 

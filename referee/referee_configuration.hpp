@@ -1,5 +1,5 @@
-// The referee's configuration: the rules of one match as given in its file, which settings, game
-// and referee share, and the thresholds of touch detection.
+// The referee's configuration. It consists of the rules of one match as given in its file, which
+// settings, game and referee share, and the thresholds for touch detection.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +23,8 @@ constexpr auto names_of(AfterGame /*any*/) {
       {{AfterGame::kHalt, "halt"}, {AfterGame::kNewGame, "new_game"}});
 }
 
-// How a game ends if a team fails (strategies::StrategyFault and the like): it has no result, or
-// the other team wins it.
+// How a game ends if a team fails (strategies::StrategyFault and the like): the game has no result,
+// or the other team wins it.
 enum class OnTeamFault : std::uint8_t { kVoid, kForfeit };
 
 constexpr auto names_of(OnTeamFault /*any*/) {
@@ -58,9 +58,9 @@ using autoref::name_of;
 
 struct Match {
   RuleBook rules;
-  double half_s = 600;  // paper, section 4.2: ten minutes
+  double half_s = 600;  // length of a half; ten minutes in the paper, section 4.2
   int halves = 2;
-  double break_s = 0;  // 300 s at half-time in the Laws
+  double break_s = 0;  // length of a break; 300 s at half-time in the Laws
   bool knockout = false;
   AfterGame after_game = AfterGame::kHalt;
   OnTeamFault on_team_fault = OnTeamFault::kVoid;
@@ -98,48 +98,49 @@ struct Match {
 // Thresholds that separate touches from the effects of the carpet. The defaults suit a camera
 // whose only error is rounding to float millimetres.
 struct TouchParameters {
-  // Largest deceleration that the carpet causes. Sliding balls lose 3.0 to 3.9 m/s2 on the league's
-  // carpets; smaller values mistake friction for touches, larger values miss soft touches.
+  // Largest deceleration that the carpet causes. Sliding balls decelerate by 3.0 to 3.9 m/s2 on the
+  // league's carpets; smaller values mistake friction for touches, larger values miss soft touches.
   double carpet_mps2 = 5.0;
-  // Changes of velocity between frames up to this limit, beyond those caused by the carpet, are
-  // ignored: camera rounding causes 0.001 m/s at 60 Hz.
+  // If the ball's velocity changes between frames by no more than this beyond what the carpet
+  // causes, the change is ignored. Camera rounding causes 0.001 m/s at 60 Hz.
   double jump_mps = 0.02;
   // Standard deviation of the camera's ball positions. The detector sets it to the configured noise
   // and widens the distances below by three standard deviations.
   double position_noise_m = 0.0;
-  // The ball may be this far per frame from the intersection of two free paths, because of carpet
-  // friction and the physics' sub-steps.
+  // Largest distance, per frame, between the ball and the intersection of its free paths before and
+  // after a touch. It is not zero because of carpet friction and the physics' sub-steps.
   double intersection_tolerance_m = 3_mm;
   // A robot farther from the ball's path than this did not touch it. Kickers reach 15 mm beyond the
   // plate.
   double reach_m = 20_mm;
-  // Largest measured gap at a bounce. The true gap is zero, but the time and position of the bounce
-  // are only known with this accuracy.
+  // Largest gap between ball and hull that may be measured at a bounce. The true gap is zero, but
+  // the time and position of the bounce are only known with this accuracy.
   double contact_m = 5_mm;
   // If a robot is nearer to the ball than any robot of the other side by more than this, it touched
   // the ball; otherwise the toucher is unknown.
   double lead_m = 5_mm;
-  // A push moves the ball along the hull's normal, within 45 degrees: friction deflects it by 13
-  // degrees.
+  // Cosine of the largest angle between a push and the hull's normal: 45 degrees. Friction deflects
+  // the ball by 13 degrees.
   double bounce_cos = 0.7;
-  // A kick moves the ball in the direction of the robot's front, within 25 degrees.
+  // Cosine of the largest angle between a kick and the robot's heading: 25 degrees.
   double kick_cos = 0.9;
   // Largest gap between bodies in contact. The physics engine leaves gaps of half a millimetre.
   double touching_m = 1_mm;
-  // Two hulls this close to the ball pin it between them: if one can move it, so can the other.
+  // If two hulls are at most this far from the ball, they pin it between them: if one can move the
+  // ball, so can the other.
   double pinned_m = 2_mm;
-  // If a hull is within touching_m of a ball that is faster than this, it pushes or carries the
-  // ball.
+  // If a hull is within touching_m of a ball that is faster than this, the robot pushes or carries
+  // the ball.
   double carried_mps = 0.03_mps;
   // A hull within touching_m has pushed the ball if the ball's velocity along the direction of the
-  // push increases by at least this much more than its previous change explains. Soft touches
-  // change the velocity less than the carpet does.
+  // push increases by at least this much more than the previous velocity change explains. Soft
+  // touches change the velocity less than the carpet does.
   double soft_push_mps = 0.02_mps;
-  // A ball that is unseen for longer may have been touched in the meantime.
+  // A ball that is unseen for longer than this may have been touched in the meantime.
   double longest_gap_s = 100_ms;
 };
 
-// The match, and the field, robots and vision it is played with. The referee itself does not use
+// The match, and the field, robots and vision used for it. The referee itself does not use
 // `on_team_fault` and `a_plays`.
 struct Configuration : Match {
   Field field;

@@ -15,7 +15,7 @@ namespace autoref::referee {
 
 class FrameHistory;  // see touch/frame_history.hpp
 
-// The ball as last seen. A frame without a ball changes nothing.
+// The ball as last seen. A frame in which vision sees no ball leaves it unchanged.
 struct BallSight {
   Vec2 position_m{0, 0};
   Vec2 before_m{0, 0};  // in the previous detection: the paper's b'
@@ -26,13 +26,13 @@ struct BallSight {
 struct RefereeInput {
   const Configuration& configuration;
   const Frame& frame;
-  const std::optional<BallSight>& ball;  // nullopt until the ball is first seen
+  const std::optional<BallSight>& ball;  // nullopt until vision first sees the ball
   const LastTouch& last_touch;           // the paper's c
-  const Tracks& tracks;                  // with velocities, including robots missing from the frame
+  const Tracks& tracks;  // tracked objects with velocities, including robots missing from the frame
   const PerSide<TeamRequests>& requests;
-  const FrameHistory& frames;  // of the current play so far, including this frame
-  // Set only for the transitions of person/, during their step: the person's last signal, and
-  // AutoRef's own last call in the current play.
+  const FrameHistory& frames;  // frames of the current play so far, including this frame
+  // The person's last signal, and AutoRef's own last call in the current play. Set only during
+  // steps of the transitions in person/.
   const RefereeSignal* given = nullptr;
   const Finding* own_call = nullptr;
 

@@ -13,7 +13,7 @@ namespace autoref::referee {
 
 // The states of the paper's machine (section 4.3, figure 3), and those for the end of the game, a
 // team's timeout, waiting for a person's answer to a call, and ball placement by the teams. Never
-// change a number: state hashes contain them.
+// change a state's number: state hashes contain them.
 enum class State : std::uint8_t {
   kInit = 0,
   kWaitStart = 1,
@@ -57,11 +57,11 @@ class States {
 // Whether the ball can be played, even if AutoRef has made a call.
 constexpr bool is_play(State state) { return state == State::kRun || state == State::kCalled; }
 
-// How a game begins if not with the first kick-off: in the middle of the first half. The half
-// begins with the first frame, at 0:0. Earlier touches of the ball are unknown.
+// Starts a game in the middle of the first half instead of with the first kick-off. The half begins
+// with the first frame, with the score 0:0. Earlier touches of the ball are unknown.
 struct MidwayStart {
-  // The pending restart: PREPARE_KICKOFF, PREPARE_PENALTY, DIRECT_FREE or INDIRECT_FREE of a side,
-  // or FORCE_START. nullopt: play is on.
+  // The pending restart: PREPARE_KICKOFF, PREPARE_PENALTY, DIRECT_FREE or INDIRECT_FREE for one
+  // side, or FORCE_START. If it is nullopt, play is on.
   std::optional<Command> restart = {};
   // Where the ball is placed for the restart; unused if play is on.
   Vec2 ball_m{0, 0};

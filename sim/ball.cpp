@@ -20,8 +20,8 @@ double bounced_vertical(const ContactParameters& contacts, const Ball& ball) {
   return std::max(contacts.top_leaving_mps, -contacts.top_restitution * ball.vertical_mps());
 }
 
-// `velocity_mps`, with its component along `outwards` relative to the top raised to at least
-// `least_mps`.
+// `velocity_mps`, whose component along `outwards`, relative to the robot or goal under the ball,
+// is raised to at least `least_mps`.
 Vec2 leaving(const Vec2& velocity_mps, const Vec2& top_mps, const Vec2& outwards,
              double least_mps) {
   const double now = (velocity_mps - top_mps).dot(outwards);
@@ -46,7 +46,7 @@ std::optional<double> collision(const Vec2& from_m, const Vec2& to_m, double nea
 }  // namespace
 
 // With deceleration a, a ball without spin slides at v - a t while its surface speed grows as
-// inertia * a t; they meet at v * inertia / (1 + inertia), which must equal switch_ratio * v.
+// inertia * a t; they are equal at v * inertia / (1 + inertia), which must be switch_ratio * v.
 // (Solid sphere: inertia 2.5, ratio 5/7.)
 Ball::Ball(const BallParameters& parameters)
     : parameters_(parameters),
@@ -72,14 +72,14 @@ void Ball::hold(double duration_s) {
   is_rolling_ = true;
   has_landed_ = false;
   if (!is_in_air()) return;
-  // Semi-implicit Euler; a rising ball starts to fall immediately.
+  // Semi-implicit Euler integration; a rising ball starts to fall immediately.
   vertical_mps_ = std::min(vertical_mps_, 0.0) - kGravity_mps2 * duration_s;
   height_m_ = std::max(0.0, height_m_ + vertical_mps_ * duration_s);
   if (height_m_ == 0.0) vertical_mps_ = 0.0;
 }
 
-// One step of Coulomb friction. Sliding removes (1 + inertia) * lost from the slip: friction slows
-// the ball by `lost` and spins it up by inertia * lost. If the slip is smaller than that, it
+// One step of Coulomb friction. Friction slows the ball by `lost` and spins it up by inertia *
+// lost, so sliding removes (1 + inertia) * lost from the slip. If the slip is smaller than that, it
 // vanishes within the step and the ball rolls.
 Vec2 Ball::slowed(const Vec2& velocity_mps, double duration_s) {
   if (is_in_air()) return velocity_mps;
@@ -128,8 +128,8 @@ Vec2 Ball::land(const Vec2& velocity_mps) {
   const double kept = has_landed_ ? parameters_.hop_later_xy : parameters_.hop_first_xy;
   const double kept_upwards = has_landed_ ? parameters_.hop_later_z : parameters_.hop_first_z;
   has_landed_ = true;
-  // Restitution applies to the upward motion, and a fixed loss to the motion along the carpet;
-  // afterwards the ball spins as fast as it moves.
+  // Restitution applies to the upward motion, and a fixed loss applies to the motion along the
+  // carpet. Afterwards, the surface speed from the ball's spin equals its velocity.
   vertical_mps_ *= -kept_upwards;
   const double hop_m = vertical_mps_ * vertical_mps_ / (2.0 * kGravity_mps2);
   spin_mps_ = kept * velocity_mps;
@@ -140,8 +140,9 @@ Vec2 Ball::land(const Vec2& velocity_mps) {
 void Ball::collide(const Vec2& change_mps) {
   const double change = change_mps.norm();
   if (change < 1e-9) return;
-  // Takes the change as the normal impulse per mass. By Coulomb's law, friction at the contact is
-  // at most contact_friction times that; it brakes the spin along the normal and never reverses it.
+  // Treats the change of velocity as the normal impulse per unit mass. By Coulomb's law, friction
+  // at the contact is at most contact_friction times this impulse. Friction brakes the spin along
+  // the normal and never reverses it.
   const Vec2 along = change_mps / change;
   const double spin = spin_mps_.dot(along);
   const double lost = std::min(std::abs(spin), inertia_ * parameters_.contact_friction * change);
@@ -167,8 +168,8 @@ bool is_in_goal(const Field& field, const Vec2& point_m) {
 std::optional<Vec2> bounced_off_top(const Field& field, const ContactParameters& contacts,
                                     const Box2dBridge& bodies, int robots, double former_height_m,
                                     Ball& ball) {
-  // The ball hits a top if its height crosses the top's within the step. Since a step is short, its
-  // end approximates the position of the crossing.
+  // The ball hits a top if it crosses the height of the top within the step. Since a step is short,
+  // its end approximates the position of the crossing.
   const double height_m = ball.height_m();
   const BodyState& body = bodies.ball();
   const double net_m = field.goal_opening_height_m;
@@ -202,7 +203,7 @@ std::optional<Vec2> bounced_off_top(const Field& field, const ContactParameters&
 std::optional<BallState> bounced_off_bar(const Field& field, double restitution,
                                          const BallState& former, const BallState& now) {
   if (std::abs(now.position_m.y()) > field.half_goal_m()) return std::nullopt;
-  // Side view along the bar: x as on the field, then the height.
+  // Coordinates in a side view along the bar: x as on the field, then the height.
   const Vec2 bar_m(
       std::copysign(field.half_length_m() + field.goal_bar_radius_m, now.position_m.x()),
       field.goal_opening_height_m + field.goal_bar_radius_m);

@@ -10,7 +10,7 @@
 #include "soccer/trigonometry.hpp"
 
 // Box2D reads the clock many times per step to profile itself, which takes about 40 % of the step
-// (measured). These definitions, of a stopped clock, override those of the shared library.
+// (measured). These definitions, which stop the clock, override those in the shared library.
 b2Timer::b2Timer() { Reset(); }
 void b2Timer::Reset() {
   m_start_sec = 0;
@@ -29,11 +29,11 @@ static_assert(b2_maxTranslation == to_units(kLongestStep_m));
 constexpr int kVelocityIterations = 8;
 constexpr int kPositionIterations = 3;
 
-// How many more times a body is gathered, although nothing is near it, before it is withdrawn from
-// Box2D.
+// The number of further calls of gather() for which a body stays in Box2D although nothing is near
+// it.
 constexpr int kLingers = 12;
 
-// heading_of for the turn in one step: accurate to 1e-14 for up to 0.1 rad.
+// A fast heading_of() for the turn in one step; it is accurate to 1e-14 for up to 0.1 rad.
 Vec2 small_turn(double angle_rad) {
   if (std::abs(angle_rad) > 0.1) return heading_of(angle_rad);
   const double s = angle_rad * angle_rad;
@@ -74,7 +74,7 @@ class BallContacts final : public b2ContactListener {
 
   boost::container::static_vector<int, 2 * kMaxRobots> touching;
   boost::container::static_vector<BodyCollision, 64> collisions;
-  std::uint32_t dribbling = 0;  // one bit per robot
+  std::uint32_t dribbling = 0;  // robots whose dribbler is running, one bit per robot
 
  private:
   static int index_of(b2Body& robot) { return static_cast<int>(robot.GetUserData().pointer) - 1; }
@@ -218,8 +218,8 @@ void Box2dBridge::let_ball_meet(bool robots, bool goals) {
   b2Fixture* ball = bodies_->ball->GetFixtureList();
   b2Filter filter = ball->GetFilterData();
   const int mask = kWalls | (robots ? kRobots | kPlates : 0) | (goals ? kGoals : 0);
-  // Skipped if nothing changes, because a new filter makes Box2D check all of the ball's contacts
-  // again.
+  // This is skipped if nothing changes, because a new filter makes Box2D check all of the ball's
+  // contacts again.
   if (filter.maskBits == mask) return;
   filter.maskBits = static_cast<std::uint16_t>(mask);
   ball->SetFilterData(filter);
@@ -237,7 +237,7 @@ void Box2dBridge::move_free_robots(double duration_s) {
   }
 }
 
-// Box2D moves a body that meets nothing in the same way: at its speed after the forces.
+// Box2D moves a body that hits nothing in the same way, at its speed after the forces have acted.
 void Box2dBridge::move_freely(int index, double duration_s) {
   BodyState& state = robots_[static_cast<std::size_t>(index)];
   const Push& push = pushes_[static_cast<std::size_t>(index)];

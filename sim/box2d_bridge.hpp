@@ -1,12 +1,12 @@
-// The world's bodies, and Box2D for those that can collide. Only this file and box2d_shapes.hpp
-// depend on Box2D.
+// The world's bodies, and the use of Box2D for those that can collide. Only this file and
+// box2d_shapes.hpp depend on Box2D.
 //
 // Between contacts, a body needs no physics engine: its motion has a closed form. So the caller
-// says which bodies can collide with something (`gather`). Box2D knows only those; all others move
-// freely.
+// says which bodies can collide with something (`gather`). Box2D simulates only these bodies; all
+// others move freely.
 //
-// Box2D's tolerances fit objects of 0.1 to 10 units, so one unit is 0.1 m. Its numbers are floats;
-// they are converted from and to this project's doubles only in box2d_bridge.cpp. The bridge
+// Box2D's tolerances fit objects of 0.1 to 10 units, so one unit is 0.1 m. It computes in floats,
+// which are converted from and to this project's doubles only in box2d_bridge.cpp. The bridge
 // handles shapes, masses and contacts; forces and decisions come from its caller.
 #pragma once
 
@@ -31,14 +31,14 @@ struct BodyState {
   double angular_velocity_radps = 0;
 };
 
-// A collision of two robots that were apart before, with their motion just before it.
+// A collision of two robots that were apart before, with their motion just before the collision.
 struct BodyCollision {
   std::array<int, 2> robots;  // indices, the lower one first
   std::array<Vec2, 2> velocities_mps;
   std::array<Vec2, 2> centres_m;
 };
 
-// Some of the bodies.
+// A set of bodies.
 struct BodySet {
   std::uint32_t robots = 0;  // one bit per robot
   bool ball = false;
@@ -56,27 +56,28 @@ double robot_inertia_kgm2(double mass_kg);
 
 class Box2dBridge {
  public:
-  // Creates a robot for each entry of `masses_kg`, which lists both sides' robots; a robot is
-  // identified by its index there. All bodies are at the origin until they are placed, and all are
-  // gathered.
+  // Creates a robot for each entry of `masses_kg`, which lists both sides' robots; each robot is
+  // identified by its index in that list. All bodies are at the origin until they are placed, and
+  // Box2D simulates all of them at first.
   Box2dBridge(const Field& field, const ContactParameters& contacts, double ball_mass_kg,
               std::span<const double> masses_kg);
   ~Box2dBridge();
 
-  // States after the last step or placement.
+  // The states of the bodies after the last step or placement.
   const BodyState& robot(int index) const { return robots_[static_cast<std::size_t>(index)]; }
   const BodyState& ball() const { return ball_; }
 
   void place_robot(int index, const BodyState& state);
   void place_ball(const Vec2& position_m, const Vec2& velocity_mps);
 
-  // A disabled robot collides with nothing and stays at rest where it was. All are enabled
+  // A disabled robot collides with nothing and stays at rest where it was. All robots are enabled
   // initially.
   void set_on(int index, bool is_on);
   bool is_on(int index) const { return ((off_ >> index) & 1U) == 0; }
 
   // Hands these bodies to Box2D for the next steps, together with those that were handed over
-  // recently, since a change costs as much as several steps. Returns all of them.
+  // recently, since changing the set costs as much as several steps. Returns all bodies that Box2D
+  // now has.
   const BodySet& gather(const BodySet& bodies);
   const BodySet& gathered() const { return gathered_; }
 
@@ -95,9 +96,9 @@ class Box2dBridge {
   // A running dribbler absorbs more of an arriving ball's speed.
   void set_dribbling(int index, bool dribbles);
 
-  // Moves the robots that are not gathered.
+  // Moves the robots that Box2D does not simulate.
   void move_free_robots(double duration_s);
-  // Moves the gathered bodies and the ball.
+  // Lets Box2D move the gathered bodies and the ball.
   void step(double duration_s);
 
   // The robots whose hulls touched the ball during the last step, each once, in order of contact.
@@ -110,9 +111,10 @@ class Box2dBridge {
   struct Bodies;
   // The sum of the forces on a robot during its next step.
   struct Push {
-    Vec2 half_force_n{0, 0};  // of push_robot; the second half is applied after the motion
+    // Half the force of push_robot(); the second half is applied after the motion.
+    Vec2 half_force_n{0, 0};
     double half_torque_nm = 0;
-    Vec2 force_n{0, 0};  // of push_robot_at
+    Vec2 force_n{0, 0};  // force of push_robot_at()
     double torque_nm = 0;
   };
 
@@ -131,11 +133,11 @@ class Box2dBridge {
 
   std::unique_ptr<Bodies> bodies_;
   int count_;
-  std::uint32_t off_ = 0;                   // one bit per robot
-  BodySet enabled_;                         // known to Box2D
-  BodySet gathered_;                        // moved by Box2D
-  BodySet moved_;                           // moved without Box2D since its last step
-  std::array<int, 2 * kMaxRobots> idle_{};  // number of calls of gather() since the robot was last
+  std::uint32_t off_ = 0;                   // disabled robots, one bit per robot
+  BodySet enabled_;                         // bodies enabled in Box2D
+  BodySet gathered_;                        // bodies that Box2D moves
+  BodySet moved_;                           // bodies moved without Box2D since its last step
+  std::array<int, 2 * kMaxRobots> idle_{};  // number of calls to gather() since the robot was last
                                             // requested
   int ball_idle_ = 0;
   std::array<BodyState, 2 * kMaxRobots> robots_;

@@ -60,11 +60,11 @@ void add_end(b2Body& ground, const Surfaces& surfaces, const Field& field, doubl
   const double outside = back + field.goal_wall_thickness_m;
   const double inner = field.half_goal_m();
   const double outer = inner + field.goal_wall_thickness_m;
-  // The other end is this one rotated by 180 degrees, so each end also adds one of the two long
-  // walls.
+  // The other end of the field is this end rotated by 180 degrees, so each end also adds one of the
+  // two long walls.
   const auto at = [sign](double x, double y) { return Vec2(sign * x, sign * y); };
-  // The walls overlap at the corners, and no wall ends flush with another wall's face: a ball
-  // rolling along a wall would catch in the groove between two rounded edges.
+  // The walls overlap at the corners, and no wall ends flush with another wall's face, because a
+  // ball rolling along a wall would catch in the groove between two rounded edges.
   const double end =
       field.goal_sides_reach_wall ? field.wall_x_m() + kWallThickness_m / 2 : outside - kSkin_m;
   const double back_half = outer - kSkin_m;
@@ -99,15 +99,15 @@ b2Body* add_robot(b2World& world, const Surfaces& surfaces, double mass_kg, int 
 b2Body* add_ball(b2World& world, const Surfaces& surfaces, double mass_kg) {
   b2BodyDef definition;
   definition.type = b2_dynamicBody;
-  // Continuous collision detection, also against moving robots. Box2D does not turn the ball, since
-  // ball.hpp models its spin.
+  // A bullet in Box2D gets continuous collision detection against moving robots, too. Box2D does
+  // not turn the ball, since ball.hpp models its spin.
   definition.bullet = true;
   definition.fixedRotation = true;
   b2Body* body = world.CreateBody(&definition);
   b2CircleShape shape;
   shape.m_radius = to_units(kBallRadius_m);
-  // Box2D takes the larger restitution of two fixtures, so the wall's or net's applies. For robots,
-  // the contact listener sets it.
+  // Box2D takes the larger restitution of two fixtures, so that of the wall or net applies. For
+  // robots, the contact listener sets it.
   const b2FixtureDef round =
       fixture(shape, surfaces, kBall, kWalls | kGoals | kRobots | kPlates, 0.0F);
   body->CreateFixture(&round);

@@ -23,8 +23,8 @@ inline Vec2 from_units(const b2Vec2& v) {
 // Category of a fixture, for contact filtering.
 enum Category : std::uint16_t { kRobots = 1, kPlates = 2, kBall = 4, kWalls = 8, kGoals = 16 };
 
-// The contact parameters of fixtures. Box2D uses the greater restitution of a pair; for a ball and
-// a robot, the contact listener sets it.
+// The contact parameters of fixtures. For a pair of fixtures, Box2D uses the greater restitution;
+// for a ball and a robot, the contact listener sets the restitution.
 struct Surfaces {
   explicit Surfaces(const ContactParameters& contacts);
 
@@ -32,11 +32,11 @@ struct Surfaces {
   float wall;
   float net;
   float friction;
-  float bounces_from;  // minimum speed of a bounce, in units
+  float bounces_from;  // minimum closing speed at which bodies bounce, in units per second
 };
 
-// Adds the walls and the goal at the end where x has this sign. Shapes are built for one end and
-// rotated for the other.
+// Adds the walls and the goal at the end of the field where x has the given sign. Shapes are built
+// for one end and rotated for the other.
 void add_end(b2Body& ground, const Surfaces& surfaces, const Field& field, double sign);
 
 // Adds a robot: a round hull, and a front plate that only the ball collides with. Its user data is

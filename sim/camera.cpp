@@ -10,7 +10,7 @@
 namespace autoref::sim {
 namespace {
 
-// Of the four cameras, 0 and 3 are diagonally opposite, as are 1 and 2.
+// Of the four cameras, 0 and 3 are diagonally opposite each other, and so are 1 and 2.
 double sign_of(int camera) { return camera == 0 || camera == 3 ? 1.0 : -1.0; }
 
 double drawn_angle(RandomStream& chance) { return 2.0 * kPi * chance.uniform(); }
@@ -27,8 +27,8 @@ Vec2 rounded_heading(const Vec2& heading, double noise_rad) {
   return heading_of(static_cast<double>(static_cast<float>(angle_of(heading) + noise_rad)));
 }
 
-// Parallax of a flying ball: where the camera's ray through the ball's centre intersects the plane
-// of the centre of a ball on the carpet.
+// The parallax of a flying ball: the camera reports the point where its ray through the ball's
+// centre intersects the plane of the centre of a ball on the carpet.
 Vec2 seen_before_carpet(const BallState& ball, const CameraPosition& camera) {
   const double below_m = camera.height_m - kBallRadius_m;
   return camera.position_m +
@@ -137,7 +137,7 @@ void Camera::look_at_robots(const WorldState& world, Frame& frame) {
   }
 }
 
-// The number of another robot in the team; `number` if there is none.
+// The number of another robot in the team; `number` if there is no other robot.
 int Camera::misread_number(int number, std::span<const RobotState> team) {
   const auto others = static_cast<double>(team.size() - 1);
   if (others == 0.0) return number;
@@ -210,7 +210,7 @@ void Camera::look_for_false_balls(const WorldState& world, Frame& frame) {
 }
 
 // If there is no ball in an earlier frame to compare with, the ball that is already in this frame
-// stays there.
+// stays in it.
 void Camera::add_ball(BallObservation ball, Frame& frame) {
   if (!frame.ball) {
     frame.ball = ball;
@@ -251,7 +251,7 @@ const CameraPosition* Camera::find_view(const WorldState& world) const {
 
 bool Camera::covers(const CameraPosition& camera, const BallState& ball) const {
   // The ball's distances from the camera in the directions of the field's two axes. A camera's view
-  // is limited only in these directions, not outwards.
+  // is limited only towards its neighbours, not towards the outside of the field.
   const Vec2 inwards_m =
       ball.position_m.cwiseProduct(-camera.position_m.cwiseSign()) + camera.position_m.cwiseAbs();
   if (inwards_m.x() > sees_beside_m_.x() || inwards_m.y() > sees_beside_m_.y()) return false;
@@ -263,8 +263,8 @@ bool Camera::happens(double share) { return share > 0.0 && chance_.uniform() < s
 
 Vec2 Camera::with_noise(const Vec2& position_m, double noise_m) {
   if (noise_m <= 0.0) return position_m;
-  // Drawn in separate statements, because C++ does not fix the order in which arguments are
-  // evaluated.
+  // The random numbers are drawn in separate statements, because C++ does not fix the order in
+  // which arguments are evaluated.
   const double x_m = noise_m * chance_.normal();
   const double y_m = noise_m * chance_.normal();
   return position_m + Vec2(x_m, y_m);

@@ -1,4 +1,4 @@
-// Converts ground truth to what vision reports, including calibration errors.
+// Converts ground truth to the detections that vision reports, including calibration errors.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -16,8 +16,9 @@
 namespace autoref::sim {
 
 // Systematic errors of the cameras' calibration: a constant offset plus a warp of one period over
-// the field's length and width. Each contributes half of the mean square. They are drawn once, so
-// that over many games no part of the field is favoured. Neighbouring cameras have opposite errors.
+// the field's length and width. Offset and warp each contribute half of the mean square error. The
+// errors are drawn once, so that over many games no part of the field is favoured. Neighbouring
+// cameras have opposite errors.
 class CameraErrors {
  public:
   // Draws no random number if the parameters are 0.
@@ -25,7 +26,7 @@ class CameraErrors {
 
   bool are_zero() const { return error_m_ == 0.0 && error_rad_ == 0.0; }
 
-  // The error of a camera (index as in camera_positions) at a point of the field.
+  // The position error of a camera (index as in camera_positions()) at a point of the field.
   Vec2 position_m(int camera, const Vec2& at_m) const;
   double heading_rad(int camera, const Vec2& at_m) const;
 
@@ -46,15 +47,15 @@ using CameraPositions = boost::container::static_vector<CameraPosition, 4>;
 CameraPositions camera_positions(const Field& field, int cameras, double height_m);
 
 // Whether the robot hides the centre of a ball, whose lowest point is at `height_m`, from the
-// camera. A robot has its full height everywhere within its outline.
+// camera's view. A robot has its full height everywhere within its outline.
 bool hides_ball(const RobotState& robot, const Vec2& ball_m, double height_m,
                 const CameraPosition& camera);
 
 // Takes one merged frame of all cameras per step. Each camera covers its part of the field plus
 // camera_overlap_m, and each robot or ball is seen by the nearest camera. Values are rounded to the
 // precision of a league vision packet (float millimetres and radians), so that replaying a recorded
-// game gives the same result as the live one. If there are several balls, the one nearest to the
-// previous frame's is chosen; log readers are more careful (league/followed_body.hpp).
+// game gives the same result as the live game. If there are several balls, the ball nearest to the
+// one in the previous frame is chosen; log readers are more careful (league/followed_body.hpp).
 class Camera {
  public:
   // `seed` selects the random stream for noise and missed detections.
@@ -64,8 +65,8 @@ class Camera {
   // Fills `frame` in place; allocates nothing.
   void look(const WorldState& world, Frame& frame);
 
-  // Detections that the cameras reported in addition to the last frame: false balls and robots with
-  // misread numbers.
+  // Detections that the cameras reported in addition to those in the last frame: false balls and
+  // robots with misread numbers.
   const OtherDetections& others() const { return others_; }
 
  private:
@@ -90,7 +91,7 @@ class Camera {
   RandomStream chance_;
   CameraErrors errors_;
   OtherDetections others_;
-  std::optional<Vec2> last_ball_m_;  // only kept if there are false balls
+  std::optional<Vec2> last_ball_m_;  // stored only if there are false balls
 };
 
 }  // namespace autoref::sim

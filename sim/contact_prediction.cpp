@@ -9,7 +9,7 @@ namespace autoref::sim {
 namespace {
 
 constexpr double kSpare_m = 1_mm;    // twice Box2D's slop
-constexpr double kGentle_mps = 0.5;  // slower robot collisions may happen in longer steps
+constexpr double kGentle_mps = 0.5;  // robot collisions slower than this may happen in longer steps
 
 // Compares closing speed times distance, which avoids a division.
 bool is_hard(const BodyState& a, const BodyState& b) {
@@ -99,13 +99,13 @@ bool ContactPrediction::can_meet(const BodyState& a, const BodyState& b, double 
   return (apart_m + until_s * closing_mps).squaredNorm() < near_m * near_m;
 }
 
-// Radius of a disc that contains the body until the end of the step.
+// The radius of the disc that contains the body until the end of the step.
 double ContactPrediction::reach_m(const BodyState& body, double radius_m) const {
   return radius_m + margin_m_ + body.velocity_mps.norm() * duration_s_;
 }
 
-// Conservative: behind the goal line, everything between the goal's outer walls counts as blocked,
-// even its opening.
+// This is conservative: behind the goal line, everything between the goal's outer walls counts as
+// blocked, even its opening.
 bool ContactPrediction::keeps_off_walls(const Vec2& at_m, double reach_m) const {
   const double x = std::abs(at_m.x()) + reach_m;
   const double y = std::abs(at_m.y());

@@ -1,4 +1,4 @@
-// Predicts which bodies can meet during the next physics steps.
+// Predicts which bodies can collide during the next physics steps.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -11,26 +11,27 @@
 namespace autoref::sim {
 
 struct Encounters {
-  BodySet bodies;  // those that can meet another body; all others move freely
-  // Whether shorter steps are needed: something can meet the ball or a wall, or robots can collide
+  BodySet bodies;  // bodies that can collide with another body; all others move freely
+  // Whether shorter steps are needed: something can hit the ball or a wall, or robots can collide
   // hard.
   bool need_short_steps = false;
 };
 
-// Looks `duration_s` ahead. Assumes constant velocities, with margins for the deviations that the
-// robots' acceleration limits allow.
+// Predicts encounters in the next `duration_s`. Assumes constant velocities, with margins for the
+// deviations that the robots' acceleration limits allow.
 class ContactPrediction {
  public:
   ContactPrediction(const Field& field, const PerSide<TeamSpec>& specs, double duration_s);
 
-  // The ball can meet a robot if it comes near its hull or its dribbler zone, at any height. Robots
-  // that touch or collide gently need no shorter steps: longer ones give the same result
-  // (tests/sim/contact_prediction_test.cpp). A ball held by ball placement meets no robot, and a
-  // disabled robot meets nothing. `robots` is the bridge's number of robots.
+  // The ball can hit a robot if it comes near the robot's hull or dribbler zone, at any height.
+  // Robots that touch or collide gently need no shorter steps: longer ones give the same result
+  // (tests/sim/contact_prediction_test.cpp). A ball held by ball placement does not collide with
+  // robots, and a disabled robot does not collide with anything. `robots` is the number of robots
+  // in the bridge.
   Encounters encounters(const Box2dBridge& bodies, int robots, bool is_ball_held) const;
 
  private:
-  // Contains a robot until the end of the time span.
+  // A disc that contains a robot until the end of the predicted time span.
   struct Disc {
     Vec2 centre_m;
     double radius_m;
@@ -51,7 +52,7 @@ class ContactPrediction {
 
   Field field_;
   double duration_s_;
-  double margin_m_;             // around each body
+  double margin_m_;             // safety margin around each body
   double dribbler_zone_m_ = 0;  // reach of kicker and dribbler in front of a plate
 };
 

@@ -52,8 +52,8 @@ RobotCommand Drive::accept(const RobotCommand& command, RandomStream& noise) con
   return aim;
 }
 
-// Deadbeat velocity control: corrects the whole velocity error within this step; the limits turn
-// this into ramps of constant acceleration.
+// Deadbeat velocity control: it corrects the whole velocity error within this step, and the limits
+// turn this into ramps of constant acceleration.
 DriveForce Drive::force(const RobotCommand& aim, const BodyState& robot, double duration_s) const {
   const Vec2 now_mps = to_local(robot.velocity_mps, robot.heading);
   const Vec2 error_mps = aim.velocity_mps - now_mps;

@@ -13,13 +13,13 @@ namespace {
 // Fraction of the distance to the centre that a held ball is moved per sub-step.
 constexpr double kCentringShare = 0.25;
 
-// From the ball to its resting position at the plate's centre.
+// The vector from the ball to its resting position at the plate's centre.
 Vec2 path_to_rest_m(const BodyState& robot, const Vec2& arm_m) {
   return robot.heading * (kFrontDistance_m + kBallRadius_m) - arm_m;
 }
 
-// Spring and damper. The damper acts on the motion relative to the turning robot, whose velocity at
-// the ball is v + omega x r.
+// The dribbler acts as spring and damper. The damper acts on the motion relative to the turning
+// robot, whose velocity at the ball is v + omega x r.
 Vec2 pull_n(const DribblerParameters& parameters, const BodyState& robot, const BodyState& ball) {
   const Vec2 arm_m = ball.position_m - robot.position_m;
   const Vec2 there_mps = robot.velocity_mps + robot.angular_velocity_radps * left_of(arm_m);
@@ -83,7 +83,7 @@ Kick Kicker::make(const RobotCommand& command, const Vec2& heading, RandomStream
   return {direction * (speed_mps * angle.cos), speed_mps * angle.sin};
 }
 
-// Draws a random number only if there is noise.
+// A random number is drawn only if there is noise.
 SinCos Kicker::chip_angle(RandomStream& noise) const {
   if (parameters_.chip_angle_noise_deg <= 0.0) return chip_angle_;
   const double angle_deg =

@@ -17,7 +17,7 @@ namespace autoref::sim {
 
 // Whether a ball at `ball_m`, whose lowest point is at `height_m`, is in the robot's dribbler zone:
 // its surface is within `reach_m` of the plate, its centre is within the zone's width, and it is
-// low enough for a roller at the height of the centre of a ball on the carpet.
+// low enough for the roller, which is as high as the centre of a ball on the carpet.
 template <typename Robot>  // BodyState or RobotState
 bool is_in_dribbler_zone(const Robot& robot, const Vec2& ball_m, double height_m, double reach_m) {
   if (height_m > kBallRadius_m) return false;
@@ -38,8 +38,8 @@ Vec2 dribbler_force_n(const DribblerParameters& parameters, const BodyState& rob
                       const BodyState& ball, double ball_mass_kg, double ball_height_m,
                       double duration_s);
 
-// The ball's velocity over ground after a kick. Along the heading it is that of the kick; across
-// it, the ball keeps its own, since the plate only pushes it forwards.
+// The ball's velocity over ground after a kick. Along the heading, it is the kick's velocity.
+// Across the heading, the ball keeps its own velocity, since the plate only pushes it forwards.
 struct Kick {
   Vec2 velocity_mps{0, 0};
   double vertical_mps = 0;
@@ -56,7 +56,7 @@ class Kicker {
                            const BodyState& ball, double ball_height_m, std::int64_t substep,
                            RandomStream& noise);
 
-  // Whether it fired less than its dead time ago.
+  // Whether the kicker fired less than its dead time ago.
   bool is_recharging(std::int64_t substep) const { return substep < ready_at_; }
 
   // The maximum ball speed of a straight kick.
@@ -69,7 +69,7 @@ class Kicker {
   KickerParameters parameters_;
   std::int64_t dead_substeps_;
   SinCos chip_angle_;
-  std::int64_t ready_at_ = 0;  // sub-step
+  std::int64_t ready_at_ = 0;  // sub-step at which the kicker is ready again
 };
 
 }  // namespace autoref::sim

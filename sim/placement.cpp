@@ -26,8 +26,8 @@ Route route_to_field(const Field& field, const Vec2& position_m, double clearanc
   const double beside_m = field.half_goal_m() + field.goal_wall_thickness_m + clearance_m;
   const double behind_m = field.half_length_m();
   // If side walls reach the field's wall, the route crosses them, since a hand lifts the ball over
-  // them. A ball exactly behind the goal's centre goes to the left, as seen from the field when
-  // facing the goal.
+  // them. A ball exactly behind the goal's centre is carried around the left side of the goal, as
+  // seen from the field.
   const double flank = position_m.y() == 0.0 ? end : std::copysign(1.0, position_m.y());
   const double y = flank * std::max(beside_m, std::abs(position_m.y()));
   if (y != position_m.y() && std::abs(position_m.x()) > behind_m)
@@ -78,7 +78,7 @@ double Carrier::leg_duration_s() const {
   return 2.0 * ramp_s + (length_m - ramps_m) / parameters_.speed_mps;
 }
 
-// Integral of the velocity profile; the ramp down is the ramp up seen from the end.
+// Integral of the velocity profile; the ramp down is the mirror image of the ramp up.
 double Carrier::path_m(double time_s) const {
   const double a = parameters_.acceleration_mps2;
   const double total_s = leg_duration_s();

@@ -29,8 +29,8 @@ constexpr Numbers numbers_of(const BallParameters& ball) {
 }
 
 // The values of `erforce` and `grsim` were measured in those simulators; those of `tigers` come
-// from Sumatra by TIGERs Mannheim, who fitted them to balls on RoboCup fields; those of `rc2026`
-// were fitted by the team Immortals to ten recorded games of 2026.
+// from the simulator Sumatra of TIGERs Mannheim, who fitted them to balls on RoboCup fields; those
+// of `rc2026` were fitted by the team Immortals to ten recorded games of 2026.
 constexpr std::array kBallPresets = {
     BallPreset{"default", numbers_of({})},
     BallPreset{"erforce", {3.92, 0.35, 0, 0.69, 0.715, 1.0, 0.566, 0.566}},
@@ -49,7 +49,7 @@ struct CameraPreset {
 
 // Ten games of both divisions at RoboCup 2026, 3.2 million frames, measured by the team Immortals.
 // There were 0.0015 to 0.06 false balls per robot and second, depending on the game. Interruptions
-// of several minutes are not simulated. Radio losses were not measured.
+// of several minutes are not simulated. Radio packet loss was not measured.
 constexpr VisionParameters vision_of_division_b() {
   VisionParameters vision{0.0007, 0.0005, 0.005, 0.007, 0.002, false, true};
   vision.cameras = 1;
@@ -59,8 +59,8 @@ constexpr VisionParameters vision_of_division_b() {
   return vision;
 }
 
-// Two cameras disagreed by 20 mm and 29 mrad, so each gets half of that. A single camera defines
-// where the lines are, so there is nothing for it to disagree with.
+// Two cameras disagreed by 20 mm and 29 mrad, so each gets half of that as its error. A single
+// camera itself defines where the lines are, so it has no such error.
 constexpr VisionParameters vision_of_division_a() {
   VisionParameters vision = vision_of_division_b();
   vision.cameras = 2;
@@ -69,16 +69,18 @@ constexpr VisionParameters vision_of_division_a() {
   return vision;
 }
 
-// Vision took 22 ms plus 7.3 ms; the latencies of the team and its radio are those of `realistic`.
+// Vision had a delay of 22 ms plus 7.3 ms; the latencies of the team and its radio are those of
+// `realistic`.
 constexpr double kLatency2026_s = 22_ms + 0.0073 + 3_ms;
 constexpr double kFrameRate2026_hz = 73.2;
 
 // The paper's simulator reported ground truth, with a delay "approximately matching that
-// encountered when using real robots" (section 3), without a number. A later simulator by one of
-// the authors holds commands back for five frames (MinuteBots 2018: 5 commands at 60 Hz);
-// CMDragons' own simulator of 2002 had 100 ms, and that author's real robots had 140 to 152 ms. The
-// others match the realism levels of ER-Force's simulator, where robots occlude the ball at every
-// level except the ideal one. Latencies include camera, vision, the team's decision and radio.
+// encountered when using real robots" (section 3), without giving a value. A later simulator by one
+// of the authors holds commands back for five frames (MinuteBots 2018: 5 commands at 60 Hz);
+// CMDragons' own simulator of 2002 had a delay of 100 ms, and that author's real robots had 140 to
+// 152 ms. The other presets match the realism levels of ER-Force's simulator, where robots occlude
+// the ball at every level except the ideal one. Latencies include camera, vision, the team's
+// decision and radio.
 constexpr std::array kCameraPresets = {
     CameraPreset{"paper", {0, 0, 0, 0, 0, true, false}, 0, Configuration{}.latency_s},
     CameraPreset{"none", {0, 0, 0, 0, 0, false, false}, 0, Configuration{}.latency_s},
@@ -96,8 +98,8 @@ struct DribblerPreset {
 };
 
 // A force of 100 N stops a ball of 46 g at 8 m/s, the maximum, within a sub-step of 1/240 s. The
-// robots of 2026 lose the ball when they brake at 3 m/s^2: on the carpet, the ball `rc2026` then
-// needs a pull of (3 + 0.22) m/s^2 * 46 g / 0.66.
+// robots of 2026 lose the ball when they brake at 3 m/s^2: on the carpet, the ball of the preset
+// `rc2026` then needs a pull of (3 + 0.22) m/s^2 * 46 g / 0.66.
 constexpr std::array kDribblerPresets = {DribblerPreset{"default", {}},
                                          DribblerPreset{"perfect", {100.0, 10_mm, true}},
                                          DribblerPreset{"rc2026", {0.225}}};
@@ -107,10 +109,10 @@ struct KickerPreset {
   KickerParameters numbers;
 };
 
-// Ten games of 2026, measured by the team Immortals. In 231 kicks of a ball at rest, the direction
-// of the core scattered by 2.9 degrees; in 273 chips, the elevation scattered by 6.4 degrees. The
-// scatter of the speed cannot be measured from logs; 10 % is the value of their simulator, below
-// the 14 % that is consistent with the logs.
+// Ten games of 2026, measured by the team Immortals. In 231 kicks of a ball at rest, the directions
+// scattered by 2.9 degrees, outliers excluded; in 273 chips, the elevation scattered by 6.4
+// degrees. The scatter of the speed cannot be measured from logs; the team's simulator uses 10 %,
+// which is below the 14 % that is consistent with the logs.
 constexpr KickerParameters kicker_of_2026() {
   KickerParameters kicker;
   kicker.speed_noise = 0.10;

@@ -1,5 +1,5 @@
-// Presets for ball, vision, radio, dribblers and kickers, and lookup in preset tables: any range of
-// structs with a `name`.
+// Presets for ball, vision, radio, dribblers and kickers, and lookup in preset tables. A preset
+// table is any range of structs with a `name`.
 #pragma once
 
 #include <optional>
@@ -20,8 +20,8 @@ std::vector<std::string> names_of(const Presets& presets) {
   return names;
 }
 
-// Finds a preset by name. Throws a std::invalid_argument that lists the known presets; `kind` names
-// what they apply to.
+// Finds a preset by name. Throws a std::invalid_argument that lists the known presets; `kind` says
+// what the presets are for.
 template <typename Presets>
 const auto& preset_called(std::string_view name, const Presets& presets, const std::string& kind) {
   std::string known;
@@ -33,7 +33,7 @@ const auto& preset_called(std::string_view name, const Presets& presets, const s
                               "'; known: " + known);
 }
 
-// The name of the first preset that satisfies `is_it`.
+// The name of the first preset for which `is_it` returns true.
 template <typename Presets, typename Is>
 std::optional<std::string> name_of_preset(const Presets& presets, Is is_it) {
   for (const auto& preset : presets) {
@@ -42,11 +42,11 @@ std::optional<std::string> name_of_preset(const Presets& presets, Is is_it) {
   return std::nullopt;
 }
 
-// The ball models of the league's simulators, for comparing results with theirs.
+// The ball models of the league's simulators, for comparing results with those simulators.
 
-// Sets the parameters of the two-phase model and of the bounces to the preset's; leaves the others
-// (rest_mps, rolls_below_hop_m, net_mps2) unchanged. Throws a std::invalid_argument that lists the
-// known presets if the name is unknown.
+// Sets the parameters of the two-phase model and of the bounces to the preset's values; leaves the
+// other parameters (rest_mps, rolls_below_hop_m, net_mps2) unchanged. Throws a
+// std::invalid_argument that lists the known presets if the name is unknown.
 void apply_ball_preset(std::string_view name, BallParameters& ball);
 
 // The preset with exactly these parameters; nullopt if there is none.
@@ -56,8 +56,9 @@ std::vector<std::string> ball_preset_names();
 
 // Vision and radio presets, for comparing results with other simulators.
 
-// Sets vision, frame rate, radio losses and latency to the preset's; leaves the rest unchanged.
-// Throws a std::invalid_argument that lists the known presets if the name is unknown.
+// Sets vision, frame rate, radio packet loss and latency to the preset's values; leaves the other
+// parameters unchanged. Throws a std::invalid_argument that lists the known presets if the name is
+// unknown.
 void apply_camera_preset(std::string_view name, Configuration& configuration);
 
 // The preset with exactly these parameters; nullopt if there is none.
@@ -67,10 +68,10 @@ std::vector<std::string> camera_preset_names();
 
 // Presets of dribblers and kickers.
 
-// Each sets all parameters to the preset's and throws a std::invalid_argument that lists the known
-// presets if the name is unknown. For dribblers, `default` loses the ball in hard motion, and
-// `perfect` keeps it in any motion of its robot. For both, `rc2026` is as measured in games of
-// 2026.
+// Each function sets all parameters to the preset's values. If the name is unknown, it throws a
+// std::invalid_argument that lists the known presets. For dribblers, `default` loses the ball in
+// hard motion, and `perfect` keeps it in any motion of its robot. For both dribblers and kickers,
+// `rc2026` has the values measured in games of 2026.
 void apply_dribbler_preset(std::string_view name, DribblerParameters& dribbler);
 void apply_kicker_preset(std::string_view name, KickerParameters& kicker);
 

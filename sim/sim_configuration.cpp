@@ -64,7 +64,7 @@ void validate(const Field& field) {
   check_at_most("field.goal_width_m", field.goal_width_m, field.width_m - 0.4);
   check_goals_end_before_walls(field);
   check_at_most("field.centre_circle_radius_m", field.centre_circle_radius_m, field.half_width_m());
-  // There must be room for a neutral spot between the two areas (Laws: 700 mm from both).
+  // A neutral spot must fit between the two defence areas (Laws: 700 mm from both).
   check_at_most("field.defence_area.depth_m", field.defence_area.depth_m,
                 field.half_length_m() - 0.8);
   check_at_most("field.defence_area.straight_m", field.defence_area.straight_m,

@@ -56,9 +56,9 @@ struct BallParameters {
   }
 };
 
-// Contacts between bodies. A restitution is the ratio of separation to closing speed; Box2D uses
-// the greater one of a pair. Sources: ER-Force's and grSim's models, and measurements of the
-// league's robots.
+// Contacts between bodies. A restitution is the ratio of separation speed to closing speed. For a
+// pair of bodies, Box2D uses the greater restitution. Sources: ER-Force's and grSim's models, and
+// measurements of the league's robots.
 struct ContactParameters {
   double body_restitution = 0.55;
   double plate_restitution = 0.4;
@@ -66,13 +66,13 @@ struct ContactParameters {
   double robot_restitution = 0.2;
   double wall_restitution = 0.3;
   double net_restitution = 0.1;
-  double bar_restitution = 0.3;  // as for the goal's sides
-  double top_restitution = 0.5;  // as on the carpet
+  double bar_restitution = 0.3;  // the same as for the goal's sides
+  double top_restitution = 0.5;  // the same as for the carpet
   // Minimum speed, upwards and outwards, at which a ball leaves a robot or a net that it has landed
   // on, so that it does not stay there.
   double top_leaving_mps = 0.5;
   double friction = 0.22;  // grSim
-  // Lets a ball come to rest against a plate.
+  // Minimum speed of a bounce; it lets a ball come to rest against a plate.
   double least_bounce_mps = 0.03;
 
   template <typename Self, typename Visitor>
@@ -115,7 +115,7 @@ struct RobotParameters {
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, const Visitor& visitor) {
-    // Box2D would replace a mass of 0 by 1 kg.
+    // The minimum is not 0, because Box2D would replace a mass of 0 by 1 kg.
     visitor(self.mass_kg, {"mass_kg", {0.001, 100}, "mass of a robot"});
     visitor(self.speed_mps, {"speed_mps", {0.01, 20}, "top speed"});
     visitor(self.acceleration_mps2, {"acceleration_mps2", positive(100), "maximum acceleration"});
@@ -162,9 +162,9 @@ struct KickerParameters {
   bool operator==(const KickerParameters&) const = default;
 };
 
-// A dribbler that does not hold the ball pulls it towards the plate's centre like a spring,
-// saturating at about 5 mm. The damping is near critical for a rolling ball, whose effective mass
-// is one and a half times its own.
+// A dribbler that does not hold the ball pulls it towards the plate's centre like a spring, and the
+// force saturates at about 5 mm from the centre. The damping is nearly critical for a rolling ball,
+// whose effective mass is one and a half times its actual mass.
 struct DribblerParameters {
   double force_n = 0.45;
   double reach_m = 10_mm;
@@ -188,7 +188,7 @@ struct DribblerParameters {
   bool operator==(const DribblerParameters&) const = default;
 };
 
-// Ball placement: first stops the ball, then carries it over the robots without pushing any.
+// Ball placement: first stops the ball, then carries it over the robots without pushing any robot.
 struct PlacementParameters {
   double speed_mps = 3.0;
   double acceleration_mps2 = 4.0;
@@ -208,7 +208,7 @@ struct PlacementParameters {
 };
 
 // Vision quality. The defaults are the preset `paper`: true positions and the ball's height, as
-// reported by the paper's simulator (section 3, "Simulator"). presets.hpp has others.
+// reported by the paper's simulator (section 3, "Simulator"). presets.hpp contains other presets.
 struct VisionParameters {
   double ball_noise_m = 0.0;
   double robot_noise_m = 0.0;
@@ -225,7 +225,7 @@ struct VisionParameters {
   // smooth warp. Neighbouring cameras have opposite errors, so they disagree by twice this value.
   double camera_error_m = 0.0;
   double camera_error_rad = 0.0;
-  double false_balls_per_s = 0.0;  // each in a single frame
+  double false_balls_per_s = 0.0;  // each false ball appears in a single frame
   double misread_numbers = 0.0;
 
   template <typename Self, typename Visitor>
@@ -278,7 +278,7 @@ struct RadioParameters {
 // Where the robots stand before a game: in rows along the touch line, in their own half. Distances
 // are between robots' centres. Even on the smallest field, eight robots fit in a row.
 struct LineUpParameters {
-  double gap_m = 300_mm;  // less on short fields
+  double gap_m = 300_mm;  // gap between neighbours; smaller on short fields
   double from_halfway_line_m = 300_mm;
   double from_touch_line_m = 200_mm;
   double from_goal_line_m = 150_mm;
@@ -299,7 +299,7 @@ struct Configuration {
   int contact_free_substeps = 2;  // no effect if >= substeps
   bool free_motion = true;
   double frame_rate_hz = 60.0;
-  double latency_s = 5 / 60.0;  // that of the preset `paper`
+  double latency_s = 5 / 60.0;  // the value in the preset `paper`
   double latency_error_s = 0.0;
   VisionParameters vision;
   RadioParameters radio;
@@ -344,7 +344,7 @@ struct RobotSpec {
   double speed_factor = 1.0;         // scales the top speed
   double acceleration_factor = 1.0;  // scales acceleration and braking, including the wheels' limit
 
-  // Excludes the factors, which belong to the robot's team.
+  // Visits all parameters except the factors, which belong to the robot's team.
   template <typename Self, typename Visitor>
   static void visit(Self& self, const Visitor& visitor) {
     visitor(self.body, {"robot", "the robots' bodies and drives"});
@@ -359,15 +359,16 @@ struct TeamSpec {
   Robots robots;
 };
 
-// Throw OutOfRange for the first invalid number. If both sides' robots are checked, the
-// std::invalid_argument also names side and number, for example "east robot 3: robot.mass_kg is 0;
-// ...".
+// These functions throw OutOfRange for the first invalid value. If the robots of both sides are
+// checked, the std::invalid_argument also gives the robot's side and number, for example "east
+// robot 3: robot.mass_kg is 0; ...".
 void validate(const Configuration& configuration);
 void validate(const RobotSpec& robot);
 void validate(const PerSide<TeamSpec>& specs);
 void validate(const Field& field);
 
-// The maximum speed of a body with this number of sub-steps; Box2D slows down faster bodies.
+// The maximum speed that a body can have with the configured number of sub-steps; Box2D slows down
+// faster bodies.
 double fastest_mps(const Configuration& configuration);
 
 // The maximum speed at which a robot can drive or kick.

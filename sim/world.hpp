@@ -43,7 +43,7 @@ struct WorldState {
   BallState ball;
 };
 
-// A touch of the ball by a robot's hull or kicker: the ground truth of who touched it.
+// A touch of the ball by a robot's hull or kicker, as ground truth.
 struct Touch {
   std::int64_t frame = 0;  // state().frame after the step in which it happened
   int substep = 0;
@@ -51,7 +51,7 @@ struct Touch {
   Vec2 ball_m{0, 0};
   bool is_kick = false;
   Vec2 ball_mps{0, 0};      // the ball's velocity right after the touch, in the plane
-  double vertical_mps = 0;  // its upward component
+  double vertical_mps = 0;  // upward component of the ball's velocity right after the touch
 };
 
 // A collision of two robots' hulls that were apart before. In these collisions, robots are round
@@ -60,8 +60,8 @@ struct RobotCollision {
   std::int64_t frame = 0;  // as in Touch
   int substep = 0;
   std::array<RobotId, 2> robots;
-  std::array<Vec2, 2> velocities_mps;  // just before
-  std::array<Vec2, 2> centres_m;       // just before
+  std::array<Vec2, 2> velocities_mps;  // velocities just before the collision
+  std::array<Vec2, 2> centres_m;       // centres just before the collision
 };
 
 class World {
@@ -77,7 +77,7 @@ class World {
 
   // Simulates one camera frame. The new commands take effect after `command_delay_substeps`; until
   // then, the previous ones apply. Commands for robots that do not exist or are off the field are
-  // ignored. Commands must be finite (asserted); they are limited to what the robots can do. With
+  // ignored. Commands must be finite (asserted); they are limited to what each robot can do. With
   // `placement`, the ball is held by ball placement, which brings it to the target and keeps it
   // there; robots, kickers and dribblers do not affect it. Without `placement`, the ball is free,
   // and a robot that overlaps it pushes it out.
@@ -96,16 +96,17 @@ class World {
   bool is_finite() const;
 
   // Takes a robot off the field: it is missing from states and frames, nothing collides with it,
-  // and its commands are ignored. No effect if it is already off.
+  // and its commands are ignored. It has no effect if the robot is already off the field.
   void take_off(RobotId id);
-  // Puts a robot that is off the field (asserted) back, at rest. The position must be free
-  // (asserted).
+  // Puts a robot back on the field, at rest. The robot must be off the field (asserted). The
+  // position must be free (asserted).
   void put_on(RobotId id, const Vec2& position_m, const Vec2& heading);
   bool is_on(RobotId id) const;
-  // Whether a robot can be put there: no robot and no ball is in the way.
+  // Whether a robot can be put at this position: no robot and no ball is in the way.
   bool is_free(const Vec2& position_m) const;
 
-  // Sets up situations for tests and scenes. Robots must be on the field.
+  // These functions set up situations for tests and scenes. Robots that they move must be on the
+  // field.
   void put_ball(const BallState& ball);
   void put_robot(RobotId id, const RobotState& state);
 
@@ -114,7 +115,7 @@ class World {
   std::unique_ptr<Impl> impl_;
 };
 
-// Splits the delay from frame to motion into the number of whole frames by which a team's view is
+// The delay from frame to motion, split into the number of whole frames by which a team's view is
 // delayed, and the number of sub-steps after which the resulting commands take effect.
 struct LatencySplit {
   int frames = 0;

@@ -1,4 +1,4 @@
-// The world's ball: kicks, dribblers, ball placement, nets and the third dimension.
+// The world's ball: kicks, dribblers, ball placement, nets and motion in the third dimension.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,7 @@
 namespace autoref::sim {
 namespace {
 
-// Smaller changes of the ball's velocity are rounding errors, not collisions.
+// Changes of the ball's velocity that are smaller than this are rounding errors, not collisions.
 constexpr double kCollision_mps = 0.01;
 
 }  // namespace
@@ -42,7 +42,8 @@ void World::Impl::move_ball(int substep) {
   bodies_.set_ball_velocity(held_by_net(ball_.slowed(ball_mps, step_s_)));
 }
 
-// The ball's velocity after a kick, if there was one. Simultaneous kicks add up in any order.
+// The ball's velocity after a kick, if there was one. Simultaneous kicks add up, so their order
+// does not matter.
 std::optional<Vec2> World::Impl::kicked(int substep) {
   const BodyState ball = bodies_.ball();
   Vec2 sum_mps{0.0, 0.0};
@@ -58,7 +59,7 @@ std::optional<Vec2> World::Impl::kicked(int substep) {
     limit_mps = std::max(limit_mps, robot.kicker.speed_limit_mps());
     sum_mps += kick->velocity_mps;
     vertical_mps = std::max(vertical_mps, kick->vertical_mps);
-    // Recoil, by conservation of momentum.
+    // The recoil on the robot, by conservation of momentum.
     bodies_.strike_robot(index,
                          configuration_.ball.mass_kg * (ball.velocity_mps - kick->velocity_mps));
     note({state_.frame + 1, substep, id, ball.position_m, true, {0.0, 0.0}, 0.0});
@@ -88,8 +89,8 @@ World::Impl::Pulls World::Impl::pulls() {
   return pulls;
 }
 
-// The ball's velocity after the pull of all dribblers. Holding dribblers share the force; otherwise
-// two of them would make the ball oscillate.
+// The ball's velocity after the pull of all dribblers. Holding dribblers share the force, because
+// otherwise two of them would make the ball oscillate.
 Vec2 World::Impl::dribbled(Vec2 ball_mps) {
   const Pulls all = pulls();
   const auto holders = std::count_if(all.begin(), all.end(), [](const Pull& p) { return p.holds; });
@@ -97,7 +98,7 @@ Vec2 World::Impl::dribbled(Vec2 ball_mps) {
     const Vec2 force_n =
         pull.holds ? Vec2(pull.force_n / static_cast<double>(holders)) : pull.force_n;
     ball_mps += force_n * (step_s_ / configuration_.ball.mass_kg);
-    // The reaction acts at the ball, so it also turns the robot.
+    // The reaction force acts on the robot at the ball's position, so it also turns the robot.
     bodies_.push_robot_at(pull.index, -force_n, bodies_.ball().position_m);
   }
   return ball_mps;

@@ -33,7 +33,7 @@ BodyState pose_in_line_up(const Field& field, const LineUpParameters& line_up, R
   return pose;
 }
 
-// The masses of west's robots, then of east's.
+// The masses of west's robots, followed by those of east's robots.
 std::vector<double> masses_kg(const PerSide<TeamSpec>& specs) {
   std::vector<double> masses;
   masses.reserve(2 * kMaxRobots);
@@ -117,7 +117,7 @@ void World::Impl::accept(const PerSide<TeamCommands>& commands) {
   });
 }
 
-// A robot keeps its last command until it has received no command for a while.
+// A robot keeps executing its last command until it has received no new command for a while.
 bool World::Impl::hears(Robot& robot, RandomStream& radio) const {
   const double loss = configuration_.radio.command_loss;
   const bool is_lost = loss > 0.0 && radio.uniform() < loss;
@@ -150,8 +150,8 @@ int World::Impl::block_from(int substep) const {
   return std::min(block_, end - substep);
 }
 
-// Bodies that cannot meet anything until the end of the block take one step; the others take as
-// many as their encounters require.
+// Bodies that cannot hit anything until the end of the block take one step; the others take as many
+// steps as their encounters require.
 void World::Impl::advance(int substep, int substeps) {
   Encounters found = contact_prediction_.encounters(bodies_, robots_, hold_ != Hold::kFree);
   if (!configuration_.free_motion) found.bodies = everything();
@@ -162,8 +162,8 @@ void World::Impl::advance(int substep, int substeps) {
   for (int k = 0; k < substeps; k += stride) step_once(substep + k, stride);
 }
 
-// Operator splitting: first drives, kicks and carpet, then Box2D's contacts, then the effects that
-// planar physics lacks.
+// This is operator splitting: drives, kicks and the carpet act first, then Box2D's contacts, then
+// the effects that planar physics lacks.
 void World::Impl::step_once(int substep, int substeps) {
   step_s_ = substeps * substep_s_;
   drive(true, step_s_);
@@ -188,7 +188,7 @@ BodySet World::Impl::everything() const {
   return all;
 }
 
-// Drives the robots that are gathered, or all others.
+// Drives either the robots that are gathered or all other robots.
 void World::Impl::drive(bool gathered, double duration_s) {
   for_each_on_field([&](RobotId, const Robot& robot, int index) {
     if (bodies_.gathered().has_robot(index) != gathered) return;
@@ -197,7 +197,7 @@ void World::Impl::drive(bool gathered, double duration_s) {
   });
 }
 
-// A new contact is recorded when it begins, a continuing one once per frame.
+// A new contact is recorded when it begins, and a continuing contact once per frame.
 void World::Impl::note_contacts(int substep) {
   std::uint32_t now = 0;
   for (const int index : bodies_.touching()) {

@@ -39,11 +39,11 @@ class World::Impl {
     Kicker kicker;
     DribblerParameters dribbler;
     RobotCommand aim;        // command in force, limited to what the robot can do
-    int unheard_frames = 0;  // since the last command received
+    int unheard_frames = 0;  // frames since the last command was received
   };
   // A side's robots and their random streams.
   struct Team {
-    int first = 0;  // index of robot 0 in the bridge
+    int first = 0;  // index in the bridge of the team's robot 0
     boost::container::static_vector<Robot, kMaxRobots> robots;
     RandomStream motors;
     RandomStream kicks;
@@ -51,13 +51,13 @@ class World::Impl {
   };
   // The force of a robot's dribbler on the ball.
   struct Pull {
-    int index;  // of the robot in the bridge
+    int index;  // index of the robot in the bridge
     bool holds;
     Vec2 force_n;
   };
   using Pulls = boost::container::static_vector<Pull, 2 * kMaxRobots>;
-  // The ball is free, or held by ball placement, which first stops it and then carries it to the
-  // target and keeps it there.
+  // Whether the ball is free or held by ball placement. Ball placement first stops the ball, then
+  // carries it to the target and keeps it there.
   enum class Hold { kFree, kCatching, kCarrying };
 
   Team make_team(Side side, const TeamSpec& spec, std::uint64_t seed) const;
@@ -84,7 +84,7 @@ class World::Impl {
   void let_ball_meet_what_is_as_high();
   void note_contacts(int substep);
   void note(const Touch& touch);
-  int index_of(RobotId id) const;  // in the bridge
+  int index_of(RobotId id) const;  // the robot's index in the bridge
   void note_collisions(int substep);
   RobotId id_of(int index) const;
   void publish();
@@ -108,7 +108,7 @@ class World::Impl {
     });
   }
 
-  // Only gathered bodies can be close to each other.
+  // Considers only gathered bodies, since no others can be close to each other.
   template <typename Act>
   void for_each_near_ball(Act act) {
     if (!bodies_.gathered().ball) return;
@@ -132,9 +132,9 @@ class World::Impl {
   ContactPrediction contact_prediction_;
   Hold hold_ = Hold::kFree;
   Placement placement_;                 // the current placement
-  std::int64_t substeps_ = 0;           // since the start
+  std::int64_t substeps_ = 0;           // number of sub-steps since the start
   std::uint32_t touching_ = 0;          // one bit per robot: touched the ball in the last sub-step
-  std::uint32_t touched_in_frame_ = 0;  // the same for this frame so far
+  std::uint32_t touched_in_frame_ = 0;  // robots that have touched the ball in this frame so far
   boost::container::static_vector<Touch, 256> touches_;
   boost::container::static_vector<RobotCollision, 64> collisions_;
   WorldState state_;

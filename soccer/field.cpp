@@ -6,8 +6,8 @@
 namespace autoref {
 
 // A signed distance, negative inside. The quarter-circle area is half a capsule: the points within
-// a radius of its straight part. For the box, it is the distance to the nearer edge or, from beyond
-// both edges, to the corner. Points behind the goal line count as on it.
+// a radius of its straight part. For the box, it is the distance to the nearer edge or, from a
+// point beyond both edges, to the corner. Points behind the goal line count as being on it.
 double distance_to_defence_area(const Field& field, Side side, const Vec2& point_m) {
   const DefenceArea& area = field.defence_area;
   // Depth into the field from the goal line, and lateral distance from the goal's centre.

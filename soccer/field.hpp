@@ -1,4 +1,5 @@
-// The field's dimensions: lines, goals, areas. Origin at the centre, x towards the east goal.
+// The field's dimensions: lines, goals, areas. The origin is at the centre, and x points towards
+// the east goal.
 #pragma once
 
 #include "soccer/geometry.hpp"
@@ -10,8 +11,8 @@
 
 namespace autoref {
 
-// Shape of the area in front of a goal: two quarter circles joined by a straight line until 2017, a
-// box since then.
+// Shape of the area in front of a goal: until 2017, two quarter circles joined by a straight line;
+// since then, a box.
 struct DefenceArea {
   enum class Shape { kQuarterCircles, kBox };
   Shape shape = Shape::kQuarterCircles;
@@ -35,11 +36,12 @@ constexpr auto names_of(DefenceArea::Shape /*any*/) {
       {{Shape::kQuarterCircles, "quarter_circles"}, {Shape::kBox, "box"}});
 }
 
-// A robot that takes a free kick from a line, or comes back after a card, stands beyond the line.
+// The range of the run-off's width. It must hold a robot, because a robot that takes a free kick
+// from a line, or comes back after a card, stands beyond the line.
 inline constexpr Range kRunOffRange = {2 * kRobotRadius_m, 5};
 
-// All lengths are measured to the outer edges of the lines. Defaults: the paper's field, section 3,
-// and Laws 2014 single size.
+// The field's dimensions. All lengths are measured to the outer edges of the lines. The defaults
+// are the paper's field (section 3) and the single-size field of the Laws of 2014.
 struct Field {
   double length_m = 6.05_m;
   double width_m = 4.05_m;
@@ -59,8 +61,8 @@ struct Field {
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, const Visitor& visitor) {
-    // Smaller fields have no room for 16 robots per side; larger ones exceed Box2D's range of
-    // sizes.
+    // Smaller fields are too small for 16 robots per side; larger fields exceed the range of sizes
+    // that Box2D supports.
     visitor(self.length_m,
             {"length_m", {4, 30}, "distance between the outer edges of the goal lines"});
     visitor(self.width_m,
@@ -110,8 +112,8 @@ struct Field {
   }
 };
 
-// Distance in metres from `point_m` to the boundary of the defence area of `side`; negative inside.
-// The area is treated as if it continued behind the goal line.
+// Distance in metres from `point_m` to the boundary of the defence area of `side`; negative if the
+// point is inside. The area is treated as if it continued behind the goal line.
 double distance_to_defence_area(const Field& field, Side side, const Vec2& point_m);
 
 // Whether the point lies within the outer edges of the lines.

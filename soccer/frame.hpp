@@ -1,4 +1,4 @@
-// The report of vision for one camera frame: the only input of the referee and the teams.
+// What vision reports for one camera frame: the only input of the referee and the teams.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -22,11 +22,11 @@ struct CameraPosition {
   double height_m = 4;  // above the carpet (Laws 2014, section on vision: 4 m)
 };
 
-// Without a height, `position_m` is the point on the carpet where the camera sees the ball: a
-// flying ball appears to be farther from the camera than it is.
+// The ball as vision reports it. Without a height, `position_m` is the point on the carpet where
+// the camera sees the ball, so that a flying ball appears to be farther from the camera than it is.
 struct BallObservation {
   Vec2 position_m{0, 0};
-  std::optional<double> height_m;  // of the ball's lowest point; nullopt if not reported
+  std::optional<double> height_m;  // height of the ball's lowest point; nullopt if not reported
   CameraPosition seen_from{};      // unused if the height is reported
 };
 
@@ -55,8 +55,8 @@ struct OtherDetections {
 // Whether every number in the frame is finite.
 bool is_finite(const Frame& frame);
 
-// The frame without its non-finite values: such a robot or ball counts as unseen, such a height as
-// unknown, and such a camera as directly above the ball.
+// The frame without its non-finite values: a non-finite robot or ball counts as unseen, a
+// non-finite height as unknown, and a camera at a non-finite position as directly above the ball.
 Frame finite_part(const Frame& frame);
 
 // The frame rotated by 180 degrees about the field's centre.

@@ -24,7 +24,7 @@ inline Vec2 to_world(const Vec2& v, const Vec2& heading) {
   return {v.x() * heading.x() - v.y() * heading.y(), v.x() * heading.y() + v.y() * heading.x()};
 }
 
-// Inverse of to_world: the components of `v` along and to the left of the unit vector `heading`.
+// Inverse of to_world: the components of `v` along the unit vector `heading` and to the left of it.
 inline Vec2 to_local(const Vec2& v, const Vec2& heading) {
   return {v.x() * heading.x() + v.y() * heading.y(), -v.x() * heading.y() + v.y() * heading.x()};
 }

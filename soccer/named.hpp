@@ -17,7 +17,7 @@ namespace autoref {
 template <typename Enumeration>
 struct Named {
   Enumeration value;
-  std::string_view name;  // in files, messages and settings
+  std::string_view name;  // the name used in files, messages and settings
 };
 
 template <typename Enumeration>
@@ -25,7 +25,7 @@ concept HasNames = requires(Enumeration value) {
   names_of(value)[0].name;
 };
 
-// The enumerator's name; empty if it is not in the list.
+// The enumerator's name; empty if the enumerator is not in the list.
 template <HasNames Enumeration>
 constexpr std::string_view name_of(Enumeration value) {
   for (const Named<Enumeration>& one : names_of(value))
@@ -33,7 +33,7 @@ constexpr std::string_view name_of(Enumeration value) {
   return "";
 }
 
-// The enumerator of that name; nullopt if there is none.
+// The enumerator with that name; nullopt if there is none.
 template <HasNames Enumeration>
 constexpr std::optional<Enumeration> find_named(std::string_view name) {
   for (const Named<Enumeration>& one : names_of(Enumeration{}))

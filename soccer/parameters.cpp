@@ -8,7 +8,7 @@
 namespace autoref {
 namespace {
 
-// An ending comes before any shorter ending of its own.
+// In this list, an ending comes before any other ending with which it ends.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kUnits = {{
     {"_per_m", "1/m"},
     {"_per_s", "1/s"},

@@ -30,7 +30,7 @@ struct Range {
   double high = 0;
   bool above_low = false;  // `low` itself is not allowed
 
-  // False for NaN.
+  // Whether the range contains the value; false for NaN.
   constexpr bool contains(double value) const {
     return (above_low ? value > low : value >= low) && value <= high;
   }
@@ -45,7 +45,7 @@ constexpr Range from_to(double low, double high) { return {low, high}; }
 inline constexpr Range kFraction = {0, 1};
 inline constexpr Range kYesOrNo = {0, 1};
 
-// "from 0 to 1 m", "above 0 and at most 2".
+// The range as text: "from 0 to 1 m", "above 0 and at most 2".
 std::string text_of(const Range& range, std::string_view unit = "");
 
 // The description of a parameter, without its value.
@@ -58,15 +58,15 @@ struct Parameter {
       : name(its_name), about(meaning) {}
 
   std::string_view name;    // in snake_case, ending in the unit
-  Range range;              // for numbers
-  std::string_view about;   // what it does or is
-  std::string_view source;  // where its default was published; empty if given in a comment
+  Range range;              // allowed range, for numbers
+  std::string_view about;   // what the parameter does or is
+  std::string_view source;  // where the default was published; empty if a comment gives the source
 };
 
-// The unit at the end of a name: "m/s" for "shot_mps"; empty if it has none.
+// The unit at the end of a name: "m/s" for "shot_mps"; empty if the name has no unit.
 std::string_view unit_of(std::string_view name);
 
-// Accepts every parameter and does nothing.
+// A visitor that accepts every parameter and does nothing.
 struct AnyParameter {
   template <typename Value>
   void operator()(Value& /*value*/, const Parameter& /*about*/) const {}

@@ -1,8 +1,9 @@
 // Independent random streams, one for each source of randomness.
 //
 // Every source of randomness in a game (camera, the motors of a side, ...) has its own stream,
-// identified by the game's seed, a purpose and a side, so drawing more numbers from one does not
-// shift another. A stream is counter-based: its n-th number is a hash of the stream's key and n.
+// identified by the game's seed, a purpose and a side, so that drawing more numbers from one stream
+// does not change the numbers from another. A stream is counter-based: its n-th number is a hash of
+// the stream's key and n.
 #pragma once
 
 #include <boost/random/normal_distribution.hpp>
@@ -21,7 +22,7 @@ constexpr std::uint64_t mix_bits(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-// The values identify streams: changing one changes games.
+// These values identify streams, so changing a value changes the course of games.
 enum class RandomPurpose : std::uint8_t {
   kCamera = 0,
   kRadio = 2,
@@ -56,7 +57,7 @@ class RandomStream {
   static constexpr result_type max() { return std::numeric_limits<result_type>::max(); }
   result_type operator()() { return mix_bits(key_ + ++counter_ * kStep); }
 
-  // Uniform in [0, 1), and normal with mean 0 and standard deviation 1.
+  // Random numbers: uniform() in [0, 1), and normal() with mean 0 and standard deviation 1.
   double uniform() { return boost::random::uniform_01<double>()(*this); }
   double normal() { return boost::random::normal_distribution<double>()(*this); }
 

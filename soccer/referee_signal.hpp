@@ -1,7 +1,8 @@
 // The referee's broadcasts: the league's referee commands and stages, in the program's coordinates
 // and as published.
 //
-// Numbers are those of the league's SSL_Referee message (2013), so logs need no translation table.
+// The enumerators have the numbers used in the league's SSL_Referee message (2013), so logs need no
+// translation table.
 #pragma once
 
 #include <cstdint>
@@ -45,7 +46,7 @@ constexpr auto names_of(CommandKind /*any*/) {
                                             {CommandKind::kBallPlacement, "BALL_PLACEMENT"}});
 }
 
-// A command; `side` is unused in the first four kinds and set to west.
+// A command; `side` is not used by the first four kinds, for which it is set to west.
 struct Command {
   CommandKind kind = CommandKind::kHalt;
   Side side = Side::kWest;
@@ -103,7 +104,7 @@ constexpr auto names_of(Stage /*any*/) {
 
 // Where the ball is to be placed while play is stopped. `at_once` means that there is no time to
 // bring it there smoothly. Unless `by_hand`, the ball is left to the teams: their robots place it,
-// or it is already there.
+// or it is already at its position.
 struct Placement {
   Vec2 target_m{0, 0};
   bool at_once = false;
@@ -115,27 +116,30 @@ struct RefereeSignal {
   std::uint32_t command_counter = 0;  // grows by one with each command sent
   double command_time_s = 0;          // when `command` was sent
   Stage stage = Stage::kFirstHalfPre;
-  double stage_time_left_s = 0;  // in a running half; 0 in other stages
+  double stage_time_left_s = 0;  // time left in the running half; 0 in other stages
   PerSide<int> goals;
-  PerSide<int> shootout_goals;  // after extra time; not included in `goals`
-  PerSide<int> robots_allowed{{kMaxRobots, kMaxRobots}};  // on the field; reduced by cards
-  PerSide<int> yellow_cards;                              // shown so far
+  PerSide<int> shootout_goals;  // goals in a shoot-out, which are not included in `goals`
+  // Number of robots allowed on the field; reduced by cards.
+  PerSide<int> robots_allowed{{kMaxRobots, kMaxRobots}};
+  PerSide<int> yellow_cards;  // yellow cards shown so far
   PerSide<int> red_cards;
   PerSide<std::optional<int>> keepers;         // the keepers' robot numbers; nullopt if not named
   PerSide<bool> can_place_ball{{true, true}};  // false if the team is no longer allowed to place
                                                // the ball itself
   std::optional<Placement> placement;          // nullopt unless play is stopped
   std::optional<Command> next_command;         // the command that will resume play
-  // Blue's end on the field. Sides and positions here do not depend on it.
+  // Whether blue defends the positive half of the field. Sides and positions in this signal do not
+  // depend on it.
   bool blue_on_positive_half = true;
 };
 
-// Converts the program's coordinates to those of the field.
+// Converts positions from the program's coordinates to those of the field.
 //
 // In the program, nothing moves when teams change ends: for the world, the referee and the teams,
 // west wears yellow and defends the goal at -x in every half, which the field's symmetry permits.
 // Everything that is published (logs, event logs, pages) uses the field's coordinates, with each
-// team at its current end: either the same coordinates, or rotated by 180 degrees.
+// team at its current end. These are either the program's coordinates or the same rotated by 180
+// degrees.
 
 inline Vec2 published(const Vec2& position_m, bool blue_on_positive_half) {
   return blue_on_positive_half ? position_m : Vec2(Vec2(0, 0) - position_m);  // never -0
@@ -149,7 +153,7 @@ inline OtherDetections published(const OtherDetections& others, bool blue_on_pos
   return blue_on_positive_half ? others : rotated(others);
 }
 
-// Here, sides stand for colours and stay the same.
+// In a signal, sides stand for colours, so they stay the same.
 inline RefereeSignal published(RefereeSignal signal) {
   if (signal.placement)
     signal.placement->target_m =
@@ -157,7 +161,7 @@ inline RefereeSignal published(RefereeSignal signal) {
   return signal;
 }
 
-// The side whose goal is at this end of the field: west is -x, east is +x.
+// The side whose goal is at the given end of the field: west is -x, east is +x.
 constexpr Side side_at(Side end, bool blue_on_positive_half) {
   return blue_on_positive_half ? end : opponent_of(end);
 }

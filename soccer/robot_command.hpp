@@ -11,8 +11,8 @@
 
 namespace autoref {
 
-// The abilities of one of a team's robots, including its handicap. The defaults are the paper's
-// robots.
+// The abilities of one of a team's robots, including its handicap. The defaults are those of the
+// paper's robots.
 struct Abilities {
   double speed_mps = 3.0;  // paper, section 3: up to 3 m/s
   double acceleration_mps2 = 3.0;
@@ -21,10 +21,11 @@ struct Abilities {
   double chip_mps = 5.5;
 };
 
-// The abilities of robots in general: what teams assume of them, and the simulator's defaults.
+// The abilities of a usual robot. Teams assume them, and they are the simulator's defaults.
 inline constexpr Abilities kUsualAbilities;
 inline constexpr double kUsualTurning_radps2 = 40;  // angular acceleration
-// Standard deviations of a kick's direction, and of its speed as a fraction.
+// Standard deviations of a kick's direction and of its speed, the latter as a fraction of the
+// speed.
 inline constexpr double kUsualKickError_deg = 1.5;
 inline constexpr double kUsualKickSpeedError = 0.025;
 
@@ -54,7 +55,7 @@ inline RobotCommand transmitted(const RobotCommand& c) {
           as_float(c.angular_velocity_radps), as_float(c.kick_mps), c.chip, c.dribble};
 }
 
-// Commands of a side, by robot number. A robot without a new command stands still.
+// Commands for one side's robots, by robot number. A robot without a new command stands still.
 using TeamCommands = std::array<RobotCommand, kMaxRobots>;
 
 // The requests that a team can make to the referee.

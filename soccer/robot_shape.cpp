@@ -9,8 +9,8 @@ double distance_to_hull(const Vec2& point_m, const Vec2& centre_m, const Vec2& h
   const Vec2 p = to_local(point_m - centre_m, heading);
   const double to_disc = p.norm() - kRobotRadius_m;
   const double to_plate = p.x() - kFrontDistance_m;
-  // A disc cut by a half-plane: behind the cut, the signed distance to the intersection is the
-  // larger of the two.
+  // The hull is a disc cut by a half-plane: behind the cut, the signed distance to the intersection
+  // is the larger of the two.
   if (to_plate <= 0.0) return std::max(to_disc, to_plate);
   const double y = std::abs(p.y());
   if (y <= kHalfPlate_m) return to_plate;
@@ -24,7 +24,7 @@ bool meets_hull(const Vec2& a_m, const Vec2& b_m, const Vec2& centre_m, const Ve
   Vec2 far_m = to_local(b_m - centre_m, heading);
   if (near_m.x() > far_m.x()) std::swap(near_m, far_m);
   if (near_m.x() > kFrontDistance_m) return false;
-  // Clip the segment at the plate.
+  // Clips the segment at the plane of the plate.
   if (far_m.x() > kFrontDistance_m) {
     const double kept = (kFrontDistance_m - near_m.x()) / (far_m.x() - near_m.x());
     far_m = near_m + (far_m - near_m) * kept;

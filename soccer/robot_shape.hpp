@@ -15,10 +15,11 @@ inline constexpr double kDribblerZoneWidth_m = 80_mm;      // the part of the pl
                                                            // dribbles
 
 // Distance in metres from `point_m` to the outline of a robot at `centre_m` facing the unit vector
-// `heading`: a disc of 90 mm radius, cut off flat 75 mm in front of its centre. Negative inside.
+// `heading`. The outline is a disc of 90 mm radius, cut off flat 75 mm in front of its centre. The
+// distance is negative inside.
 double distance_to_hull(const Vec2& point_m, const Vec2& centre_m, const Vec2& heading);
 
-// Whether the straight path from `a_m` to `b_m` intersects the hull of that robot.
+// Whether the straight path from `a_m` to `b_m` intersects the hull of the robot at `centre_m`.
 bool meets_hull(const Vec2& a_m, const Vec2& b_m, const Vec2& centre_m, const Vec2& heading);
 
 }  // namespace autoref

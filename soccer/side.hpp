@@ -1,6 +1,6 @@
 // The two sides of a game, their colours, and robot identifiers.
 //
-// Each side has the goal at its end of the field, a colour, robots and random streams. Which team
+// Each side has a goal at its end of the field, a colour, robots and random streams. Which team
 // plays on which side is set elsewhere (`match.a_plays`).
 #pragma once
 

@@ -60,7 +60,8 @@ Situation SituationTracker::update(const RefereeSignal& signal, const std::optio
   // The ball is in play once it has moved far enough from where it was first seen after the
   // command.
   if (!restart_from_m_) restart_from_m_ = *ball_m;
-  // A shoot-out kick stays a penalty kick until it is over, so the other robots stay out of it.
+  // A shoot-out kick stays a penalty kick until it is over, so the other robots stay away until
+  // then.
   if (signal.stage == Stage::kShootout) return situation_;
   if ((*ball_m - *restart_from_m_).norm() > in_play_m_) situation_.play = Play::kRunning;
   return situation_;

@@ -17,9 +17,9 @@
 
 namespace autoref {
 
-// What the referee's commands mean for play: who may do what at the moment. There is no play during
-// halt and stop. A prepared restart waits for the start command; a restart lasts until the ball is
-// in play.
+// What the referee's commands mean for play, that is, who may do what at the moment. There is no
+// play during halt and stop. A prepared restart waits for the start command; a restart lasts until
+// the ball is in play.
 enum class Play : std::uint8_t {
   kHalt,
   kStop,
@@ -32,7 +32,7 @@ enum class Play : std::uint8_t {
   kRunning,
 };
 
-// Named in the style of the league's commands.
+// The names, in the style of the league's commands.
 constexpr auto names_of(Play /*any*/) {
   return std::to_array<Named<Play>>({{Play::kHalt, "HALT"},
                                      {Play::kStop, "STOP"},
@@ -45,8 +45,8 @@ constexpr auto names_of(Play /*any*/) {
                                      {Play::kRunning, "RUNNING"}});
 }
 
-// `side` takes the restart; it is unused in halt, stop and running play. While a side's robots
-// place the ball, `play` is kStop and `placer` is that side.
+// `side` is the side that takes the restart; it is not used in halt, stop and running play. While a
+// side's robots place the ball, `play` is kStop and `placer` is that side.
 struct Situation {
   Play play = Play::kHalt;
   Side side = Side::kWest;
@@ -55,8 +55,8 @@ struct Situation {
 
 constexpr bool is_restart(Play play) { return play >= Play::kKickoff && play < Play::kRunning; }
 
-// Derives the situation from the commands and the ball. Call it once per frame with the signal and
-// the ball (nullopt until it has been seen).
+// Derives the situation from the commands and the ball. Call update() once per frame with the
+// signal and the ball (nullopt until it has been seen).
 class SituationTracker {
  public:
   explicit SituationTracker(const RuleBook& rules) : in_play_m_(rules.in_play_m) {}
@@ -82,10 +82,10 @@ struct TeamView {
   TrackedBall ball;
   Play play = Play::kHalt;
   bool ours = false;  // whether the current restart is this team's
-  // Where the referee places the ball for the next restart; set while play is stopped.
+  // Where the referee places the ball for the next restart; set only while play is stopped.
   std::optional<Vec2> placement_m;
-  // Set while a team's robots place the ball there: whether they are this team's. The placing team
-  // brings the ball there, and the other keeps clear of its path.
+  // Set only while a team's robots place the ball at `placement_m`: whether they are this team's
+  // robots. The placing team brings the ball there, and the other team keeps clear of its path.
   std::optional<bool> placing_is_ours;
   // The restart after this stop, if known, and whether it is this team's.
   std::optional<CommandKind> next;

@@ -1,4 +1,4 @@
-// Robots and ball with their velocities: a tracker's output.
+// A tracker's output: robots and ball with their velocities.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -16,7 +16,8 @@ struct TrackedRobot {
   Vec2 heading{1, 0};
   Vec2 velocity_mps{0, 0};
   double angular_velocity_radps = 0;
-  bool is_seen = true;  // in the most recent frame; otherwise extrapolated
+  // Whether it was seen in the most recent frame; otherwise it is extrapolated.
+  bool is_seen = true;
 };
 
 struct TrackedBall {
@@ -37,7 +38,7 @@ struct Tracks {
   std::optional<TrackedBall> ball;  // nullopt until the ball has been seen
 };
 
-// The tracks seen from the other end: rotated by 180 degrees.
+// The tracks as seen from the other end, that is, rotated by 180 degrees.
 TrackedRobot mirrored(const TrackedRobot& robot);
 TrackedBall mirrored(const TrackedBall& ball);
 

@@ -31,7 +31,7 @@ constexpr int kTerms = 14;  // number of terms of the series; the next one is be
 // Reduced to the first octant, `part` is the angle itself or, if that exceeds pi/8, the angle minus
 // pi/4.
 double atan2_exact(double y, double x) {
-  constexpr double kTanOfHalf = 0.41421356237309503;  // of half of pi/4
+  constexpr double kTanOfHalf = 0.41421356237309503;  // tangent of half of pi/4
   const double across = std::abs(y);
   const double along = std::abs(x);
   const double low = std::min(across, along);

@@ -1,7 +1,7 @@
 // Trigonometry and the exponential function with bit-identical results on every x86-64 machine.
 //
-// The C library uses different code for sin, cos and atan2 on machines with fused multiply-add, and
-// the last bit of the result then differs, so a game with the same seed would end differently on
+// The C library uses different code for sin, cos and atan2 on machines with fused multiply-add,
+// which changes the last bit of the result. A game with the same seed would then end differently on
 // another host. These functions use only additions, multiplications and divisions, which IEEE 754
 // defines exactly. All angles are in radians.
 #pragma once
@@ -17,7 +17,7 @@ struct SinCos {
   double cos;
 };
 
-// Only for the functions below.
+// Details; only for the functions below.
 namespace trigonometry {
 
 // pi/2 split in two (Cody and Waite): the high part has 33 bits, so its product with a small
@@ -31,7 +31,7 @@ inline constexpr double kRounder = 6755399441055744.0;  // 1.5 * 2^52
 inline double to_integer(double x) { return (x + kRounder) - kRounder; }
 
 // Polynomials in s = x^2 are evaluated in pairs (Estrin's scheme), which a processor computes side
-// by side. Both series on [-pi/4, pi/4] are Taylor's; the first omitted term is below 1e-17.
+// by side. Both series are Taylor series on [-pi/4, pi/4]; the first omitted term is below 1e-17.
 inline double sin_series(double x) {
   const double s = x * x;
   const double s2 = s * s;
@@ -54,14 +54,14 @@ inline double cos_series(double x) {
 }  // namespace trigonometry
 
 // Sine and cosine of `angle_rad`, within 4e-16 of the exact value for |angle_rad| <= 1e5. Inline,
-// since games call it more than any other function. It reduces the angle to the nearest multiple of
-// pi/2; that multiple modulo 4 is the quadrant.
+// since games call it more than any other function. The function subtracts the nearest multiple of
+// pi/2 from the angle. That multiple modulo 4 is the quadrant.
 inline SinCos sin_cos(double angle_rad) {
   const double quarters = trigonometry::to_integer(angle_rad * (2.0 / kPi));
   const double rest =
       (angle_rad - quarters * trigonometry::kHalfPiHigh) - quarters * trigonometry::kHalfPiLow;
   const double series[] = {trigonometry::sin_series(rest), trigonometry::cos_series(rest)};
-  // Avoids branches, which a processor could not predict.
+  // A table avoids branches, which a processor could not predict.
   constexpr double kSigns[] = {1.0, -1.0};
   const auto quadrant = static_cast<std::uint64_t>(static_cast<std::int64_t>(quarters));
   const std::uint64_t swaps = quadrant & 1;

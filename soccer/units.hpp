@@ -1,4 +1,4 @@
-// Literals for writing the rule book's numbers in SI units: `15_mm` is 0.015.
+// Literals that convert the rule book's values to SI units: `15_mm` is 0.015.
 #pragma once
 
 namespace autoref {

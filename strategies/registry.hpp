@@ -12,9 +12,9 @@ namespace autoref::strategies {
 
 struct Entry {
   std::string_view name;   // as in a scenario's `strategy:`
-  std::string_view about;  // one sentence
+  std::string_view about;  // description in one sentence
   std::unique_ptr<Strategy> (*make)(const TeamContext& context);
-  std::vector<Tunable> params;  // allowed in `params:`
+  std::vector<Tunable> params;  // parameters allowed in `params:`
 };
 
 // All teams, ordered by name.

@@ -1,5 +1,5 @@
-// The interface of a team, from its view of the game to its robots' commands, once per frame; and
-// its parameters.
+// The interface of a team, which turns its view of the game into commands for its robots once per
+// frame, and the team's parameters.
 #pragma once
 
 #include <array>
@@ -23,7 +23,8 @@
 
 namespace autoref::strategies {
 
-// Standard deviations of a kick's direction, and of its speed as a fraction.
+// Standard deviations of a kick's direction and of its speed, the latter as a fraction of the
+// speed.
 struct KickScatter {
   double direction_rad = to_radians(kUsualKickError_deg);
   double speed = kUsualKickSpeedError;
@@ -32,29 +33,29 @@ struct KickScatter {
 // The information that a team gets before the game.
 struct TeamContext {
   Field field;
-  RuleBook rules;  // the rules that the team obeys: the match's, and those of its own laws
-                   // (obeyed_rules())
+  RuleBook rules;  // the rules that the team obeys: the rules of the match and of the team's own
+                   // laws (obeyed_rules())
   double frame_rate_hz = 60;
   RandomStream random{0};                    // this team's stream; the only randomness allowed
   std::map<std::string, double> params;      // the team's parameters by name
   std::array<Abilities, kMaxRobots> robots;  // the team's own robots, by number
   Side side = Side::kWest;                   // west plays in yellow
   int robot_count = kMaxRobots;
-  double latency_s = 0;           // from a frame until a command based on it moves a robot
+  double latency_s = 0;           // delay from a frame until a command based on it moves a robot
   std::uint64_t random_seed = 0;  // RandomStream(random_seed) is `random`
   RuleSet enforced = {};          // the rules in force in the match
-  KickScatter kicks = {};         // the scatter of its least accurate robot
+  KickScatter kicks = {};         // the kick scatter of the team's least accurate robot
 };
 
-// Readings of cameras and robots at the time of a view.
+// Readings from the cameras and the robots' sensors at the time of a view.
 struct SensorReadings {
-  Frame detections;  // as the team sees them; its own robots are west's
-  std::bitset<kMaxRobots> ball_in_dribbler_zone;  // of the team's own robots, by number
+  Frame detections;  // detections in the team's frame; its own robots are listed as west's
+  std::bitset<kMaxRobots> ball_in_dribbler_zone;  // for the team's own robots, by number
 };
 
 // How a game ended.
 struct GameEnd {
-  std::string reason;  // as in a game's row: "time", "void" and so on
+  std::string reason;  // the same as in a game's row: "time", "void" and so on
   int goals_own = 0;
   int goals_opponent = 0;
 };
@@ -69,7 +70,7 @@ class Strategy {
  public:
   virtual ~Strategy() = default;
 
-  // Whether sense() is called.
+  // Whether the team uses sensor readings, so that sense() is called.
   virtual bool has_sensors() const { return false; }
 
   // Called before prepare(), with the sensor readings for the same view.
@@ -89,13 +90,13 @@ class Strategy {
   virtual void end(const GameEnd& /*end*/) {}
 };
 
-// The parameters of a team, which a scenario sets in `params:`. A team's style lists its numbers in
-// visit() (soccer/parameters.hpp).
+// The parameters of a team, which a scenario sets in `params:`. A team's style lists its parameters
+// in visit() (soccer/parameters.hpp).
 
 // A parameter that users can set, and its default.
 struct Tunable : Parameter {
   double standard = 0;   // the default
-  bool is_flag = false;  // either 0 or 1
+  bool is_flag = false;  // whether the value is either 0 or 1
 };
 
 // The value in `params`, or the default.
@@ -104,7 +105,7 @@ inline double value_of(const Tunable& tunable, const std::map<std::string, doubl
   return given == params.end() ? tunable.standard : given->second;
 }
 
-// The numbers of `style`, with its values as their defaults.
+// The parameters of `style`, with their values in `style` as defaults.
 template <HasParameters Style>
 std::vector<Tunable> tunables_of(const Style& style) {
   std::vector<Tunable> all;
@@ -115,7 +116,7 @@ std::vector<Tunable> tunables_of(const Style& style) {
   return all;
 }
 
-// `style` with the numbers set in `params`; any value except 0 sets a flag.
+// A copy of `style` with the values given in `params`. Any value except 0 sets a flag.
 template <HasParameters Style>
 Style tuned(const Style& style, const std::map<std::string, double>& params) {
   Style result = style;

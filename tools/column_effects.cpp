@@ -80,7 +80,7 @@ double sum_in(const io::Cells& row, const std::vector<std::size_t>& columns) {
   return sum;
 }
 
-// The values of one sum for one value of the factor: for each pair, the mean of its games.
+// The values of one sum for one value of the factor: one mean over the games of each pair.
 struct Sums {
   std::map<int, std::vector<double>> by_pair;
 
@@ -97,7 +97,7 @@ struct Sums {
 };
 
 struct Line {
-  std::string combination;  // of the other factors
+  std::string combination;  // values of the other factors
   std::string sum;
   std::string first;  // value of the factor with which the other is compared
   std::string value;

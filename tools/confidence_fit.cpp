@@ -5,8 +5,8 @@
 //
 // Plays the games of a `kind: judge` scenario with its tuning seed (never those with its test seed)
 // and prints referee/machine/confidence.def. Each event's coefficients are those of a logistic
-// regression on the features of confidence.hpp, drawn towards those of all calls together, so that
-// rarely called events do not get extreme ones.
+// regression on the features of confidence.hpp, regularised towards those of all calls together, so
+// that events that are rarely called do not get extreme coefficients.
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
@@ -38,7 +38,8 @@ struct JudgedCall {
 };
 using JudgedCalls = std::vector<JudgedCall>;
 
-// Weight of the coefficients of all calls together: as much as a few calls carry.
+// Weight of the prior, which is the coefficients of all calls together. It counts as much as a few
+// calls.
 constexpr double kPooledWeight = 2;
 constexpr int kRounds = 50;
 

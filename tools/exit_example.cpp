@@ -1,7 +1,7 @@
 // Computes the two cases of the paper's Fig. 4 with the referee's own functions, for
 // scripts/paper-figures:
 //
-//     exit_example     prints a line per case: the ball's x and y in the frame before and in this
+//     exit_example     prints a line per case: the ball's x and y in the previous frame and in this
 //     one,
 //                      l_x, l_y, c_x, c_y, the exit's x and y, and which line it crossed; lengths
 //                      in m
@@ -20,7 +20,8 @@ struct BallPath {
   Vec2 ball_m;
 };
 
-// Near the corner; about as far as a ball at 8 m/s moves in a frame.
+// Both paths are near the corner, and about as long as the distance that a ball at 8 m/s moves in
+// one frame.
 const std::array<BallPath, 2> kPaths = {{{{2.965, 2.000}, {3.070, 2.080}},    // (a)
                                          {{2.995, 1.965}, {3.085, 2.062}}}};  // (b)
 

@@ -1,9 +1,9 @@
-// Plays a short game with a noisy camera and writes one touch of it as tables for gnuplot:
+// Plays a short game with a noisy camera and writes one touch in that game as tables for gnuplot:
 //
 //     touch_example FOLDER       called by scripts/draw-touch-example
 //
-// It is the last touch before the ball's first exit at which the online detector is wrong and the
-// retrospective detector is right.
+// The chosen touch is the last one before the ball's first exit at which the online detector is
+// wrong and the retrospective detector is right.
 #include <fmt/os.h>
 
 #include <algorithm>
@@ -79,8 +79,8 @@ class TouchExample final : public game::Observer {
   }
 
   // For each detection: time and position; the prediction, the radius of its gate and the
-  // normalised innovation squared; and the minimum deviance, from the detections until then, if no
-  // robot, a west robot or an east robot made the last touch.
+  // normalised innovation squared; and the minimum deviance, given the detections so far, for the
+  // cases that no robot, a west robot or an east robot made the last touch.
   void write_ball() {
     auto out = fmt::output_file(folder_ + "/ball.dat");
     FrameHistory history;
@@ -143,7 +143,7 @@ class TouchExample final : public game::Observer {
   TouchHypothesisParameters parameters_;
   FrameHistory history_;
   OnlineTouchDetector online_;
-  std::vector<Frame> frames_;  // of the current play
+  std::vector<Frame> frames_;  // frames of the current play
   bool is_play_ = false;
   bool is_exit_ = false;        // whether the referee has just called an exit of the ball
   std::optional<Side> called_;  // side of the last touch in that call

@@ -60,10 +60,10 @@ constexpr int kTestsPerSeed = 25;
 struct TestCounts {
   int better = 0;
   int worse = 0;
-  int not_shown = 0;  // or undecided
+  int not_shown = 0;  // cases in which no difference was shown, or the test is undecided
   int pairs = 0;
-  int missed = 0;             // by anytime_interval()
-  int missed_by_student = 0;  // by mean_interval()
+  int missed = 0;             // cases in which anytime_interval() missed the true value
+  int missed_by_student = 0;  // cases in which mean_interval() missed the true value
 };
 
 bool misses(const std::optional<experiments::Interval>& interval, double gain) {

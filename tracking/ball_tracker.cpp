@@ -8,7 +8,7 @@
 namespace autoref::tracking {
 namespace {
 
-// Values between those of the carpet models in the league's simulators.
+// These values are between those of the carpet models in the league's simulators.
 constexpr double kSlide_mps2 = 3.4;
 constexpr double kRoll_mps2 = 0.3;
 constexpr double kSwitchRatio = 0.67;
@@ -23,15 +23,17 @@ constexpr double kAtFront_m = 15_mm;             // maximum gap between ball and
 
 constexpr double kSlowestChip_mps = 1.0;
 constexpr double kNewKick_mps = 1.0;  // minimum velocity change of a new kick
-// Standard deviation in frames. A kick late in a frame does not appear until one frame later.
+// Standard deviation of a kick's time, in frames. A kick late in a frame does not appear until one
+// frame later.
 constexpr double kKickTime = 0.6;
 constexpr double kKickPosition_m = 5_mm;  // standard deviation of a kick's position
 constexpr double kLeastFlight_m = 1e-3;   // minimum estimated height of a flying ball
 // After this time, a chipped ball is 0.1 m from its kicker, even as the camera sees it.
 constexpr double kLeavesRobot_s = 50_ms;
-constexpr double kAtHull_m = 5_mm;        // maximum gap between ball and hull, plus the noise
-constexpr double kKickerNear_m = 100_mm;  // from the robot's hull, in the frame after the kick
-constexpr double kLongestKick_s = 4.0;    // a chip at 5.5 m/s has stopped bouncing long before this
+constexpr double kAtHull_m = 5_mm;  // maximum gap between ball and hull, plus the noise
+// Largest distance from the robot's hull in the frame after the kick.
+constexpr double kKickerNear_m = 100_mm;
+constexpr double kLongestKick_s = 4.0;  // a chip at 5.5 m/s has stopped bouncing long before this
 
 // The robot nearest to the ball, if it may have kicked it.
 std::optional<RobotId> nearest_robot(const Vec2& ball_m, const PerSide<TrackedRobots>& robots) {
@@ -119,7 +121,7 @@ void BallTracker::fly_on(double duration_s) {
 }
 
 void BallTracker::correct(const BallObservation& seen, double gap_s) {
-  // A flying ball is not where the camera sees it.
+  // A flying ball is not at the point on the carpet where the camera sees it.
   if (!seen.height_m && ball_->height_m > 0) return;
   if (!seen.height_m && follows_kick_ && seen.seen_from.position_m != camera_m_) {
     // Another camera projects a flying ball to another point.
@@ -143,7 +145,7 @@ void BallTracker::correct(const BallObservation& seen, double gap_s) {
   kicked_mps_ = motion_.velocity().norm();
   if (seen.height_m || kicked_mps_ < kSlowestChip_mps) return;
   // A flying ball's apparent path curves slightly. A new kick changes the velocity by more than
-  // that, and its effect is still there in the next frame.
+  // that curvature does, and its effect persists in the next frame.
   const bool is_known =
       innovation_m.norm() < kNewKick_mps * gap_s || updated_s_ - kick_s_ < 2 * gap_s;
   if (follows_kick_ && is_known) return;

@@ -9,7 +9,7 @@
 // detects a flight, it supplies position, velocity and height; until it decides, the height is
 // unknown and the position is as reported by vision.
 //
-// An unseen ball is assumed to keep moving for half a second and to stop then. A ball last seen at
+// An unseen ball is assumed to keep moving for half a second and then to stop. A ball last seen at
 // a robot's front, where the robot may occlude it, moves with the robot until it is seen again.
 #pragma once
 
@@ -30,7 +30,7 @@ class BallTracker {
   // `noise_m`: standard deviation of a detection's coordinates.
   explicit BallTracker(double noise_m);
 
-  // `robots` are the tracks of the same time. Returns nullopt until the ball has been seen.
+  // `robots` are the robots' tracks at the same time. Returns nullopt until the ball has been seen.
   const std::optional<TrackedBall>& update(double time_s,
                                            const std::optional<BallObservation>& seen,
                                            const PerSide<TrackedRobots>& robots);
@@ -56,7 +56,7 @@ class BallTracker {
   double noise_m_;
   MotionFilter<2> motion_;
   ChipFlight chip_;
-  double kick_s_ = 0;              // when chip_ was started
+  double kick_s_ = 0;              // time when chip_ was started
   bool follows_kick_ = false;      // whether chip_ is in use
   std::optional<RobotId> kicker_;  // the robot nearest to the ball in the first frame after the
                                    // kick
@@ -66,7 +66,7 @@ class BallTracker {
   double kicked_mps_ = 0;  // speed after the last change not caused by the carpet; 0 if rolling
   double updated_s_ = 0;
   double seen_s_ = 0;
-  Vec2 camera_m_{0, 0};  // position of the camera of the last detection
+  Vec2 camera_m_{0, 0};  // position of the camera that made the last detection
 };
 
 }  // namespace autoref::tracking

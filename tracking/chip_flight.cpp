@@ -10,7 +10,7 @@ namespace {
 // Sliding balls decelerate by 3 to 10.3 m/s2 in the league's models.
 constexpr double kHardestBraking_mps2 = 11;
 
-// Residual of a straight-line fit, with the normal equations solved by Cramer's rule.
+// The residual of a straight-line fit. The normal equations are solved by Cramer's rule.
 double line_misfit(double n, double s1, double s2, const Vec2& values, double squares) {
   const double determinant = n * s2 - s1 * s1;
   const double a = (s2 * values[0] - s1 * values[1]) / determinant;
@@ -31,7 +31,7 @@ double braking_misfit(const Eigen::Matrix3d& rows, const Eigen::Vector3d& values
 }
 
 // Misfit of a path that is straight across `along` and a parabola with bounded deceleration along
-// it. In the direction across, the kick's position has the weight `position_weight`.
+// it. Across that direction, the kick's position has the weight `position_weight`.
 double path_misfit(const CarpetSums& sums, const Vec2& along, double position_weight) {
   const Vec2 across = left_of(along);
   return line_misfit(sums.rows(0, 0) + position_weight, sums.rows(0, 1), sums.rows(1, 1),
@@ -39,15 +39,16 @@ double path_misfit(const CarpetSums& sums, const Vec2& along, double position_we
          braking_misfit(sums.rows, sums.values * along, along.dot(sums.squares * along));
 }
 
-// Prior: a chip of up to 5.5 m/s at 45 degrees, weak enough that the detections soon dominate.
+// The prior assumes a chip of up to 5.5 m/s at 45 degrees. It is weak enough that the detections
+// soon dominate.
 constexpr double kUsualSpeed_mps = 4_mps;
 constexpr double kUsualRise_mps = 2.5_mps;
 constexpr double kUsualRiseDeviation_mps = 1.25_mps;
 constexpr double kFastestRise_mps = 3.9_mps;
-constexpr double kRiseError_mps = 1.6_mps;  // for an early estimate
+constexpr double kRiseError_mps = 1.6_mps;  // error of the vertical speed in an early estimate
 
-// Duration of all bounces relative to the first flight's: a geometric series with the largest
-// restitution of the league's models, 0.57.
+// Total duration of all bounces relative to that of the first flight: a geometric series with the
+// largest restitution of the league's models, 0.57.
 constexpr double kHopsPerFlight = 0.57 / (1 - 0.57);
 constexpr double kLongestChip_s = 2 * kFastestRise_mps / kGravity_mps2 * (1 + kHopsPerFlight);
 
@@ -180,7 +181,7 @@ void ChipFlight::begin(const KickGuess& kick) {
   believe(5, kUsualRise_mps, kUsualRiseDeviation_mps);
 }
 
-// The weight of an equation with this deviation; that of a detection is 1.
+// The weight of an equation with this deviation; the weight of a detection is 1.
 double ChipFlight::weight_of(double deviation) const {
   return square(noise_m_ / std::max(deviation, kChipLeastNoise_m));
 }
@@ -203,9 +204,9 @@ const ChipEstimate& ChipFlight::add(const BallDetection& detection) {
 }
 
 // Constrains the flight to begin at the kick's position. The constraint across the apparent
-// direction does not depend on the kick's time. For the one along that direction, a ball that has
-// not yet reached the position is extrapolated below the carpet. Both constraints are linearised at
-// the last fit (Gauss-Newton).
+// direction does not depend on the kick's time. In the constraint along that direction, a ball that
+// has not yet reached the position is extrapolated below the carpet. Both constraints are
+// linearised at the last fit (Gauss-Newton).
 FlightSums ChipFlight::from_position() const {
   const Vec2 velocity = fitted_.segment<2>(2);
   const double rise = fitted_[5];

@@ -29,8 +29,8 @@ class MotionFilter {
     speed_variance_ = noise_.any_change * noise_.any_change;
   }
 
-  // Predicts `duration_s` ahead; `acceleration` is its known part. The covariance grows by the
-  // discretised white-noise acceleration, q [t³/3, t²/2; t²/2, t].
+  // Predicts the state `duration_s` ahead. `acceleration` is the known part of the acceleration.
+  // The covariance grows by the discretised white-noise acceleration, q [t³/3, t²/2; t²/2, t].
   void predict(double duration_s, const Axis& acceleration) {
     const double t = duration_s;
     motion_.row(0) += t * motion_.row(1) + (t * t / 2) * acceleration;
@@ -49,12 +49,13 @@ class MotionFilter {
     speed_variance_ += variance;
   }
 
-  // Chi-square distributed for a consistent filter, with one degree of freedom per axis.
+  // The normalised innovation squared. It is chi-square distributed for a consistent filter, with
+  // one degree of freedom per axis.
   double normalised_innovation_squared(const Axis& innovation) const {
     return innovation.squaredNorm() / innovation_variance();
   }
 
-  // `innovation`: the detection minus the prediction.
+  // Corrects the state. `innovation` is the detection minus the prediction.
   void correct(const Axis& innovation) {
     const double position_gain = position_variance_ / innovation_variance();
     const double speed_gain = covariance_ / innovation_variance();
@@ -79,7 +80,7 @@ class MotionFilter {
   Eigen::Matrix<double, 2, Axes> motion_ = Eigen::Matrix<double, 2, Axes>::Zero();
   double position_variance_ = 0;
   double speed_variance_ = 0;
-  double covariance_ = 0;  // between position and speed
+  double covariance_ = 0;  // covariance of position and velocity
 };
 
 }  // namespace autoref::tracking

@@ -73,8 +73,8 @@ void RobotTracker::correct(const RobotObservation& seen, double duration_s) {
   publish();
 }
 
-// Error-state filter: the angle is filtered relative to the last heading and reset to zero after
-// each update, so it never wraps.
+// This is an error-state filter: the angle is filtered relative to the last heading and reset to
+// zero after each update, so it never wraps.
 void RobotTracker::publish() {
   robot_.position_m = position_.position();
   robot_.velocity_mps = position_.velocity();

@@ -1,4 +1,5 @@
-// Estimates positions and velocities from individual frames and extrapolates through short gaps.
+// Estimates positions and velocities from individual frames and extrapolates them through short
+// gaps.
 #pragma once
 
 #include <array>
@@ -51,7 +52,7 @@ class Tracker {
   const Tracks& update(const Frame& frame);
   const Tracks& tracks() const { return tracks_; }
 
-  // Forgets all detections.
+  // Discards all tracks, as if no frame had been seen.
   void begin_afresh() { *this = Tracker(noise_); }
 
  private:

@@ -21,8 +21,8 @@ namespace {
 // element, such as `fill="red"`.
 class Svg {
  public:
-  // Shows everything within `half_size_m` of the field's centre, with a white band of height
-  // `band_m` above it.
+  // The drawing shows everything within `half_size_m` of the field's centre, with a white band of
+  // height `band_m` above it.
   Svg(const Vec2& half_size_m, double band_m);
 
   void line(std::span<const Vec2> points_m, std::string_view look);
@@ -126,9 +126,11 @@ void Svg::text(const Vec2& position_m, std::string_view text, std::string_view l
 
 void Svg::begin_group(std::string_view look) { body_ += fmt::format("<g {}>\n", look); }
 
-constexpr double kCaption_m = 0.12;           // largest font size
-constexpr double kCaptionBand_m = 0.22;       // above the carpet, where no robot is
-constexpr double kLetterWidth = 0.62;         // of the font size, on average
+constexpr double kCaption_m = 0.12;  // largest font size
+// Height of the band above the carpet, where no robot is.
+constexpr double kCaptionBand_m = 0.22;
+// Average width of a letter as a fraction of the font size.
+constexpr double kLetterWidth = 0.62;
 constexpr double kShownBallRadius_m = 0.035;  // larger than in reality, to be visible
 constexpr double kFarthestStep_m = 0.4;       // a larger step is a placement, not motion
 constexpr double kShortestStep_m = 0.015;

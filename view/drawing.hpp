@@ -14,9 +14,9 @@ namespace autoref::view {
 
 struct DrawnGame {
   Field field;
-  PerSide<std::string> names;           // of the teams; empty if unknown
-  std::optional<RefereeSignal> signal;  // at the last frame; nullopt if the log has none
-  std::vector<Frame> frames;            // in order of time, at least one
+  PerSide<std::string> names;           // names of the teams; empty if unknown
+  std::optional<RefereeSignal> signal;  // signal at the last frame; nullopt if the log has none
+  std::vector<Frame> frames;            // frames in order of time, at least one
 };
 
 // SVG of the field with robots and ball as in the last frame. With several frames, the drawing also

@@ -33,8 +33,8 @@ Outline field_lines(const Field& field);
 // The points on the field at a distance of `distance_m` from the defence area of `side`.
 Outline around_defence_area(const Field& field, Side side, double distance_m);
 
-// The goal's inner walls: from post to post along the back and, if the side walls reach the field's
-// wall, to the wall and back on either side.
+// The goal's inner walls: from post to post along the back and, if the goal's side walls reach the
+// field's wall, to that wall and back on either side.
 std::vector<Vec2> goal_walls_m(const Field& field, Side side);
 
 }  // namespace autoref::view

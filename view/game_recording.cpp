@@ -16,8 +16,8 @@ namespace {
 using referee::Event;
 
 struct ShownText {
-  const char* name;  // on the page
-  const char* key;   // in the event log
+  const char* name;  // name on the page
+  const char* key;   // key in the event log
   std::string RecordedDecision::*text;
 };
 

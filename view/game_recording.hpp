@@ -29,15 +29,15 @@ struct RecordedDecision {
   std::string card;
   std::string card_reason;
   std::string restart;
-  std::optional<Vec2> position_m;  // published (soccer/referee_signal.hpp)
+  std::optional<Vec2> position_m;  // as published (soccer/referee_signal.hpp)
   bool operator==(const RecordedDecision&) const = default;
 };
 
-// Whether pages show such an event. They omit routine events, such as robots being ready for a
+// Whether pages show this event. Pages omit routine events, such as robots being ready for a
 // restart.
 bool is_shown(const std::string& event);
 
-// The part of an event log's line that a page shows. Throws Json::exception if it is not a
+// The part of an event log's line that a page shows. Throws Json::exception if the line is not a
 // decision.
 RecordedDecision recorded(const io::Json& line);
 
@@ -53,7 +53,7 @@ struct RecordedSignal {
   RefereeSignal signal;
 };
 
-// From `time_s` on, the stage's clock showed `left_s`.
+// The stage's clock showed `left_s` from `time_s` on.
 struct ClockMark {
   double time_s = 0;
   int left_s = 0;
@@ -62,8 +62,8 @@ struct ClockMark {
 // Takes positions as published (soccer/referee_signal.hpp).
 class GameRecording {
  public:
-  // Frames, signals and decisions beyond these limits are left out. No game of the league reaches
-  // them: kMostFrames frames last 4.6 hours at 60 frames per second.
+  // Frames, signals and decisions beyond these limits are left out. No game in the league reaches
+  // these limits: kMostFrames frames last 4.6 hours at 60 frames per second.
   static constexpr std::size_t kMostFrames = 1'000'000;
   static constexpr std::size_t kMostSignals = 100'000;
   static constexpr std::size_t kMostDecisions = 100'000;
@@ -88,20 +88,21 @@ class GameRecording {
   const std::vector<RecordedSignal>& signals() const { return signals_; }
   const std::vector<ClockMark>& clock() const { return clock_; }
   const std::vector<RecordedDecision>& decisions() const { return decisions_; }
-  bool is_full() const { return is_full_; }  // whether something was left out
+  bool is_full() const { return is_full_; }  // whether anything was left out
 
   // All robots seen so far, in the order of their columns.
   std::vector<RobotId> robots() const;
 
-  // Each frame's time in units of 0.1 ms as a little-endian uint32, then columns
-  // (packed_column.hpp): for each robot x and y in mm and heading in 0.1 degrees, counter-clockwise
-  // from x; finally the ball's x, y and height in mm. The height is kNothing if vision does not
-  // provide it.
+  // The frames as bytes. First comes each frame's time in units of 0.1 ms, as a little-endian
+  // uint32. Then come columns (packed_column.hpp): for each robot x and y in mm and the heading in
+  // 0.1 degrees, counter-clockwise from x. The last columns are the ball's x, y and height in mm.
+  // The height is kNothing if vision does not provide it.
   std::string bytes() const;
 
  private:
   using Triple = std::array<PackedColumn, 3>;
-  using Columns = std::array<std::optional<Triple>, kMaxRobots>;  // by number; nullopt: never seen
+  // Columns by robot number; nullopt: robot never seen.
+  using Columns = std::array<std::optional<Triple>, kMaxRobots>;
 
   void add_time(double time_s);
   void add_robots(const SeenRobots& robots, Columns& columns);

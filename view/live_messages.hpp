@@ -12,9 +12,9 @@
 
 namespace autoref::view {
 
-// The maximum amount of a game that a live page keeps; the oldest entries are dropped. At least the
-// last 7 hours of a game fit in, since a game has about 640 signals, 3600 clock marks and 310
-// decisions per hour.
+// The maximum amount of a game that a live page keeps; the oldest entries are dropped. These limits
+// are enough for at least the last 7 hours of a game, which has about 640 signals, 3600 clock marks
+// and 310 decisions per hour.
 struct LiveLimits {
   std::size_t signals = 5'000;
   std::size_t clock_marks = 40'000;
@@ -31,23 +31,24 @@ struct CountedMessage {
 // that reconnects keeps what it has received if `id` is the same; otherwise it starts over.
 std::string start_message(const PageContent& content, std::string_view id);
 
-// A part of the game: frames, signals, clock and decisions. Parts may contain any of these.
+// A part of the game: frames, signals, clock and decisions. A part may contain any of these.
 std::string part_message(const GameRecording& part);
 
-// The same without the frames, as one message for the signals, one for the clock and one for the
+// The part without its frames, as one message for the signals, one for the clock and one for the
 // decisions.
 std::array<CountedMessage, 3> call_messages(const GameRecording& part);
 
-// Says that the page has now received everything up to the present.
+// A message that says that the page has now received everything up to the present.
 std::string present_message();
 
-// Says that the game or run is over; `text` is a sentence to that effect.
+// A message that says that the game or run is over; `text` is a sentence that says so.
 std::string over_message(std::string_view text);
 
-// The first message to the page of a run. A page with another title reloads.
+// The first message to the page of a run. A page that has another title reloads.
 std::string run_start_message(std::string_view title);
 
-// How many games of a run are done, as numbers and as a sentence, with an optional remark below it.
+// How many games of a run are done, as numbers and as a sentence, with an optional remark below the
+// sentence.
 struct RunProgress {
   int done = 0;
   int total = 0;
@@ -56,7 +57,7 @@ struct RunProgress {
 };
 std::string progress_message(const RunProgress& progress);
 
-// The results so far, as HTML.
+// A message with the results so far, as HTML.
 std::string results_message(std::string_view html);
 
 // A game of a run.
@@ -66,7 +67,7 @@ struct ListedGame {
   bool has_page = false;  // whether the server has a page with this id
 };
 
-// The games being played and the latest ones to end, the newest first.
+// A message with the games being played and the latest games to end, the newest first.
 std::string games_message(const std::vector<ListedGame>& running,
                           const std::vector<ListedGame>& ended);
 

@@ -8,12 +8,12 @@
 
 namespace autoref::view {
 
-// Stores each number as one byte: the difference from the previous number (initially kNothing) as
+// Stores each number as one byte: its difference from the previous number (initially kNothing) as
 // int8. If the difference is outside -127 to 127, stores -128 followed by the number as a
 // little-endian int16.
 class PackedColumn {
  public:
-  // Means "not seen".
+  // The value for "not seen".
   static constexpr std::int16_t kNothing = std::numeric_limits<std::int16_t>::min();
 
   void add(std::int16_t number);

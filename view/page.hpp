@@ -20,20 +20,22 @@ struct PageFact {
 
 // A call in a recorded game, made by the recorded referee, by AutoRef, or by both.
 struct ComparedCall {
-  double time_s = 0;     // when the recorded referee called; AutoRef's time if only it called
+  // When the recorded referee made the call, or AutoRef if only AutoRef made it.
+  double time_s = 0;
   std::string recorded;  // the recorded referee's call; empty: none
   std::string autoref;   // AutoRef's call; empty: none
-  std::string other;     // if only one called: the other referee's action instead
-  std::optional<double> autoref_s{};  // when AutoRef called; nullopt: it made no call
+  std::string other;     // if only one referee made the call: the other referee's action instead
+  std::optional<double> autoref_s{};  // when AutoRef made the call; nullopt: it made none
   bool operator==(const ComparedCall&) const = default;
 };
 
 struct PageContent {
   const GameRecording& recording;
   Field field;
-  PerSide<std::string> names;     // of the teams; empty if unknown
+  PerSide<std::string> names;     // names of the teams; empty if unknown
   std::vector<PageFact> facts{};  // shown below the game, such as {"build", "1.0.0-..."}
-  std::optional<std::vector<ComparedCall>> compared{};  // in order of time; nullopt: no comparison
+  // Compared calls in order of time; nullopt: no comparison.
+  std::optional<std::vector<ComparedCall>> compared{};
 };
 
 // The page: HTML with style, script (view/page/) and the game's data.
@@ -46,7 +48,7 @@ std::string live_page();
 // are played. `title` is text, not HTML.
 std::string run_page(std::string_view title);
 
-// The text with characters escaped that HTML would interpret.
+// The text, with those characters escaped that HTML would interpret.
 std::string html_text(std::string_view text);
 
 // A game as JSON, as the page's script reads it (view/page/recording.js): everything but the packed

@@ -10,7 +10,7 @@ namespace autoref::view {
 std::string_view page_frame();
 std::string_view page_style();
 std::string_view page_script();
-std::string_view page_start();  // the end of a recorded game's script
+std::string_view page_start();  // the end of the script for a recorded game
 
 // Additions for a live page: the end of its style, and the end of its script in place of
 // page_start().
@@ -19,8 +19,8 @@ std::string_view page_live_script();
 
 std::string_view page_bracket_style();  // for experiments/report/bracket_drawing.hpp
 
-// The page of a run: its HTML, in which @TITLE@ (twice), @STYLE@ and @SCRIPT@ must be replaced, the
-// end of its style, and its script.
+// The page of a run: its HTML, in which @TITLE@ (twice), @STYLE@ and @SCRIPT@ must be replaced; the
+// end of its style; and its script.
 std::string_view page_run();
 std::string_view page_run_style();
 std::string_view page_run_script();

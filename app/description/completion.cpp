@@ -30,7 +30,7 @@ const DescribedOption* find_option(const DescribedVerb& verb, const std::string&
 // A partly typed command line.
 struct BegunLine {
   const DescribedVerb* verb = nullptr;
-  const DescribedOption* awaits_value = nullptr;  // the last word is the value of this option
+  const DescribedOption* awaits_value = nullptr;  // option whose value is the last word
   std::vector<std::string> positionals;
   std::string last;
 };

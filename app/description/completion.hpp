@@ -10,18 +10,19 @@
 namespace autoref::app {
 
 struct Proposal {
-  std::string word;   // instead of the last word; more may follow if it ends with '.' or '='
+  std::string word;   // replaces the last word; if it ends with '.' or '=', it can be continued
   std::string about;  // may be empty
 };
 
 // Proposals for the last of `words` (the words after the program's name): verbs, options, or values
-// if they are known. Returns at most 200, or none where any file is allowed.
+// if they are known. Returns at most 200 proposals, or none if the word can be any file.
 std::vector<Proposal> proposals_for(const DescribedVerb& program,
                                     const std::vector<std::string>& words);
 
 // A value to be completed.
 struct ValuePlace {
-  std::string kind;                      // as in help: "BOOK", "KEY=VALUE", "GAME_ID"
+  // The kind of value, as named in the help: "BOOK", "KEY=VALUE", "GAME_ID".
+  std::string kind;
   std::string begun;                     // the part typed so far
   std::vector<std::string> positionals;  // the preceding arguments without dashes
 };
@@ -29,7 +30,7 @@ struct ValuePlace {
 // Values of that kind that begin with `begun`; empty for an unknown kind.
 std::vector<Proposal> values_at(const ValuePlace& place);
 
-// Sorted ids of the games in a results folder that begin with `begun`. Returns at most 200, and
+// Sorted ids of the games in a results folder that begin with `begun`. Returns at most 200 ids, and
 // reads only the first megabytes of the folder's files.
 std::vector<std::string> stored_ids(const std::filesystem::path& folder, const std::string& begun);
 

@@ -28,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostIds = 200;
-constexpr std::size_t kMostBytes = 4 << 20;  // of all files
+constexpr std::size_t kMostBytes = 4 << 20;  // maximum number of bytes read from all files
 constexpr int kMostFiles = 1000;
 
 // The beginning of a regular file; empty if it cannot be read.
@@ -71,8 +71,8 @@ std::vector<Proposal> teams_begun(const ValuePlace& place) {
   return proposals;
 }
 
-// Names of scenarios that begin as typed; if there are none, the names are compared without their
-// folder.
+// Names of scenarios that begin with the typed text. If there are none, the names are compared
+// without their folders.
 std::vector<Proposal> scenarios_begun(const ValuePlace& place) {
   const std::vector<std::string> known =
       known_scenarios(fs::path(place.begun).parent_path(), io::running_program());
@@ -89,7 +89,7 @@ std::vector<game::Setting> settings_for(game::GameSettings& game, const std::str
   try {
     return game::settings_with(game, key);
   } catch (const std::invalid_argument&) {
-    return game::settings_of(game);  // its number is not typed yet
+    return game::settings_of(game);  // the robot's number has not been typed yet
   }
 }
 

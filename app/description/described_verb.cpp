@@ -15,7 +15,7 @@ std::vector<std::string> dashed_names_of(const CLI::Option& option) {
   return names;
 }
 
-// Adds it as an argument without dashes, as an option, or as both.
+// Adds the option as an argument without dashes, as an option with dashes, or as both.
 void add_described(const CLI::Option& option, std::vector<DescribedOption>& options) {
   DescribedOption described;
   described.description = option.get_description();

@@ -10,10 +10,10 @@ namespace autoref::app {
 
 struct DescribedOption {
   std::vector<std::string> names;  // "-o", "--output"; an argument has one name
-  std::string value;               // what follows, such as "FILE"; empty for a flag
+  std::string value;               // placeholder for the value, such as "FILE"; empty for a flag
   std::string description;
   bool is_positional = false;
-  std::vector<std::string> allowed_words = {};  // if help lists them
+  std::vector<std::string> allowed_words = {};  // the words that the help lists, if any
 };
 
 // The program itself, a group of verbs, or a verb.
@@ -22,7 +22,7 @@ struct DescribedVerb {
   std::string description;
   std::vector<DescribedOption> options;
   std::string footer;                // examples and notes
-  std::vector<DescribedVerb> verbs;  // in the order of help
+  std::vector<DescribedVerb> verbs;  // in the order in which the help lists them
 };
 
 // Everything that `autoref --help` and `autoref VERB --help` print.

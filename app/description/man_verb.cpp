@@ -40,7 +40,7 @@ std::string options_text(const DescribedVerb& verb) {
   return text;
 }
 
-// The lines unchanged but indented.
+// The lines of the text, unchanged but indented.
 std::string verbatim(const std::string& lines) {
   return lines.empty() ? "" : ".PP\n.nf\n" + roff(lines) + "\n.fi\n";
 }

@@ -1,5 +1,6 @@
-// The manual's reference pages as Markdown, made from the lists that the program itself uses. The
-// pages under docs/reference/ are printed by `autoref reference`, and a test compares them.
+// The manual's reference pages as Markdown, made from the lists that the program itself uses.
+// `autoref reference` prints the pages under docs/reference/, and a test compares its output with
+// these files.
 #pragma once
 
 #include <string>
@@ -9,14 +10,14 @@
 
 namespace autoref::app {
 
-// Names of the pages: docs/reference/NAME.md.
+// Names of the pages; each page is docs/reference/NAME.md.
 std::vector<std::string> reference_page_names();
 
-// The page of that name. The page of verbs describes `program`. Throws std::invalid_argument for an
-// unknown name.
+// The page with this name. `program` is described on the page of verbs. Throws
+// std::invalid_argument for an unknown name.
 std::string reference_page(const std::string& name, const DescribedVerb& program);
 
-// The individual pages.
+// Each of these functions returns one page.
 std::string settings_page();
 std::string verbs_page(const DescribedVerb& program);
 std::string rules_page();

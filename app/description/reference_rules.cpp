@@ -57,7 +57,7 @@ std::string sections_section() {
   return "## Meanings and sections\n\n" + reference_table(rows);
 }
 
-// The number's value in each book; yes or no is 1 or 0.
+// The value of a number in each rule book; yes is 1 and no is 0.
 std::vector<std::string> numbers_called(std::string_view name) {
   std::vector<std::string> values;
   for (const RuleBook& book : rule_books()) {
@@ -79,9 +79,10 @@ std::string numbers_section() {
     row.emplace_back(about.source);
     rows.push_back(std::move(row));
   });
-  return "## Numbers\n\nThe numbers of each rule book, as programs receive them in the message "
+  return "## Numbers\n\nThe numeric values in each rule book, as programs receive them in the "
+         "message "
          "START ([team-programs.md](../team-programs.md)), which also has the edition and the "
-         "rules in force; 1 is yes, 0 is no. The source says where the first rule book's number "
+         "rules in force; 1 is yes, 0 is no. The source says where the first rule book's value "
          "comes from, then what other texts say; \"2016\" is the authors' later public "
          "referee.\n\n" +
          reference_table(rows);

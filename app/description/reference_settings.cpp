@@ -91,11 +91,11 @@ std::vector<std::string> row_of(const game::Setting& setting) {
           game::expected_of(setting), std::string(setting.about)};
 }
 
-// Branches in the order of the settings, each with its rows.
+// The branches in the order of the settings, each with its rows of the table.
 std::vector<std::pair<std::string, Rows>> branches_of(const std::vector<game::Setting>& settings) {
   std::vector<std::pair<std::string, Rows>> branches;
   for (const game::Setting& setting : settings) {
-    if (setting.path.starts_with("teams.b.")) continue;  // as team a's
+    if (setting.path.starts_with("teams.b.")) continue;  // described as settings of team a
     const std::string path = shown_path(setting.path);
     const std::string branch(path.find('.') == std::string::npos ? "" : game::branch_of(path));
     auto found = std::find_if(branches.begin(), branches.end(),

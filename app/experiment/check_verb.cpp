@@ -85,7 +85,8 @@ void add_check_verb(CLI::App& app, Chosen& chosen) {
       app.add_subcommand("check", "Validate an experiment and estimate how long it takes.");
   auto arguments = std::make_shared<CheckArguments>();
   add_experiment_argument(*verb, *arguments, "run");
-  add_workers_option(*verb, arguments->workers, "Parallel games to assume in the estimate.");
+  add_workers_option(*verb, arguments->workers,
+                     "Number of parallel games that the estimate assumes.");
   add_set_option(*verb, arguments->sets);
   add_override_options(*verb, *arguments);
   verb->add_flag("--games", arguments->games, "Only print the id of every game.");

@@ -21,7 +21,7 @@ namespace autoref::app {
 namespace {
 
 struct JudgeArguments : BatchArguments {
-  std::string seeds;  // name of the only master seed to play; empty: all of the file's
+  std::string seeds;  // name of the only master seed to play; empty: all seeds of the file
   bool allow_mixed_build = false;
   bool json = false;
 };

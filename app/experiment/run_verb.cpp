@@ -197,10 +197,10 @@ void add_run_verb(CLI::App& app, Chosen& chosen) {
   auto arguments = std::make_shared<RunArguments>();
   add_run_options(*verb, *arguments);
   verb->footer(
-      "Ctrl-C lets the running games finish; a second one stops them immediately. The same\n"
-      "command continues later; games of killed workers are played again. You can continue with\n"
-      "more pairs in the same folder; with fewer, the surplus rows do not count. Another seed\n"
-      "needs another folder. An existing report is updated when all games are done.\n\n"
+      "Ctrl-C lets the running games finish; a second one stops them immediately. Repeat the same\n"
+      "command to continue: games whose workers were killed are played again. You can continue\n"
+      "with more pairs in the same folder; with fewer, the surplus rows do not count. Another\n"
+      "seed needs another folder. An existing report is updated when all games are done.\n\n"
       "Shards may share a folder, or each use its own; then copy all games/*.csv into one folder\n"
       "for autoref report. An SPRT match ends with the pair of games that decides it; shards with\n"
       "separate folders play all pairs up to the maximum. A shard of a knockout, a Swiss\n"

@@ -14,7 +14,8 @@
 namespace autoref::app {
 
 // The games that the run has started. Workers play them in their own processes. Since games are
-// reproducible bit for bit, a game's page is made by playing it once more here. Thread-safe.
+// reproducible bit for bit, the page of a game is made by playing the game once more in this
+// process. Thread-safe.
 class StartedGames {
  public:
   // Adds the game and returns true. Returns false for games with programs or the network, which are
@@ -22,22 +23,23 @@ class StartedGames {
   bool add(const experiments::ScheduledGame& game);
   void forget(const std::string& id);
 
-  // Plays the game to its end, which takes about a second per 20 minutes, and returns its page;
-  // nullopt if it was not added, has been forgotten or cannot be played.
+  // Plays the game to its end and returns its page. Playing takes about a second per 20 simulated
+  // minutes. Returns nullopt if the game was not added, has been forgotten or cannot be played.
   std::optional<std::string> page(const std::string& id) const;
 
  private:
   std::optional<experiments::ScheduledGame> game_named(const std::string& id) const;
 
   mutable std::mutex mutex_;
-  std::map<std::string, experiments::ScheduledGame> games_;  // by id
+  std::map<std::string, experiments::ScheduledGame> games_;  // started games by id
 };
 
 class ShownRun {
  public:
-  // Shows the experiment at `web` and says so on stderr; does neither if the address is empty. Sets
-  // the callbacks of `options`, which must not be called after this object is destroyed. `name` is
-  // the title if the scenario has no description. Throws InputError naming --web or --web-host.
+  // Shows the experiment at `web` and reports the address on stderr. Does neither if the address is
+  // empty. Sets the callbacks of `options`, which must not be called after this object is
+  // destroyed. `name` is the title if the scenario has no description. Throws InputError naming
+  // --web or --web-host.
   ShownRun(const experiments::Scenario& scenario, const std::string& name, const WebFlags& web,
            experiments::ExperimentOptions& options);
   ShownRun(const ShownRun&) = delete;

@@ -24,8 +24,8 @@ struct LiveArguments {
   std::string seed;               // empty: the scenario's seed
   std::vector<std::string> sets;  // "key=value"
   std::string speed = "1";        // a factor, "max" or "lockstep"
-  live::LiveOptions options;      // without the speed
-  bool broadcasts = false;        // instead of sending to multicast groups
+  live::LiveOptions options;      // options except the speed
+  bool broadcasts = false;        // broadcast instead of sending to multicast groups
   GameOutput output;
 };
 
@@ -91,7 +91,7 @@ void add_network_options(CLI::App& verb, LiveArguments& arguments) {
                       "multicast groups.")
           ->type_name("HOST");
   verb.add_flag("--broadcast", arguments.broadcasts,
-                "Send them to all hosts of the interface's network, for networks that do not "
+                "Send these packets to all hosts of the interface's network, if it does not "
                 "forward multicast.")
       ->excludes(unicast);
   port("--vision-port", options.ports.vision, "Port for vision packets, 10006 by default.");

@@ -47,11 +47,11 @@ class WebObserver final : public game::Observer {
 
 class GameOnWeb {
  public:
-  // Shows the game at `web` and says so on stderr; does neither if the address is empty. Throws
-  // InputError naming --web or --web-host.
+  // Shows the game at `web` and reports the address on stderr. Does neither if the address is
+  // empty. Throws InputError naming --web or --web-host.
   GameOnWeb(const game::GameConfiguration& game, const WebFlags& web);
 
-  // Null if the game is not shown.
+  // The observer that shows the game; null if the game is not shown.
   game::Observer* observer() { return web_ ? &*web_ : nullptr; }
 
   // Announces that the game is over and gives the message some time to arrive.

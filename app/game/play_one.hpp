@@ -14,8 +14,9 @@
 
 namespace autoref::app {
 
-// Parses a speed relative to real time, from 0.01 to 1000. Otherwise throws InputError; its message
-// also names the other values that --speed accepts, such as "max or lockstep".
+// Parses a speed relative to real time, from 0.01 to 1000. Throws InputError if `text` is not such
+// a speed. `others` are the other values that --speed accepts, such as "max or lockstep"; the error
+// message also names them.
 double speed_factor_in(const std::string& text, std::string_view others);
 
 // Outputs of a game, as chosen by flags.
@@ -26,12 +27,14 @@ struct GameOutput {
       log;  // output file for vision and referee packets (league/game_packets.hpp); empty: none
   std::string view;    // output file for the page that shows the game (view/page.hpp); empty: none
   std::string record;  // output file for the commands of team programs; empty: none
-  WebFlags web;        // where to show the game on the network
-  std::string speed;   // of a game played here: a factor or "max"; empty: real time if shown
+  WebFlags web;        // network address at which to show the game
+  // Speed of a game that is simulated here: a factor or "max"; empty: real time if the game is
+  // shown.
+  std::string speed;
   bool json = false;
 };
 
-// How to play a game other than by play() (game.hpp).
+// A way to play a game other than play() (game.hpp).
 struct GamePlayer {
   game::TeamMaker make_network_team;
   std::function<game::GameRecord(const game::Observers& observers, game::GamePrograms& programs)>
@@ -59,10 +62,10 @@ void add_output_options(CLI::App& verb, GameOutput& output);
 void add_speed_option(CLI::App& verb, GameOutput& output);
 
 // Plays the game, prints its report, and writes its decisions, its log and its page as requested.
-// After Ctrl-C it throws Interrupted and writes neither decisions nor page; the log then contains
-// the game so far. `inputs` are the files from which the game was read; they must not be
-// overwritten. Throws InputError before the game if an output is one of `inputs` or the same file
-// as another output.
+// After Ctrl-C, throws Interrupted and writes neither decisions nor page; the log then contains the
+// game up to that time. `inputs` are the files from which the game was read; they must not be
+// overwritten. Throws InputError before the game starts if an output file is one of `inputs` or is
+// also another output.
 //
 // Throws InputError if `commands` were recorded in another game.
 game::GameRecord play_one(const game::GameConfiguration& game, const GameOutput& output,

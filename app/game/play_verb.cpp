@@ -38,7 +38,7 @@ struct PlayArguments {
 // A point in a log at which games begin.
 struct PlayedInstant {
   std::string log;
-  double at_s = 0;  // from the start of the log
+  double at_s = 0;  // time since the start of the log
 };
 
 game::TeamSettings& team_in(game::GameSettings& game, Side side) {
@@ -103,7 +103,8 @@ game::GameSettings game_from_log(const PlayArguments& arguments,
   game::GameSettings game = scenario_or_defaults(arguments, assignments);
   if (game.match.control != referee::Control::kAutoref)
     throw io::InputError({"--from"}, "",
-                         "only AutoRef can command such a game; set match.control=autoref");
+                         "only AutoRef can command a game that begins with the state of a log; set "
+                         "match.control=autoref");
   game::locate_errors("--from", [&] {
     logs::LoggedState logged = logs::logged_state(logs::seekable_log(instant.log), instant.at_s);
     if (arguments.file.empty()) take_defaults(logged, game);
@@ -120,7 +121,8 @@ game::GameSettings game_from_log(const PlayArguments& arguments,
 void refuse_needless_commands(const PlayArguments& arguments, const game::GameSettings& game) {
   if (arguments.commands.empty() || game::has_programs(game::resolved(game))) return;
   throw io::InputError({"--commands"}, "",
-                       "neither team of the scenario is a program or on the network");
+                       "neither team of the scenario is a program or on the network, so recorded "
+                       "commands cannot be played");
 }
 
 const std::string& scenario_of(const PlayArguments& arguments) {

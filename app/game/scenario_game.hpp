@@ -14,8 +14,8 @@ namespace autoref::app {
 game::GameSettings game_in(const std::string& file, const std::string& seed,
                            const game::Assignments& assignments);
 
-// The files from which a game is read: the scenario, the recorded commands (unless empty) and the
-// robot type files named by the scenario or by --set.
+// The files from which a game is read: the scenario file, the recorded commands (unless empty) and
+// the robot type files named by the scenario or by --set.
 std::vector<std::string> inputs_of(const std::string& file, const std::string& commands,
                                    const game::Assignments& assignments);
 

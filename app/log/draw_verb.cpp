@@ -19,7 +19,7 @@ namespace {
 struct DrawArguments {
   std::string log;
   std::string output;
-  std::string at;     // in seconds; empty if `trace` is given
+  std::string at;     // time in seconds; empty if `trace` is given
   std::string trace;  // "from:to", in seconds
   std::string rules = "paper";
 };

@@ -60,10 +60,10 @@ int view_verb(const ViewArguments& arguments) {
   if (recorder.recording.frames() == 0) {
     throw io::InputError(
         {arguments.log}, "--from",
-        "the log has no frames in this part; autoref log info shows how long it is");
+        "the log has no frames between these times; autoref log info shows how long it is");
   }
   if (recorder.recording.is_full()) {
-    io::write_message(stderr, fmt::format("autoref: {}: shows only the first {} frames\n",
+    io::write_message(stderr, fmt::format("autoref: {}: the page shows only the first {} frames\n",
                                           arguments.log, recorder.recording.frames()));
   }
   const std::string page = view::page_of({recorder.recording,
@@ -89,7 +89,8 @@ void add_view_verb(CLI::App& app, Chosen& chosen) {
   verb->add_option("--from", arguments->part.from_s,
                    "Show the game only from this time on, in seconds from the start of the log.")
       ->type_name("S");
-  verb->add_option("--to", arguments->part.to_s, "Show it only up to this time.")->type_name("S");
+  verb->add_option("--to", arguments->part.to_s, "Show the game only up to this time.")
+      ->type_name("S");
   add_field_option(*verb, arguments->rules);
   verb->footer(
       "If the log is damaged, the page shows the part before the damage, and the exit code is "

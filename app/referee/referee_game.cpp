@@ -29,16 +29,18 @@ void add_referee_options(CLI::App& verb, RefereeArguments& arguments,
                   "by default.")
       ->type_name("BOOK");
   verb.add_option("--first-kickoff", arguments.first_kickoff,
-                  "Side of the first kick-off, overriding the packets.")
+                  "Side that takes the first kick-off, overriding the packets.")
       ->type_name("west|east");
   verb.add_option("--control", arguments.control,
-                  fmt::format("Who commands the game: human, the other referee ({}); none, play is "
-                              "on throughout; or autoref.",
+                  fmt::format("Who commands the game. human: the other referee ({}); none: "
+                              "nobody, play is on throughout; autoref: AutoRef.",
                               default_control))
       ->type_name("human|none|autoref");
-  verb.add_option("--source", arguments.source,
-                  fmt::format("Source of robots and ball: vision packets ({}) or tracker packets.",
-                              default_source))
+  verb.add_option(
+          "--source", arguments.source,
+          fmt::format(
+              "Source of the positions of robots and ball: vision packets ({}) or tracker packets.",
+              default_source))
       ->type_name("SOURCE")
       ->check(one_of({"vision", "tracker"}));
   verb.add_option("--camera", arguments.camera, "Camera preset that describes the vision noise.")

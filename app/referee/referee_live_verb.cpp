@@ -27,8 +27,8 @@ namespace autoref::app {
 namespace {
 
 struct RefereeLiveArguments : RefereeArguments {
-  live::LiveRefereeOptions live;  // without the controller
-  bool broadcasts = false;        // instead of sending to multicast groups
+  live::LiveRefereeOptions live;  // options except the controller
+  bool broadcasts = false;        // broadcast instead of sending to multicast groups
   std::string game_controller;    // auto or HOST[:PORT]; empty: none
   WebFlags web;                   // where to show the game on the network
 };
@@ -162,7 +162,7 @@ class LiveRefereeOutput {
         game_events_("--game-events", arguments.game_events),
         screen_(std::move(prefix)) {}
 
-  // Shows the game to browsers at `web`, if it has an address.
+  // Shows the game to browsers at `web`, unless its address is empty.
   void show_page(const WebFlags& web, const Field& field, const PerSide<std::string>& names,
                  const std::string& book) {
     teams_ = {{game::EventTeam{"", names[Side::kWest]}, game::EventTeam{"", names[Side::kEast]}}};
@@ -211,9 +211,10 @@ game::GameSettings live_game_of(const RefereeLiveArguments& arguments, const std
       game_of(chosen, book, assignments, facts, facts.games.front(), kNetwork);
   print_gaps(chosen, assignments, facts, game, kNetwork);
   if (!facts.last_signal && chosen.control == "human") {
-    io::write_message(stderr, fmt::format("autoref: no referee packets yet at {}:{}; AutoRef makes "
-                                          "no calls before they arrive (change with --control)\n",
-                                          live::kRefereeGroup, arguments.live.ports.referee));
+    io::write_message(stderr,
+                      fmt::format("autoref: no referee packets yet at {}:{}; AutoRef makes "
+                                  "no calls before they arrive (or use --control autoref)\n",
+                                  live::kRefereeGroup, arguments.live.ports.referee));
   }
   return game;
 }
@@ -251,7 +252,7 @@ int referee_live_verb(const RefereeLiveArguments& arguments) {
     output.show_page(arguments.web, game.field, facts.names, book);
     referee.run(game::referee_configuration(game::resolved(game)), facts, output.watch());
   } catch (const io::Interrupted&) {
-    // This is how the verb usually ends.
+    // The verb usually ends with this exception.
   }
   output.end();
   return io::kDone;

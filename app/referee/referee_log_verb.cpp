@@ -51,10 +51,12 @@ void print_ends(const RefereeLogArguments& arguments, const logs::RecordedFacts&
   if (stages.empty()) return;
   std::vector<std::string> names;
   for (const Stage stage : stages) names.emplace_back(name_of(stage));
-  io::write_message(stderr, fmt::format("autoref: {}: the referee packets and the "
-                                        "positions of both keepers disagree about the ends in {}; "
-                                        "using the keepers' positions\n",
-                                        arguments.log, io::listed(names)));
+  io::write_message(
+      stderr,
+      fmt::format("autoref: {}: the referee packets and the "
+                  "positions of both keepers disagree about which ends the teams defend in {}; "
+                  "using the keepers' positions\n",
+                  arguments.log, io::listed(names)));
 }
 
 std::vector<logs::Call> annotated_calls(const RefereeLogArguments& arguments) {

@@ -65,7 +65,7 @@ std::string report_judged(const experiments::ResultFolder& folder, const fs::pat
     fmt::print("{} of {} games so far\n", folder.completed_games.done.size(), folder.needed);
   }
   print_judged_files(into);
-  fmt::print("{}   the report\n{}   the same as a single page for a browser\n",
+  fmt::print("{}   the report\n{}   the same report as a single page for a browser\n",
              (into / experiments::kMarkdownReport).string(),
              (into / experiments::kHtmlReport).string());
   return judge::scores_markdown_of(report);

@@ -24,13 +24,13 @@ void print_judged_scores(const judge::JudgeReport& report);
 void print_judged_files(const std::filesystem::path& folder);
 
 // Writes judge.csv, faults.csv, report.md and report.html into `into`, and prints their paths and
-// the tables. With kKeep, it writes nothing if rows are damaged. Returns the table of scores.
+// the tables. With kKeep, writes nothing if rows are damaged. Returns the table of scores.
 std::string report_judged(const experiments::ResultFolder& folder,
                           const std::filesystem::path& into, experiments::LostGames lost);
 
 // Calls report_judged() for the rows of `build`. If `build` is empty, reports on the folder's only
-// build, or, if there are several builds, on each of them in its own folder, and adds an overview.
-// Returns ResultFolder::faults() of all of them.
+// build. If there are several builds, reports on each of them in its own folder and adds an
+// overview. Returns ResultFolder::faults() of all these builds.
 std::set<std::string> report_judged_builds(const std::filesystem::path& path,
                                            const std::string& build, experiments::LostGames lost);
 

@@ -14,7 +14,7 @@ namespace autoref::app {
 const experiments::ScheduledGame& game_named(const experiments::ResultFolder& folder,
                                              const std::string& id);
 
-// The id with the two teams around its '~' swapped; empty if it has no '~'.
+// The id with the two teams around its '~' swapped; empty if `id` has no '~'.
 std::string turned_id(const std::string& id);
 
 }  // namespace autoref::app

@@ -30,7 +30,7 @@ void print_files(const experiments::ExperimentResults& results,
     fmt::print("{}   {}\n", (into / file.name).string(), file.about);
   }
   fmt::print("{}   the report\n", (into / experiments::kMarkdownReport).string());
-  fmt::print("{}   the same as a single page for a browser\n",
+  fmt::print("{}   the same report as a single page for a browser\n",
              (into / experiments::kHtmlReport).string());
   fmt::print("{}   {} plots, their data and scripts\n", (into / experiments::kPlotsFolder).string(),
              report.drawn);

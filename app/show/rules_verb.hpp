@@ -18,7 +18,7 @@ std::string rules_json(const RuleBook& rules);
 // One line per rule book, with its field and number of robots.
 std::string books_text();
 
-// The same as one JSON object.
+// The rule books as one JSON object.
 std::string books_json();
 
 }  // namespace autoref::app

@@ -34,7 +34,8 @@ double answer_quantile_ms(const std::vector<double>& sorted, double share) {
 std::string verdict_on_repeating(const game::TeamCheck& check) {
   if (!check.is_repeatable) return "not tried";
   if (*check.is_repeatable) return "yes: two runs gave the same commands";
-  return "no: a second run gave other commands; does it read a clock, or draw random numbers "
+  return "no: a second run gave other commands; does the program read a clock, or draw random "
+         "numbers "
          "without the seed of START? Games are still recorded and can be played again";
 }
 

@@ -18,7 +18,7 @@ using Levels = std::vector<std::size_t>;
 
 // A sweep's combinations as levels of each factor.
 struct Design {
-  std::vector<std::vector<std::string>> values;  // by factor, in the sweep's order
+  std::vector<std::vector<std::string>> values;  // values by factor, in the sweep's order
   std::vector<Levels> groups;                    // levels by group
 };
 

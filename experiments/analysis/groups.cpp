@@ -33,13 +33,13 @@ void add_game(Group& group, const GameRow& row) {
 DifferenceByPair pair_differences_of(const Group& group) {
   DifferenceByPair differences;
   for (const auto& [number, legs] : group.games_by_pair) {
-    // All tests use one value per pair, since the teams change sides between its legs.
+    // All tests use one value per pair, since the teams change sides between the legs of a pair.
     if (legs.size() == 2) differences[number] = (legs[0].difference + legs[1].difference) / 2;
   }
   return differences;
 }
 
-// "1.50 ± 1.00": mean and standard deviation; "-" without games.
+// "1.50 ± 1.00": mean and standard deviation of the goals; "-" if there are no games.
 std::string mean_goals_text(const std::vector<double>& goals) {
   if (goals.empty()) return "-";
   const std::optional<double> deviation = standard_deviation(goals);

@@ -22,7 +22,7 @@
 
 namespace autoref::experiments {
 
-// The interval's bounds; both nullopt without an interval.
+// The interval's bounds; both nullopt if there is no interval.
 inline std::pair<std::optional<double>, std::optional<double>> bounds_of(
     const std::optional<Interval>& interval) {
   if (!interval) return {};
@@ -41,7 +41,7 @@ io::TableColumns<Row> interval_columns(
 // Numbers of games won, drawn and lost.
 using ResultCounts = std::array<int, 3>;
 
-// A number of games, and the number of all games.
+// The number of games with some result, and the number of all games.
 struct ResultShare {
   int part = 0;
   int whole = 0;
@@ -52,10 +52,10 @@ struct ResultShare {
   std::optional<Interval> interval() const { return proportion_interval(part, whole); }
 };
 
-// Columns for the share that each of some whole-number columns has in their sum: the fraction and
-// its 95 % interval, such as "wins_a_share", "wins_a_low95" and "wins_a_high95". The intervals are
-// those of proportion_interval(), which assumes independent games. Without games, these cells are
-// empty.
+// Columns for the share of each of several whole-number columns in their sum: the fraction and its
+// 95 % interval, such as "wins_a_share", "wins_a_low95" and "wins_a_high95". The intervals are
+// those of proportion_interval(), which assumes independent games. The cells are empty if there are
+// no games.
 template <typename Row>
 io::TableColumns<Row> share_columns(const io::TableColumns<Row>& counts) {
   io::TableColumns<Row> columns;
@@ -77,22 +77,24 @@ io::TableColumns<Row> share_columns(const io::TableColumns<Row>& counts) {
 // "63 % [52, 73]": the fraction with its 95 % interval; "-" if `whole` is 0.
 std::string share_text(int part, int whole);
 
-// Games with the same values. Void games count only in `void_games`.
+// The scores of all games with the same values. Void games count only in `void_games`.
 struct Group {
   std::vector<std::string> values;
-  std::vector<double> goals_a;  // per game
+  std::vector<double> goals_a;  // goals of team a in each game
   std::vector<double> goals_b;
   std::vector<double> differences;  // a minus b
-  // By pair number: mean over the two legs. Pairs with a void leg are left out.
+  // The mean goal difference over the two legs, by pair number. Pairs with a void leg are left out.
   DifferenceByPair pair_differences;
-  std::map<int, std::vector<RatedGame>> games_by_pair;  // by pair number, without void games
+  // Rated games by pair number, without void games.
+  std::map<int, std::vector<RatedGame>> games_by_pair;
   int void_games = 0;
-  // By lead_of_a() (game_row.hpp).
+  // Results according to lead_of_a() (game_row.hpp).
   int wins_a = 0;
   int draws = 0;
   int wins_b = 0;
 
-  int games() const { return static_cast<int>(differences.size()); }  // without void games
+  // Number of games that are not void.
+  int games() const { return static_cast<int>(differences.size()); }
   int pairs() const { return static_cast<int>(pair_differences.size()); }
   ResultCounts results() const { return {wins_a, draws, wins_b}; }
 };
@@ -117,11 +119,12 @@ io::TableColumns<Group> summary_columns();
 io::TableColumns<Group> result_columns();
 
 // [{"values": ["1.0"], "games": 24, "void_games": 0, "mean_a": 4.54, "mean_b": 3.33,
-//   "mean_diff": 1.21, "wins_a": 14, "draws": 2, "wins_b": 8}, ...], with columns of summary.csv;
-// without games, means are null.
+//   "mean_diff": 1.21, "wins_a": 14, "draws": 2, "wins_b": 8}, ...], with values from the
+//   columns of summary.csv. Means are null if there are no games.
 io::Json json_of(const std::vector<Group>& groups);
 
-// A group's columns in text tables: games, goals, mean difference with its interval, void games.
+// A group's columns in text tables: games, goals, mean goal difference with its interval, void
+// games.
 io::TableColumns<Group> text_columns();
 inline constexpr const char* kGamesHead = "games";
 inline constexpr const char* kGoalsAHead = "goals a";
@@ -129,11 +132,12 @@ inline constexpr const char* kGoalsBHead = "goals b";
 inline constexpr const char* kDifferenceHead = "a minus b [95 %]";
 inline constexpr const char* kVoidHead = "void";
 
-// The table without its column of void games if no game is void. Throws std::logic_error if it does
-// not have that column.
+// Removes the column of void games from the table if no game is void. Throws std::logic_error if it
+// does not have that column.
 io::TextTable without_void_games(io::TextTable table);
 
-// "+0.50 [-0.10, +1.10]": the mean over games, followed by its 95 % interval over pairs if known.
+// "+0.50 [-0.10, +1.10]": the mean goal difference over games, followed by its 95 % interval over
+// pairs if known.
 std::string difference_text(const std::vector<double>& differences,
                             const std::vector<double>& pair_differences);
 

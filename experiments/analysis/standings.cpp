@@ -17,7 +17,7 @@ int sum_of(const std::vector<double>& goals) {
   return static_cast<int>(std::accumulate(goals.begin(), goals.end(), 0.0));
 }
 
-// `sign` is -1 if the team is b in the matchup.
+// Adds a matchup's goal differences; `sign` is -1 if the team is team b in the matchup.
 void add_differences(Standing& standing, const Group& matchup, double sign) {
   for (const double difference : matchup.differences) {
     standing.differences.push_back(sign * difference);
@@ -67,7 +67,7 @@ double mean_difference(const Standing& standing) {
 bool is_better(const Standing& left, const Standing& right) {
   const double of_left = mean_difference(left);
   const double of_right = mean_difference(right);
-  // Lexicographic; names break ties, so the order is always the same.
+  // The comparison is lexicographic. Names break ties, so the order is always the same.
   return std::tuple(-left.points(), -of_left, left.team) <
          std::tuple(-right.points(), -of_right, right.team);
 }

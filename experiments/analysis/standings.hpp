@@ -14,7 +14,7 @@
 
 namespace autoref::experiments {
 
-// One group per matchup, in the same order. A group's values are the two teams' names.
+// One group per matchup, in the order of `matchups`. A group's values are the two teams' names.
 std::vector<Group> grouped(const std::vector<Matchup>& matchups, const RowsById& rows);
 
 inline constexpr int kPointsOfWin = 3;  // a draw gives one
@@ -27,13 +27,13 @@ struct Standing {
   int draws = 0;
   int losses = 0;
   int void_games = 0;
-  int bye_points = 0;  // for byes in a Swiss tournament
+  int bye_points = 0;  // points for byes in a Swiss tournament
   int goals_for = 0;
   int goals_against = 0;
-  std::vector<double> differences;       // per game: goals for minus goals against
+  std::vector<double> differences;       // goals for minus goals against, for each game
   std::vector<double> pair_differences;  // mean over the two legs; no pairs with a void leg
-  bool is_rated = false;                 // whether the two ratings are valid
-  Rating goals;                          // in goals per game above the average team
+  bool is_rated = false;                 // whether `goals` and `strength` are valid
+  Rating goals;                          // rating in goals per game above the average team
                                          // (experiments/statistics/penalised_likelihood.hpp)
   Rating strength;  // Bradley-Terry (experiments/statistics/penalised_likelihood.hpp)
 
@@ -43,12 +43,12 @@ struct Standing {
   ResultCounts results() const { return {wins, draws, losses}; }
 };
 
-// Best team first: by points, then by the mean of `differences`, then by name. `matchups` come from
+// Best team first: by points, then by mean goal difference, then by name. `matchups` come from
 // grouped().
 std::vector<Standing> standings_of(const std::vector<Group>& matchups);
 
-// The same, but only for the first team of each matchup: a gauntlet's challengers. These are not
-// rated: all of them played the same opponents, so ratings would add nothing to the mean goal
+// The standings of only the first team of each matchup: a gauntlet's challengers. Challengers are
+// not rated: all of them played the same opponents, so ratings would add nothing to the mean goal
 // difference.
 std::vector<Standing> standings_of_challengers(const std::vector<Group>& matchups);
 
@@ -63,30 +63,31 @@ io::TableColumns<Group> matchup_columns();
 std::string matchups_csv(const std::vector<Group>& matchups);
 
 // standings.csv: one row per team, best first, with games, goals, points (3 for a win, 1 for a
-// draw), goal difference per game with its 95 % interval over all pairs, both ratings with
-// intervals (-inf or inf for an open end), and the fractions of wins, draws and losses. Missing
-// values are empty cells.
+// draw) and the goal difference per game with its 95 % interval over all pairs. Both ratings with
+// their intervals follow (-inf or inf for an open end), then the fractions of wins, draws and
+// losses. Missing values are empty cells.
 std::string standings_csv(const std::vector<Standing>& standings);
 
 // [{"team": "cobalt", "points": 20, "games": 8, "wins": 6, "draws": 2, "losses": 0,
-//   "goals_for": 18, "goals_against": 0}, ...], best team first, with columns of standings.csv.
+//   "goals_for": 18, "goals_against": 0}, ...], best team first, with values from the columns of
+//   standings.csv.
 io::Json json_of(const std::vector<Standing>& standings);
 
-// The text tables; the first row is the header.
+// The rows of the text tables; the first row is the header.
 std::vector<io::Cells> matchups_rows(const std::vector<Group>& matchups);
 std::vector<io::Cells> standings_rows(const std::vector<Standing>& standings);
 
-// Heads of the last columns of standings_rows(): both ratings, or the difference if the teams are
-// not rated.
+// Headers of the last columns of standings_rows(): both ratings, or the goal difference if the
+// teams are not rated.
 inline constexpr const char* kGoalRatingHead = "rating in goals [95 %]";
 inline constexpr const char* kStrengthHead = "Bradley-Terry [95 %]";
 inline constexpr const char* kGoalDifferenceHead = "goal difference [95 %]";
 
-// Alignment of their columns.
+// Alignment of the columns of matchups_rows() and standings_rows().
 inline const std::vector<io::Align> kMatchupsColumns = {io::Align::kLeft, io::Align::kLeft};
 inline const std::vector<io::Align> kStandingsColumns = {io::Align::kRight, io::Align::kLeft};
 
-// The same as lines of text.
+// The matchups and the standings as lines of text.
 io::TextTable matchups_table(const std::vector<Group>& matchups);
 io::TextTable standings_table(const std::vector<Standing>& standings);
 

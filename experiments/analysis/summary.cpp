@@ -21,7 +21,7 @@ std::vector<io::Cells> rows_of_values(const std::vector<Factor>& factors,
   return rows;
 }
 
-// One pair number's difference at each value; nullopt if any is missing.
+// The goal difference of one pair number at each value; nullopt if any is missing.
 std::optional<std::vector<double>> differences_of(int pair, const std::vector<Group>& groups) {
   std::vector<double> differences;
   for (const Group& group : groups) {
@@ -32,7 +32,7 @@ std::optional<std::vector<double>> differences_of(int pair, const std::vector<Gr
   return differences;
 }
 
-// Each value's difference from the first value; the first entry is empty.
+// The difference of each value from the first value; the first entry is empty.
 std::vector<PairedDifference> differences_from_first(const std::vector<Group>& groups) {
   std::vector<DifferenceByPair> values;
   values.reserve(groups.size());

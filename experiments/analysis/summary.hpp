@@ -17,7 +17,7 @@ std::vector<Group> grouped(const std::vector<Factor>& factors, const RowsById& r
 
 struct Slope {
   double mean = 0;
-  std::optional<Interval> interval;  // nullopt for a single pair
+  std::optional<Interval> interval;  // nullopt if there is only one pair
 };
 
 // How much the score difference changes per unit of the factor's value. Pairs with the same number
@@ -29,20 +29,20 @@ struct Slope {
 std::optional<Slope> slope_over_factor(const std::vector<Factor>& factors,
                                        const std::vector<Group>& groups);
 
-// summary.csv: one row per combination. After summary_columns(), it has the difference of "a minus
-// b" from the first combination over the pair numbers that both have: mean, interval, p value, p
-// value with Holm's correction over all rows, and effect size
+// summary.csv: one row per combination. The row starts with summary_columns(). Then it compares "a
+// minus b" with the first combination, over the pair numbers that both combinations have: mean
+// difference, interval, p value, p value with Holm's correction over all rows, and effect size
 // (experiments/statistics/paired_difference.hpp). The numbers and fractions of games won, drawn and
 // lost come last.
 std::string summary_csv(const std::vector<Factor>& factors, const std::vector<Group>& groups);
 
-// The text table, starting with its header, and the line about the slope_over_factor(), empty if
-// it is unknown.
+// The rows of the text table, starting with its header, and the line of text about
+// slope_over_factor(), which is empty if the slope is unknown.
 std::vector<io::Cells> summary_rows(const std::vector<Factor>& factors,
                                     const std::vector<Group>& groups);
 std::string slope_text(const std::vector<Factor>& factors, const std::optional<Slope>& slope);
 
-// Both as lines of text.
+// The table and the line about the slope as lines of text.
 io::TextBlocks summary_table(const std::vector<Factor>& factors, const std::vector<Group>& groups,
                              const std::optional<Slope>& slope);
 

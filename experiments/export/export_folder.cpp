@@ -84,7 +84,7 @@ SqliteValue value_of(const io::Json& json) {
   return io::json_text(json);
 }
 
-// The type that can hold both the column's values so far and this value.
+// The column type that can hold both the column's values so far and this value.
 const char* widened(const char* type, const SqliteValue& value) {
   if (std::holds_alternative<std::monostate>(value)) return type;
   if (std::holds_alternative<std::string>(value) || type == kText) return kText;
@@ -142,7 +142,7 @@ std::vector<std::size_t> games_with_events(const ResultFolder& folder) {
   return games;
 }
 
-// The rows of one game, in a separate database.
+// The event rows of one game, in a separate database.
 class DecisionRows final : public game::Observer {
  public:
   DecisionRows(std::string id, const PerSide<game::EventTeam>& teams)
@@ -157,7 +157,7 @@ class DecisionRows final : public game::Observer {
     table_.add(row);
   }
 
-  // To be called after the game.
+  // Call this after the game.
   std::string bytes() {
     file_.execute("COMMIT");
     return file_.bytes();

@@ -13,18 +13,19 @@
 namespace autoref::experiments {
 
 struct ExportOptions {
-  bool has_events = true;         // if false, no game is played
+  bool has_events = true;         // whether to write `events`; if not, no game is replayed
   int workers = 1;                // number of games played in parallel
-  std::FILE* progress = nullptr;  // where progress lines go; nowhere if null
+  std::FILE* progress = nullptr;  // stream for progress lines; null: none are written
 };
 
-// The columns of the tables that are the same for every folder.
+// The columns of those tables whose columns are the same for every folder.
 std::vector<std::string> settings_columns();
 std::vector<std::string> events_columns();
 
-// Returns the database file. Since results folders do not keep decisions, each game that is not
-// void is replayed to get its events. Throws InputError if a game ends differently from its row, as
-// can happen if another build played it, and Interrupted after Ctrl-C.
+// Exports the folder and returns the path of the database file. Since results folders do not keep
+// decisions, each game that is not void is replayed to get its events. Throws InputError if a game
+// ends differently from its row, as can happen if another build played it, and Interrupted after
+// Ctrl-C.
 std::string exported(const ResultFolder& folder, const ExportOptions& options);
 
 }  // namespace autoref::experiments

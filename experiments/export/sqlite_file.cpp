@@ -32,13 +32,13 @@ std::string quoted_name(std::string_view name) { return in_quotes(name, '"'); }
 
 struct Binding {
   sqlite3_stmt* statement;
-  int index;  // from 1
+  int index;  // index of the parameter, from 1
 
   int operator()(std::monostate) const { return sqlite3_bind_null(statement, index); }
   int operator()(std::int64_t number) const { return sqlite3_bind_int64(statement, index, number); }
   int operator()(double number) const { return sqlite3_bind_double(statement, index, number); }
   int operator()(const std::string& text) const {
-    // The row outlives the step that reads it.
+    // No copy is needed, since the row outlives the step that reads it.
     return sqlite3_bind_text64(statement, index, text.data(), text.size(), nullptr, SQLITE_UTF8);
   }
 };

@@ -23,15 +23,15 @@ class SqliteFile {
   SqliteFile(const SqliteFile&) = delete;
   SqliteFile& operator=(const SqliteFile&) = delete;
 
-  // Runs SQL statements that return no rows. Throws std::logic_error if they are wrong, and
-  // InputOutputError if memory runs out. The same goes for all functions below.
+  // Runs SQL statements that return no rows. Throws std::logic_error if a statement is invalid, and
+  // InputOutputError if memory runs out. All functions below throw like this.
   void execute(const std::string& sql);
 
   // Adds to `table` the rows of the same table in a database file. Must not be called within a
   // transaction. Also throws InputOutputError if the file cannot be read.
   void add_rows(std::string_view table, const std::string& file);
 
-  // The database as a file. The same calls give the same bytes.
+  // The content of the database file. The same sequence of calls gives the same bytes.
   std::string bytes() const;
 
  private:
@@ -41,13 +41,13 @@ class SqliteFile {
 
 struct SqliteColumn {
   std::string name;
-  const char* type = "";  // INTEGER, REAL or TEXT; empty: each value keeps its own
+  const char* type = "";  // INTEGER, REAL or TEXT; empty: each value keeps its own type
 };
 
-// A new table.
+// A new table in a SQLite database.
 class SqliteTable {
  public:
-  // `columns` must have different names, even in lower case. The file must outlive this object.
+  // The names of `columns` must differ by more than case. `file` must outlive this object.
   SqliteTable(SqliteFile& file, std::string_view name, const std::vector<SqliteColumn>& columns);
   ~SqliteTable();
   SqliteTable(const SqliteTable&) = delete;

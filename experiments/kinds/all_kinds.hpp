@@ -10,10 +10,10 @@
 
 namespace autoref::experiments {
 
-// All kinds, in the order of help and reference pages.
+// All kinds, in the order in which the help and the reference pages list them.
 std::span<const Kind* const> kinds_of_experiments();
 
-// Null if no kind has this name.
+// The kind with this name; null if there is none.
 const Kind* find_kind(std::string_view name);
 
 // The kinds that the verb plays, as text: "sweep, roundrobin or tune".

@@ -29,7 +29,7 @@ void keep_common_entries(const Key& key, const Key& other, TextByPath& values) {
                 [&](const auto& value) { return !others.contains(entry_in(value.first, key)); });
 }
 
-// The values of one experiment's keys that another one should share.
+// The values of an experiment's keys that should be the same in another experiment.
 TextByPath shared_values(const std::vector<Key>& keys, const std::vector<Key>& others) {
   assert(keys.size() == others.size());
   TextByPath all;
@@ -57,7 +57,7 @@ std::string differences(const TextByPath& here, const TextByPath& there) {
   return text;
 }
 
-// Calls `work` with the keys of a copy, since keys can change their experiment.
+// Calls `work` with the keys of a copy of the experiment, since keys can change their experiment.
 template <typename Work>
 auto with_keys(const Experiment& experiment, const Work& work) {
   const std::unique_ptr<Experiment> copy = experiment.copy();

@@ -1,7 +1,7 @@
 // The interface of a kind of experiment. Each kind consists of a folder next to this file, with a
-// struct of the user's settings derived from ExperimentOf, and a line in all_kinds.cpp. Its virtual
-// functions are enough for reading and writing files, --set, --pairs and --seed, resuming, shards,
-// verification, reports and the reference page.
+// struct of the user's settings derived from ExperimentOf, and a line in all_kinds.cpp. A kind only
+// has to implement the virtual functions of Experiment; they suffice for reading and writing files,
+// --set, --pairs and --seed, resuming, shards, verification, reports and the reference page.
 #pragma once
 
 #include <cstddef>
@@ -24,17 +24,17 @@ namespace autoref::experiments {
 class Experiment;
 
 struct Kind {
-  std::string_view name;                            // in `kind:`
-  std::string_view about;                           // one sentence
-  std::unique_ptr<Experiment> (*make)() = nullptr;  // with its defaults
+  std::string_view name;                            // the value of `kind:` in a scenario file
+  std::string_view about;                           // description in one sentence
+  std::unique_ptr<Experiment> (*make)() = nullptr;  // creates an experiment with default settings
   std::string_view verb = "run";                    // the verb of `autoref` that plays it
 };
 
-// The games an experiment needs, given its rows so far.
+// The games that an experiment needs, given the rows of the games played so far.
 struct Schedule {
-  std::vector<ScheduledGame> games;  // in playing order
-  // Number of games needed. If less than games.size(), only the first ones count; if more, some
-  // future games are not known yet.
+  std::vector<ScheduledGame> games;  // known games, in playing order
+  // Number of games needed. If it is less than games.size(), only the first `needed` games count.
+  // If it is more, some future games are not known yet.
   std::size_t needed = 0;
 };
 
@@ -46,39 +46,40 @@ class Experiment {
   // An independent experiment with the same settings.
   virtual std::unique_ptr<Experiment> copy() const = 0;
 
-  // The keys of its scenario file, in the order of effective.yaml; always the same ones. They refer
-  // to this object and must not outlive it.
+  // The keys of the experiment's scenario file, in the order of effective.yaml. Every call returns
+  // the same keys. The keys refer to this object and must not outlive it.
   virtual std::vector<Key> keys() = 0;
-  // The settings of its base that vary between its games.
+  // The settings of `base` that vary between the experiment's games.
   virtual std::vector<Factor> varied_settings() const { return {}; }
 
   // The games known in advance, in playing order. Throws std::invalid_argument if the settings
   // contradict each other; if that is a SettingError, it names one of them.
   virtual std::vector<ScheduledGame> games() const = 0;
-  // For messages: how the games actually played may differ from games(). Empty if they cannot
-  // differ.
+  // How the games actually played may differ from games(), as text for messages. Empty if they
+  // cannot differ.
   virtual std::string caveat() const { return {}; }
-  // All games of games() under the ids that `autoref check` uses: games with ids that differ only
-  // in pair and leg are expected to take equally long.
+  // All games of games(), with the ids that `autoref check` uses. If two ids differ only in pair
+  // and leg, the games are expected to take equally long to play.
   virtual std::vector<ScheduledGame> trial_games(std::vector<ScheduledGame> all) const {
     return all;
   }
-  // Whether schedule() depends on the rows. If it does not, all of games() are needed.
+  // Whether schedule() depends on the rows. If it does not, all of games() is needed.
   virtual bool follows_its_rows() const { return false; }
-  // The games known given `rows`, the rows of the games played so far. Depends only on rows of the
-  // experiment's own games. Keeps a game even if further rows make it unnecessary. Throws like
-  // games().
+  // The games known given `rows`, the rows of the games played so far. Ignores rows of games that
+  // do not belong to the experiment. Keeps a game even if further rows make it unnecessary. Throws
+  // like games().
   virtual Schedule schedule(const RowsById& rows) const;
-  // Whether these rows make all remaining games unnecessary. Throws like games().
+  // Whether the result is decided by these rows, so that no more games are needed. Throws like
+  // games().
   virtual bool is_decided(const RowsById& rows) const;
-  // The number of games in a round, if all games are played in rounds of equal size that depend on
-  // all rows of earlier rounds. A shard that waits too long for the others then says so and exits
-  // with code 75, and `autoref experiment submit` uses a single task unless a number is given.
-  // Throws like games().
+  // The number of games in a round, if games are played in rounds of equal size and each round
+  // depends on all rows of earlier rounds. A shard that waits too long for the other shards then
+  // says so and exits with code 75. `autoref experiment submit` then uses a single task unless you
+  // give a number of tasks. Throws like games().
   virtual std::optional<std::size_t> games_of_a_round() const { return std::nullopt; }
   // How long a shard waits for other shards' games on which its next games depend, in s.
   virtual double default_wait_s() const { return 0; }
-  // Why the experiment has no number of pairs, if none of its keys sets one.
+  // The reason why no key sets a number of pairs, as text for messages.
   virtual std::string why_no_pairs() const { return {}; }
 
   virtual RowKind row_kind() const { return RowKind::kPlayed; }
@@ -86,7 +87,7 @@ class Experiment {
   virtual std::vector<std::string> value_columns() const { return {}; }
 
   // Computes the results from the needed rows, some of which are missing while the experiment runs.
-  // Throws std::logic_error for judged games, since their calls are summed up elsewhere.
+  // Throws std::logic_error for judged games, because judge/ evaluates those.
   virtual ExperimentResults results(const RowsById& rows) const = 0;
 };
 
@@ -104,7 +105,7 @@ class ExperimentOf : public Experiment {
 // experiment is only partly read.
 void read_keys(TopReader& top, Experiment& experiment);
 
-// The rows of the needed games, from which the results are computed.
+// Those of `rows` that belong to needed games. The results are computed from these rows.
 RowsById needed_rows(const Schedule& schedule, RowsById rows);
 
 // The format of the experiment's rows.
@@ -128,7 +129,7 @@ std::string seed_text(const Experiment& experiment);
 // If the experiment cannot have this many pairs, throws std::invalid_argument and changes nothing.
 void set_pairs(Experiment& experiment, int pairs);
 
-// Also replaces all named seeds.
+// Sets the master seed, which also replaces all named seeds.
 void set_master_seed(Experiment& experiment, std::uint64_t seed);
 
 }  // namespace autoref::experiments

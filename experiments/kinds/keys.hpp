@@ -32,40 +32,41 @@ struct KeyRow {
   std::string about;
 };
 
-// The keys inside a key, as a section of the reference page.
+// The keys nested inside another key, as a section of the reference page.
 struct KeysBelow {
-  std::string title;  // "the test", after the kind's name
+  std::string title;  // such as "the test"; follows the kind's name
   std::string about;  // a sentence before the table; may be empty
   std::vector<KeyRow> rows;
 };
 
-// A row for each setting, under the last part of its name, with its possible values and its present
-// value, which is the default in a new experiment. Settings in `required` have no default.
+// A row for each setting, under the last part of its path, with its possible values and its current
+// value. In a new experiment, the current value is the default. Settings in `required` have no
+// default.
 std::vector<KeyRow> rows_of(const std::vector<game::Setting>& settings,
                             const std::vector<std::string>& required = {});
 
 // A key of a kind's scenario file, and everything that depends on it. A function is left empty if
 // it does not apply to the key.
 struct Key {
-  std::string name;   // in the file
+  std::string name;   // the key's name in the file
   std::string value;  // possible values for the reference page: "whole number"; empty with `below`
-  std::string about;  // its meaning, as a phrase
+  std::string about;  // the key's meaning, as a phrase
 
   // Reads the key or, if it is absent, sets the default. Called in the keys' order. Throws
   // InputError.
   std::function<void(TopReader&)> read = {};
   // Checks the key once all keys have been read and fit together. Throws InputError.
   std::function<void(TopReader&)> verify = {};
-  // Its lines in effective.yaml; reading them back gives the same experiment.
+  // The key's lines in effective.yaml; reading them back gives the same experiment.
   std::function<std::string()> text = {};
   // Settings to name in a message if a results folder has rows of games with other settings.
   std::function<TextByPath()> values = {};
-  // Names of those entries of the key that have games of their own, which depend on no other entry.
-  // Such entries may be added to or removed from a folder with rows.
+  // Names of those entries of the key whose games depend on no other entry. You may add or remove
+  // such entries even if the results folder already has rows.
   std::function<std::vector<std::string>()> entries = {};
-  // The teams that play, with their paths.
+  // The teams that the key defines, with their paths.
   std::function<std::vector<TeamAt>()> teams = {};
-  // --pairs and --seed.
+  // The values that --pairs and --seed set.
   int* pairs = nullptr;
   std::function<std::optional<std::uint64_t>()> seed = {};
   std::function<void(std::uint64_t)> set_seed = {};
@@ -75,26 +76,27 @@ struct Key {
   game::GameSettings* base = nullptr;
 };
 
-// `base`, with the teams that play all games and without the settings of the experiment's factors.
+// The key `base` with the teams that play all games, but without the settings of the experiment's
+// factors.
 Key base_key(game::GameSettings& base, std::function<std::vector<Factor>()> factors);
 
-// `base` without teams; `remedy` says where the teams are listed.
+// The key `base` without teams; `remedy` says where the teams are listed.
 Key base_without_teams_key(game::GameSettings& base, std::string remedy,
                            std::string about = "shared by every game");
 
-// Teams by name, with the base's settings as defaults.
+// A key with teams by name. Settings of `base` are their defaults.
 Key teams_key(const std::string& name, std::string about, Teams& teams, game::GameSettings& base,
               TeamCount count = {});
 
-// `base` and `teams` of an experiment between named teams.
+// The keys `base` and `teams` of an experiment between named teams.
 Key base_key(NamedTeams& named);
 Key teams_key(NamedTeams& named, std::string about, TeamCount count = {});
 
 Key pairs_key(int& pairs, std::string about);
 Key seed_key(std::uint64_t& seed);
 
-// `set_by_values`, which AutoRef writes into effective.yaml: the settings that each value of the
-// factors sets. A file in which they have been changed is refused.
+// The key `set_by_values`, which AutoRef writes into effective.yaml. The key lists the settings
+// that each value of the factors sets. A file in which this list has been changed is refused.
 Key set_by_values_key(const game::GameSettings& base, std::function<std::vector<Factor>()> factors);
 
 // The values of all settings except aliases.

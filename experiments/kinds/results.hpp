@@ -18,11 +18,12 @@
 
 namespace autoref::experiments {
 
-// The position of a tie in a bracket. The winners of ties 2p and 2p + 1 of a round play tie p of
-// the next round.
+// The position of a tie in a bracket, where the winners of ties 2p and 2p + 1 of a round play tie p
+// of the next round.
 struct BracketPlace {
-  std::size_t ties_in_round = 1;  // including byes: 1 for the final, 2 for the semi-finals, ...
-  std::size_t position = 0;       // in its round, counted from 0
+  // Number of ties in its round, including byes: 1 for the final, 2 for the semi-finals, ...
+  std::size_t ties_in_round = 1;
+  std::size_t position = 0;  // position in the round, counted from 0
   bool operator==(const BracketPlace&) const = default;
 };
 
@@ -31,32 +32,33 @@ std::string name_of_round(std::size_t ties_in_round);
 
 // One team of a tie, as shown in a bracket.
 struct TieTeam {
-  std::string name;       // or where it will come from: "winner of quarter-final 2"
-  bool is_known = false;  // whether the name is a team's
-  std::string goals;      // "1", "1 (4)" with a shoot-out; empty before the first game
+  // The team's name, or where the team will come from: "winner of quarter-final 2".
+  std::string name;
+  bool is_known = false;  // whether `name` is a team's name
+  std::string goals;      // such as "1", or "1 (4)" after a shoot-out; empty before the first game
   bool has_won = false;
 };
 
 struct TieResult {
-  std::string name;  // of the tie
+  std::string name;  // name of the tie
   std::optional<BracketPlace> place;
   std::array<TieTeam, 2> teams;
   std::string decision;   // "extra time", "goals in game 3"; empty before the first game
-  bool is_usual = false;  // decided by goals in its first game
+  bool is_usual = false;  // whether the tie was decided by goals in its first game
 };
 
 // A parameter's values during a search.
 struct SearchedParameter {
   std::string name;
-  double from = 0;  // its range
+  double from = 0;  // lower end of its range
   double to = 1;
   double start = 0;
-  std::vector<double> values;  // after each iteration: the search's position,
-  std::vector<double> best;    // and the best value known then
+  std::vector<double> values;  // position of the search after each iteration,
+  std::vector<double> best;    // and the best value known after it
 };
 
 struct SearchPath {
-  int iterations = 0;  // planned
+  int iterations = 0;  // number of iterations planned
   std::vector<SearchedParameter> parameters;
 };
 
@@ -68,26 +70,30 @@ struct ResultFile {
 };
 
 struct ExperimentResults {
-  std::vector<Group> groups;             // per value or per matchup; empty if there are none
+  std::vector<Group> groups;             // groups per value or per matchup; empty if there are none
   bool are_compared_with_first = false;  // whether the table compares the groups with the first
-  std::optional<Slope> slope;            // of the difference over the value of a single factor
-  std::vector<Effect> effects;           // of several factors; empty otherwise
-  std::vector<Standing> standings;  // of teams or challengers, best team first; empty otherwise
-  std::vector<TieResult> ties;      // of a bracket, round by round; empty otherwise
+  // Slope of the goal difference over the value of a single factor.
+  std::optional<Slope> slope;
+  // Effects of the factors of a sweep with several factors; otherwise empty.
+  std::vector<Effect> effects;
+  // Of the teams or challengers, best team first; empty if there are none.
+  std::vector<Standing> standings;
+  std::vector<TieResult> ties;  // ties of a bracket, round by round; empty if there is none
   std::optional<SearchPath> search;
   std::vector<ResultFile> files;
-  io::TextBlocks table;                  // for the terminal and the report
-  std::vector<io::ProgressTable> shown;  // the same for the terminal while the experiment runs
-  std::shared_ptr<const io::Json> json;  // the same as a JSON object
+  io::TextBlocks table;                  // table for the terminal and the report
+  std::vector<io::ProgressTable> shown;  // the tables for the terminal while the experiment runs
+  std::shared_ptr<const io::Json> json;  // the results as a JSON object
 };
 
-// A table of groups while the experiment runs. On a narrow screen it first drops the goals, since
-// their difference is shown as well, and the void games, since the progress bar counts them.
+// A table of groups while the experiment runs. On a narrow screen, the table first drops two
+// columns: the goals, since their difference is shown as well, and the void games, since the
+// progress bar counts them.
 io::ProgressTable groups_progress_table(std::vector<io::Cells> rows, std::vector<io::Align> columns,
                                         std::string noun);
 
-// The same for matchups. This table can also drop the number of games, since it is the sum of the
-// wins, draws and losses on the right.
+// A table of matchups while the experiment runs. Like groups_progress_table(), but it can also drop
+// the number of games, since it is the sum of the wins, draws and losses on the right.
 io::ProgressTable matchups_progress_table(const std::vector<Group>& matchups);
 
 // The results of a tournament. A kind can add files and blocks of the table, which the report then

@@ -18,7 +18,7 @@ namespace autoref::experiments {
 // can only be destroyed or assigned to.
 class AnyExperiment {
  public:
-  // NOLINTNEXTLINE(google-explicit-constructor): it is the experiment
+  // NOLINTNEXTLINE(google-explicit-constructor): an experiment is an AnyExperiment
   AnyExperiment(std::unique_ptr<Experiment> its) : its_(std::move(its)) {}
   template <std::derived_from<Experiment> Its>
   // NOLINTNEXTLINE(google-explicit-constructor)
@@ -44,18 +44,18 @@ struct Scenario {
 
   bool is_game() const { return std::holds_alternative<game::GameSettings>(content); }
 
-  // Throw std::logic_error for a single game.
+  // These functions throw std::logic_error if the scenario is a single game.
   Experiment& experiment();
   const Experiment& experiment() const;
 
-  // The experiment of this kind. Throws std::logic_error for another kind.
+  // The experiment as one of the kind `Its`. Throws std::logic_error if it is of another kind.
   template <std::derived_from<Experiment> Its>
   const Its& get() const {
     if (const Its* its = as<Its>()) return *its;
     throw std::logic_error("the scenario is of another kind than " + std::string(Its::kKind.name));
   }
 
-  // The experiment if it is of this kind, otherwise null.
+  // The experiment if it is of the kind `Its`, otherwise null.
   template <std::derived_from<Experiment> Its>
   Its* as() {
     return is_game() ? nullptr : dynamic_cast<Its*>(&experiment());

@@ -12,7 +12,7 @@ namespace autoref::experiments {
 // Reads a scenario strictly: every key must be known and given only once, and every value must be
 // in range. Missing keys keep their defaults. Assignments change settings of a game, of the base
 // shared by all games, or of a named team (teams.NAME.robots). Throws InputError with file, line
-// and key, or with the flag.
+// and key, or with the command-line flag.
 Scenario read_scenario(const std::filesystem::path& file,
                        const game::Assignments& assignments = {});
 Scenario read_scenario_text(const std::string& text, const std::string& file_name,

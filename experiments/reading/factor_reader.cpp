@@ -78,7 +78,7 @@ void FactorReader::refuse_overlap(const game::YamlEntry& entry, const std::vecto
   const std::string& last = factors.back().path;
   const auto refuse = [&](const std::string& other) {
     file_.refuse(entry.location, entry.key,
-                 fmt::format("'{}' sets the same number; leave one out", other));
+                 fmt::format("'{}' sets the same value; leave one out", other));
   };
   for (std::size_t i = 0; i + 1 < factors.size(); ++i) {
     const std::string& other = factors[i].path;

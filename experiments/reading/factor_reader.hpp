@@ -1,4 +1,4 @@
-// Reads factors and lists of values.
+// Reads an experiment's factors and their lists of values.
 #pragma once
 
 #include <string>
@@ -12,19 +12,19 @@
 
 namespace autoref::experiments {
 
-// Whether the schedule sets this value for each game. Neither the base nor a factor may set such a
-// value.
+// Whether the schedule sets the setting at `path` for each game. Neither the base nor a factor may
+// contain such a setting.
 bool is_decided_by_schedule(std::string_view path);
 [[noreturn]] void refuse_decided(const game::YamlFile& file, const game::YamlLocation& location,
                                  std::string_view path);
 
 class FactorReader {
  public:
-  // Both must outlive the reader. Records the factors' locations in `locations`.
+  // Both arguments must outlive the reader. Records the factors' locations in `locations`.
   FactorReader(const game::YamlFile& file, game::SettingLocations& locations)
       : file_(file), locations_(locations) {}
 
-  // Adds the robot types that the factors name to `base`. Throws InputError.
+  // Reads the factors. Adds the robot types that they name to `base`. Throws InputError.
   std::vector<Factor> read(const game::YamlEntry& factors, game::GameSettings& base);
 
   // Reads a list of distinct values of the setting at `path`. Adds the robot types named by these
@@ -36,7 +36,8 @@ class FactorReader {
   Factor read_factor(const game::YamlEntry& entry, game::GameSettings& base);
   game::SettingValue read_value(const game::YamlLocation& location, const std::string& path,
                                 const std::string& text, game::GameSettings& base) const;
-  // Refuses two keys that set the same number, since the later one would silently win.
+  // Refuses two keys that set the same value, since the later key would silently override the
+  // earlier one.
   void refuse_overlap(const game::YamlEntry& entry, const std::vector<Factor>& factors,
                       const game::GameSettings& base) const;
 

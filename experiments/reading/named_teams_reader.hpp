@@ -13,14 +13,15 @@ namespace autoref::experiments {
 
 class NamedTeamsReader {
  public:
-  // All must outlive the reader. Records the locations of the teams' settings in `locations`.
-  // Assignments to teams.NAME. override the file.
+  // All arguments must outlive the reader. Records the locations of the teams' settings in
+  // `locations`. Assignments to settings below teams.NAME override the file.
   NamedTeamsReader(const game::YamlFile& file, game::SettingLocations& locations,
                    const game::Assignments& assignments)
       : file_(file), locations_(locations), assignments_(assignments) {}
 
   // Adds the entry's teams to `teams`, and the robot types that these teams use to `base`, which
-  // must already have been read. Throws InputError, also if the number of teams is outside `count`.
+  // must already have been read. Throws InputError, for example if the number of teams is outside
+  // `count`.
   void read(const game::YamlEntry& entry, Teams& teams, game::GameSettings& base,
             TeamCount count) const;
 

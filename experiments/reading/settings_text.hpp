@@ -14,12 +14,12 @@ namespace autoref::experiments {
 // The settings, each with a comment, nested below `depth` other keys.
 std::string text_of(const std::vector<game::Setting>& settings, int depth = 0);
 
-// `base:` without the settings decided by the schedule or by factors, and without those with paths
-// that start with `elsewhere` (unless empty).
+// `base:` without the settings decided by the schedule or by factors, and, unless `elsewhere` is
+// empty, without settings whose paths start with it.
 std::string base_text(const game::GameSettings& base, std::string_view elsewhere,
                       const SetByValues& set_by_values);
 
-// The teams below `branch`.
+// The settings of the teams, below the key `branch`.
 std::string teams_text(const Teams& teams, std::string_view branch, const game::RobotTypes& types);
 
 }  // namespace autoref::experiments

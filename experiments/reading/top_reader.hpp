@@ -17,8 +17,9 @@
 
 namespace autoref::experiments {
 
-// Reads types and rules first, since teams refer to types and rules set other branches; the order
-// in the file does not matter. Keys that are not settings are ignored.
+// Reads the settings in `entries`, in any order. Robot types and rules are read first, because
+// teams refer to types and because rules set other branches. Keys that are not settings are
+// ignored.
 void read_settings(const std::vector<game::YamlEntry>& entries, game::SettingsReader& settings);
 
 // A branch of settings that does not belong in `base`; `remedy` says where it belongs.
@@ -30,12 +31,12 @@ struct ForbiddenBranch {
 // Reads `base:`, the settings shared by all games of an experiment.
 class BaseReader {
  public:
-  // Both must outlive the reader. Records the settings' locations in `locations`.
+  // Both arguments must outlive the reader. Records the settings' locations in `locations`.
   BaseReader(const game::YamlFile& file, game::SettingLocations& locations,
              ForbiddenBranch forbidden = {})
       : file_(file), locations_(locations), forbidden_(std::move(forbidden)) {}
 
-  // Throws InputError, also for settings decided by the schedule.
+  // Throws InputError, for example if `base` contains a setting that the schedule decides.
   void read(const game::YamlEntry& base, game::GameSettings& game) const;
 
  private:
@@ -50,7 +51,7 @@ class BaseReader {
 // All reading functions throw InputError.
 class TopReader {
  public:
-  // Both must outlive the reader.
+  // Both arguments must outlive the reader.
   TopReader(const game::YamlFile& file, const game::Assignments& assignments)
       : file_(file), assignments_(assignments), top_(file.top()) {}
 
@@ -65,7 +66,7 @@ class TopReader {
   }
 
   // Refuses all keys except these and those common to all scenarios. Command-line settings below
-  // one of the `branches` are left to the key of that name.
+  // one of the `branches` are applied when the key of that name is read.
   void allow(const std::vector<std::string>& keys, std::vector<std::string> branches = {});
 
   std::string word(const game::YamlEntry& entry, std::string_view key,
@@ -92,7 +93,8 @@ class TopReader {
   // dot, otherwise only the setting with exactly this path.
   void refuse_assignments(const std::string& branch, const std::string& message) const;
 
-  // Calls `work`. Turns a SettingError into an InputError with the setting's location in the file.
+  // Calls `work` and turns a SettingError into an InputError with the setting's location in the
+  // file.
   void check(const std::function<void()>& work) const;
 
  private:

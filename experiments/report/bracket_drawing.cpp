@@ -9,8 +9,8 @@
 namespace autoref::experiments {
 namespace {
 
-constexpr std::size_t kHeadLines = 1;  // of the grid, above the ties
-constexpr std::size_t kMostTies = 32;  // of the first round shown
+constexpr std::size_t kHeadLines = 1;  // number of grid lines above the ties
+constexpr std::size_t kMostTies = 32;  // maximum number of ties in the first round shown
 
 bool has_tie_at(const BracketPlace& place, const CupBracket& bracket) {
   return std::any_of(bracket.ties.begin(), bracket.ties.end(),

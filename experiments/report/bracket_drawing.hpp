@@ -1,4 +1,5 @@
-// The layout of a bracket: one column per round, with each tie next to the two that lead to it.
+// The layout of a bracket: one column per round, with each tie next to the two ties whose winners
+// play it.
 #pragma once
 
 #include <string>
@@ -12,8 +13,8 @@ namespace autoref::experiments {
 // a cup of more than 64 teams, only the last rounds are laid out.
 std::vector<std::size_t> rounds_of(const CupBracket& bracket);
 
-// An element that page_bracket_style() (view/page_parts.hpp) arranges: columns of ties with lines
-// between them or, on a phone, a list of rounds.
+// The bracket as an HTML element. page_bracket_style() (view/page_parts.hpp) lays it out as columns
+// of ties with lines between them or, on a phone, as a list of rounds.
 std::string bracket_html(const CupBracket& bracket);
 
 }  // namespace autoref::experiments

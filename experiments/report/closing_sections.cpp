@@ -45,7 +45,7 @@ void compare(const TextByPath& here, const TextByPath& defaults,
 
 TextByPath defaults_for(const game::GameSettings& game) {
   game::GameSettings usual;
-  // The rule book sets other values too; only deviations from those are of interest.
+  // The rule book also sets other values; only deviations from its values are of interest.
   game::set_by_path(usual, "match.rules", game.match.rules.name);
   TextByPath values = comparable_values(game::settings_of(usual));
   values["match.rules"] = referee::Match{}.rules.name;
@@ -109,7 +109,7 @@ std::vector<DefaultDifference> differences_from_defaults(const Experiment& exper
   return found;
 }
 
-constexpr std::size_t kMostVoidGames = 20;  // listed one by one
+constexpr std::size_t kMostVoidGames = 20;  // maximum number listed one by one
 
 std::string effective_file(const std::string& direction) {
   return direction == "." ? kEffectiveFile : fmt::format("{}/{}", direction, kEffectiveFile);

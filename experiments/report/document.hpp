@@ -21,8 +21,8 @@ struct List {
   std::vector<std::string> items;
 };
 
-// The first row is the header; all rows have the same length. The first `names` columns are
-// left-aligned words, the others numbers.
+// A table. Its first row is the header, and all rows have the same length. The first `names`
+// columns contain left-aligned words, the others numbers.
 struct Table {
   std::vector<std::vector<std::string>> rows;
   std::size_t names = 1;
@@ -49,7 +49,7 @@ struct Figure {
 };
 
 // A bracket with the results so far, as a drawing in HTML and a table in Markdown. At least one tie
-// must have a place.
+// must have a place in the bracket.
 struct CupBracket {
   std::vector<TieResult> ties;
 };
@@ -69,7 +69,7 @@ std::string markdown_of(const Document& document);
 // files without linking to them.
 std::string html_of(const Document& document);
 
-// The same blocks as part of another page, which has its own style and page_bracket_style().
+// The blocks as HTML for another page, which needs its own style and page_bracket_style().
 std::string html_fragment(const std::vector<Block>& blocks);
 
 }  // namespace autoref::experiments

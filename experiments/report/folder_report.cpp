@@ -60,7 +60,7 @@ struct ReportState {
   fs::path into;
   std::string build;
   std::string games;     // "12 of 24"
-  std::string checksum;  // of its rows
+  std::string checksum;  // checksum of the rows
 };
 
 // Reads the state of one build's report; an overview of several builds does not count.

@@ -1,4 +1,4 @@
-// Reports of a results folder, one per build if it has games of several builds, and the check
+// Reports of a results folder, one per build if it has games played by several builds, and a check
 // whether existing reports are up to date.
 #pragma once
 
@@ -19,11 +19,11 @@ std::filesystem::path build_folder(const std::filesystem::path& path, const std:
 
 struct BuildReport {
   ResultFolder folder;
-  std::string table;  // as text
+  std::string table;  // table of the results, as text
 };
 
-// Writes report.md and report.html into the results folder: the number of games of each build, its
-// table, and the location of its report. `builds` must not be empty.
+// Writes report.md and report.html into the results folder: the number of games played by each
+// build, its table, and the location of its report. `builds` must not be empty.
 void write_overview(const std::filesystem::path& path, const std::vector<BuildReport>& builds);
 
 // The report of one build.
@@ -34,12 +34,13 @@ struct FolderReport {
   std::optional<WrittenReport> report;  // nullopt if nothing was written
 };
 
-// Whether results.csv may be replaced by one without the games that have lost their rows.
+// Whether results.csv may be replaced by a new one that lacks the games that have lost their rows.
 enum class LostGames : std::uint8_t { kKeep, kDrop };
 
-// Writes the report of `build`. If `build` is empty, writes the report of the only build or, for
-// several builds, one report each in its own subfolder and an overview. With kKeep, writes nothing
-// for a build if games in results.csv no longer have rows (ResultFolder::lost).
+// Writes the report of `build`. If `build` is empty, writes the report of the only build. If there
+// are several builds, writes an overview and one report per build, each in its own subfolder. With
+// kKeep, writes nothing for a build if games in results.csv no longer have rows
+// (ResultFolder::lost).
 std::vector<FolderReport> write_folder_reports(const std::filesystem::path& path,
                                                const std::string& build,
                                                LostGames lost = LostGames::kKeep);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kAxisMargin = 0.06;   // fraction of the values' span, on each side
 constexpr double kDodge = 0.004;       // fraction of the span
-constexpr std::size_t kMostTics = 16;  // for values; more would overlap
+constexpr std::size_t kMostTics = 16;  // maximum number of tics at values; more would overlap
 
 struct Span {
   double low = 0;

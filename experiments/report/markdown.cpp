@@ -35,7 +35,7 @@ std::string escaped_line(const std::string& text) {
   std::string line = inline_text(text);
   line.erase(0, line.find_first_not_of(' '));
   if (!begins_block(line)) return line;
-  // In a numbered list, it is the full stop after the number that must be escaped, not the digits.
+  // In a numbered list, the full stop after the number must be escaped, not the digits.
   const std::size_t mark = line.find_first_not_of("0123456789");
   return line.insert(mark, "\\");
 }
@@ -46,7 +46,7 @@ std::string row_of(const std::vector<std::string>& cells) {
   return fmt::format("| {} |\n", fmt::join(escaped, " | "));
 }
 
-// A fence longer than any run of backticks in the text.
+// A code fence that is longer than any run of backticks in the text.
 std::string fence_for(const std::string& text) {
   std::size_t longest = 2;
   std::size_t run = 0;
@@ -94,7 +94,7 @@ std::string team_markdown(const TieTeam& team) {
   return team.has_won ? "**" + name + "**" : name;
 }
 
-// "**zone** 3 : 1 basic"; without a result "zone : basic".
+// "**zone** 3 : 1 basic"; without a result, "zone : basic".
 std::string tie_markdown(const TieResult& tie) {
   const auto& [a, b] = tie.teams;
   std::string text =

@@ -11,7 +11,7 @@ namespace autoref::experiments {
 // `gnuplot NAME.gp` reads NAME.csv and draws NAME.svg.
 struct Plot {
   std::string name;
-  std::string about;  // a few sentences on what it shows and how to read it
+  std::string about;  // a few sentences on what the plot shows and how to read it
   std::string csv;
   std::string script;
 };
@@ -39,29 +39,31 @@ std::string note_of_cut(std::size_t groups);
 // become spaces.
 std::string script_text(std::string_view text);
 
-// Labelled tics of an axis ("x" or "y"), from 1; long labels are cut.
+// Labelled tics of an axis ("x" or "y") at 1, 2, 3, ...; long labels are cut.
 std::string script_tics(std::string_view axis, const std::vector<std::string>& labels);
 
-// A complete script that draws one row per label: a point at the data's column `mean_diff` and a
-// bar from `low95` to `high95`, at the height `row`, counted from 1. `axis` names the rows.
+// A complete script that draws one row per label: a point at the value in the data's column
+// `mean_diff` and a bar from `low95` to `high95`. The column `row`, counted from 1, is the height
+// of the row. `axis` is the label of the axis along the rows.
 std::string interval_rows_script(std::string_view name, const std::vector<std::string>& labels,
                                  std::string_view axis, std::string_view meaning);
 
-// Cuts a UTF-8 text to `letters` characters; if anything was cut, the last one is an ellipsis.
+// Cuts a UTF-8 text to `letters` characters; if anything was cut, the last character is an
+// ellipsis.
 std::string shortened(const std::string& text, std::size_t letters);
 
-// If drawing takes longer than this, something is wrong.
+// Time limit for drawing. If it takes longer, something is wrong.
 inline constexpr double kLongestDrawing_s = 30;
 
 struct Drawing {
   std::string svg;          // empty if drawing failed
-  std::string trouble;      // why it failed, in one line
-  bool is_missing = false;  // gnuplot is not installed
+  std::string trouble;      // why drawing failed, in one line
+  bool is_missing = false;  // drawing failed because gnuplot is not installed
 };
 
-// Draws in a temporary folder, with gnuplot's defaults instead of the user's settings, so the
-// result does not depend on the user. Starts the gnuplot found in PATH, without a shell, and kills
-// it after `longest_s`.
+// Draws the plot in a temporary folder, with gnuplot's defaults instead of the user's settings, so
+// the result does not depend on the user. Starts the gnuplot found in PATH, without a shell, and
+// kills it after `longest_s`.
 Drawing draw(const Plot& plot, double longest_s = kLongestDrawing_s);
 
 }  // namespace autoref::experiments

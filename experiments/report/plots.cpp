@@ -60,7 +60,7 @@ constexpr int kCurveHeight_px = 400;
 constexpr const char* kWhatBarsAre =
     "bars: Student's 95 % intervals over pairs of legs. Above 0, team a is better.";
 
-// `value` is the value of the factor, or the row's number.
+// `value` is the value of the factor, or else the number of the row.
 std::string csv_of(const std::vector<Group>& groups, const std::vector<std::string>& names,
                    bool has_factor) {
   std::string csv = has_factor ? "value,pairs,mean_diff,low95,high95\n"

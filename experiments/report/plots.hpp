@@ -18,15 +18,15 @@ inline constexpr std::array kPlotNames = {"scores",  "difference", "effects",   
 std::vector<Plot> plots_of(const Scenario& scenario, const ExperimentResults& results);
 
 // Mean and standard deviation of both teams' goals against the value of a factor, in the form of
-// the paper's Fig. 5. Only for a single numeric factor.
+// the paper's Fig. 5. Returns nullopt unless there is a single numeric factor.
 std::optional<Plot> scores_plot(const Scenario& scenario, const ExperimentResults& results);
 
 // Mean goal difference of each group with its 95 % interval: a curve for a single numeric factor,
 // otherwise one row per group.
 std::optional<Plot> difference_plot(const Scenario& scenario, const ExperimentResults& results);
 
-// Each effect of a sweep's factors with its 95 % interval, one row per effect. Only for a sweep
-// with several factors.
+// Each effect of a sweep's factors with its 95 % interval, one row per effect. Returns nullopt
+// unless the experiment is a sweep with several factors.
 std::optional<Plot> effects_plot(const ExperimentResults& results);
 
 // Number of games by goal difference, one row of bars per group.
@@ -35,13 +35,14 @@ std::optional<Plot> histogram_plot(const Scenario& scenario, const ExperimentRes
 // Mean goal difference with its 95 % interval after each pair of legs, one panel per group.
 std::optional<Plot> running_mean_plot(const Scenario& scenario, const ExperimentResults& results);
 
-// Mean goal difference of each team against every other team. Only with standings.
+// Mean goal difference of each team against every other team. Returns nullopt if there are no
+// standings.
 std::optional<Plot> crosstable_plot(const ExperimentResults& results);
 
 // Each parameter of a tuning after every iteration, one panel per parameter.
 std::optional<Plot> tuning_path_plot(const ExperimentResults& results);
 
-// Both ratings of each team with their 95 % intervals. Only with standings.
+// Both ratings of each team with their 95 % intervals. Returns nullopt if there are no standings.
 std::optional<Plot> ratings_plot(const ExperimentResults& results);
 
 }  // namespace autoref::experiments

@@ -24,9 +24,9 @@ struct WrittenReport {
 };
 
 // Writes report.md, report.html and plots/ into `into`, which is the results folder or a direct
-// subfolder. A plot that cannot be drawn still gets its .csv and .gp. Outdated drawings are
-// removed: those of plots that can no longer be drawn and those of an earlier report's plots that
-// are not in this one. Equal rows give identical files, regardless of the folder's location.
+// subfolder. A plot that cannot be drawn still gets its .csv and .gp. Removes outdated drawings:
+// those of plots that can no longer be drawn, and those of plots that are in an earlier report but
+// not in this one. Equal rows give identical files, regardless of the folder's location.
 WrittenReport write_report(const ResultFolder& folder, const ExperimentResults& results,
                            const std::filesystem::path& into);
 

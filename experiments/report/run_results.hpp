@@ -7,8 +7,8 @@
 
 namespace autoref::experiments {
 
-// Maximum number of rows that the page shows of a table; a crosstable of more than kMostCrossed
-// teams appears only in the report. This limits the data sent to each browser.
+// Maximum number of rows per table that the page shows, which limits the data sent to each browser.
+// A crosstable of more than kMostCrossed teams appears only in the report.
 inline constexpr std::size_t kMostTableRows = 200;
 inline constexpr std::size_t kMostCrossed = 60;
 

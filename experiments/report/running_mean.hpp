@@ -9,8 +9,8 @@
 
 namespace autoref::experiments {
 
-// Mean goal difference of the first pairs, with its Student's t confidence interval; nullopt for a
-// single pair.
+// Mean goal difference of the first pairs, with its Student's t confidence interval. The interval
+// is nullopt for a single pair.
 struct RunningMean {
   double mean = 0;
   std::optional<Interval> interval;
@@ -20,8 +20,8 @@ struct RunningMean {
 // Pairs with a void leg are left out.
 std::vector<RunningMean> running_means(const Group& group);
 
-// Range of goals for an axis: includes zero, every mean, and the intervals except those of the
-// first pairs, which would dwarf the rest.
+// Range of the goal difference for an axis. The range includes zero, every mean, and all intervals
+// except those after the first few pairs, which would dwarf the rest.
 Interval span_to_show(const std::vector<RunningMean>& means);
 
 }  // namespace autoref::experiments

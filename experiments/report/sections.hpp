@@ -11,15 +11,16 @@ namespace autoref::experiments {
 
 using Section = std::vector<Block>;  // empty if there is nothing to report
 
-// Rows of the table in played_section() that identify a report's state, and their values.
+// Names of those rows of the table in played_section() that identify a report's state, and the
+// values in these rows.
 inline constexpr const char* kBuildRow = "build";
 inline constexpr const char* kGamesRow = "games";
 inline constexpr const char* kChecksumRow = "checksum of the rows";
 std::string games_text(const ResultFolder& folder);     // "12 of 24"
 std::string rows_checksum(const ResultFolder& folder);  // CRC-32 of results.csv
 
-// The games planned and played, and their build. If games are missing, warns that the intervals are
-// provisional.
+// The numbers of games planned and played, and the build that played them. If games are missing,
+// warns that the intervals are provisional.
 Section played_section(const ResultFolder& folder, const ExperimentResults& results);
 
 // The terminal's table, and the meaning of its intervals.
@@ -37,7 +38,7 @@ Section crosstable_section(const ExperimentResults& results);
 // The pairings of a knockout, the results so far and the teams that advance.
 Section bracket_section(const ExperimentResults& results);
 
-// Void games, with reasons.
+// The void games and the reasons why they are void.
 Section void_section(const ResultFolder& folder);
 
 // A link to all settings, and a list of those that differ from the defaults.

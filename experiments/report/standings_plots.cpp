@@ -102,8 +102,8 @@ std::string script_of(const Crosstable& table) {
 
 constexpr int kRatingsFrameHeight_px = 90;
 constexpr int kRatingsRowHeight_px = 32;
-constexpr double kRatingsBottom_px = 72;  // below the panels
-constexpr double kEdgeShare = 0.08;       // of the span, on either side of it
+constexpr double kRatingsBottom_px = 72;  // space below the panels
+constexpr double kEdgeShare = 0.08;       // fraction of the span left free on either side
 
 io::Cells cells_of(const Rating& rating) {
   const auto& [low, high] = bounds_of(rating.interval);

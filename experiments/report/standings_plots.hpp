@@ -14,13 +14,13 @@ struct CrossCell {
   int wins = 0;
   int draws = 0;
   int losses = 0;
-  std::optional<double> mean_difference;  // nullopt without games
+  std::optional<double> mean_difference;  // nullopt if there are no games
 
   int points() const { return kPointsOfWin * wins + draws; }
 };
 
-// cells[row][column] holds the row's team against the column's; nullopt on the diagonal and for
-// teams that did not meet.
+// cells[row][column] contains the result of the row's team against the column's team. A cell is
+// nullopt on the diagonal and for teams that have not played each other.
 struct Crosstable {
   std::vector<std::string> teams;  // best first
   std::vector<std::vector<std::optional<CrossCell>>> cells;

@@ -21,22 +21,22 @@ enum class CallOutcome : std::uint8_t {
 
 // A true event, a call, or both if they match.
 struct CallVerdict {
-  std::string name;  // of the event
+  std::string name;  // name of the event
   CallOutcome outcome = CallOutcome::kRight;
-  double time_s = 0;              // of the event, or of the call if nothing happened
-  std::optional<Side> offender;   // nullopt if there is none
-  double delay_s = 0;             // from the event to a correct call
+  double time_s = 0;              // time of the event, or of the call if nothing happened
+  std::optional<Side> offender;   // the offending side; nullopt if there is none
+  double delay_s = 0;             // delay from the event to a correct call
   std::optional<double> error_m;  // position error of a correct call
   // The referee's confidence in the call, from 0 to 1; nullopt if nothing was called.
   std::optional<double> confidence;
   bool is_early = false;       // correct by luck: the call came before the event
   bool is_borderline = false;  // the true value was near the threshold
   bool is_in_air = false;      // the ball was in the air
-  bool is_second = false;      // wrong because the event had already been called
+  bool is_second = false;      // the call is wrong because the event had already been called
 };
 
 // How often the referee named the right team as the last to touch the ball, counted over the calls
-// that depend on it.
+// that depend on the last touch.
 struct LastTouchTally {
   int right = 0;
   int wrong = 0;
@@ -44,10 +44,11 @@ struct LastTouchTally {
 };
 
 struct CallEvaluation {
-  std::vector<CallVerdict> verdicts;         // in order of time
-  std::array<LastTouchTally, 2> last_touch;  // by the team that actually touched it: a, b
-  // The same for contested touches only: both teams touched the ball within the last 0.1 s before
-  // it left the field.
+  std::vector<CallVerdict> verdicts;  // verdicts in order of time
+  // Indexed by the team that actually touched the ball: a, b.
+  std::array<LastTouchTally, 2> last_touch;
+  // The tallies for contested touches only: those where both teams touched the ball within the last
+  // 0.1 s before it left the field.
   std::array<LastTouchTally, 2> contested_touch;
   std::vector<std::string> calls_in_stop;  // made during a stop: "goal at 12.350 s"
 };

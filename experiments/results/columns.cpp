@@ -28,7 +28,7 @@ bool read_integer(std::string_view cell, Integer& value, int base = 10) {
   return error == std::errc() && last == end;
 }
 
-// `at` returns a reference to the row's member, const if the row is.
+// `at` returns a reference to the row's member, which is const if the row is const.
 template <typename At>
 Column text_column(std::string name, At at) {
   return {std::move(name), [at](const GameRow& row) { return at(row); },
@@ -172,7 +172,7 @@ Column end_reason_column() {
       "end_reason", [](auto& row) -> auto& { return row.record.end_reason; });
 }
 
-// The cell is empty if this was not tried.
+// The cell is empty if repeatability was not tested.
 Column repeatable_column() {
   return {"repeatable",
           [](const GameRow& row) -> std::string {
@@ -235,7 +235,7 @@ std::vector<Column> played_columns() {
   return columns;
 }
 
-// The row's scene; created when the first of its columns is read.
+// The row's scene, which is created when the first of its columns is read.
 game::SceneRecord& scene_of(GameRow& row) {
   if (!row.record.scene) row.record.scene.emplace();
   return *row.record.scene;

@@ -19,9 +19,9 @@ struct Column {
 };
 
 enum class RowKind : std::uint8_t {
-  kPlayed,  // scores and counts
-  kScene,   // the same, and the score of a scene
-  kJudged,  // the referee's right and wrong calls
+  kPlayed,  // of a game: scores and counts
+  kScene,   // of a scene: the same as for a game, and the scene's score
+  kJudged,  // of a judged game: the referee's right and wrong calls
 };
 
 // Columns for what was played: the game's id, the factors' values, the teams and the seed. Before a

@@ -93,7 +93,7 @@ std::string line_of(std::string_view what, const std::string& a, const std::stri
   return fmt::format("\n{:16}{:>7}{:>7}", what, a, b);
 }
 
-// One line per count, one column per team.
+// The table of counts: one line per count, one column per team.
 std::string counts_text(const game::GameRecord& record) {
   const auto& [a, b] = record.counts;
   const auto count = [&a = a, &b = b](std::string_view what, int game::PlayCounts::*member) {
@@ -123,7 +123,7 @@ io::Json teams_json(const game::GameConfiguration& game) {
   return {{"a", team_json(game, a)}, {"b", team_json(game, opponent_of(a))}};
 }
 
-// A team's count; seconds are rounded to milliseconds.
+// The value of a team's count; seconds are rounded to milliseconds.
 io::Json count_json(const game::PlayCounts& team, const game::CountField& field) {
   return field.count != nullptr ? io::Json(team.*field.count)
                                 : io::Json(io::rounded(team.*field.seconds, 3));

@@ -10,9 +10,9 @@
 
 namespace autoref::experiments {
 
-// Why a game ended, in plain words: there is one line for each EndReason, and for each SceneEnd if
-// the game was a scene. Teams are named by colour and letter, such as "blue (b) leads by 9 goals".
-// Forfeited and void games include the record's reason.
+// Why a game ended, in plain words. Each EndReason has its own sentence and, if the game was a
+// scene, so has each SceneEnd. Teams are named by colour and letter, such as "blue (b) leads by 9
+// goals". Forfeited and void games include the record's reason.
 std::string end_text(const game::GameConfiguration& game, const game::GameRecord& record);
 
 struct GameReport {
@@ -22,10 +22,10 @@ struct GameReport {
   std::string_view build;
 };
 
-// One JSON object on one line.
+// The report as a JSON object on one line.
 std::string json_of(const GameReport& report);
 
-// A few lines of text.
+// The report as a few lines of text.
 std::string text_of(const GameReport& report);
 
 }  // namespace autoref::experiments

@@ -1,7 +1,8 @@
 // One game of an experiment: what was played, how it ended, and on which machine.
 //
 // Rows are passed around as structs. Their only text form is a line of a shard (row_format.hpp).
-// The worker that played a game writes that line, and the main process appends it unchanged.
+// The worker that played a game writes this line, and the main process appends it to the shard
+// unchanged.
 #pragma once
 
 #include <cstdint>
@@ -30,17 +31,17 @@ struct GameRow {
   std::string game_id;  // "b.handicap=0.8-p0007-2"
   int pair = 1;         // counted from 1
   int leg = 1;
-  std::vector<std::string> values;  // of the factors, as spelt() writes them
+  std::vector<std::string> values;  // values of the factors, as spelt() writes them
   std::string team_a;
   std::string team_b;
-  Side side_a = Side::kWest;  // where team a played the first half
+  Side side_a = Side::kWest;  // side on which team a played the first half
   std::uint64_t seed = 0;
 
   // A record read from a file contains only what the columns store: the events that are calls, the
-  // first half's goals, and times rounded to milliseconds; for a judged game, only the status, the
-  // reason, the transitions and the hash.
+  // goals of the first half, and times rounded to milliseconds. For a judged game, they are only
+  // the status, the reason, the transitions and the hash.
   game::GameRecord record;
-  CallEvaluation evaluation;  // of a judged game
+  CallEvaluation evaluation;  // the calls of a judged game
 
   std::uint64_t config_hash = 0;
   Circumstances circumstances;
@@ -48,20 +49,21 @@ struct GameRow {
 
 using RowsById = std::map<std::string, GameRow>;
 
-// Rows as in files: a game can have several rows, which keep their order. A row moves to RowsById
-// with its node, without another allocation.
+// Rows as in files: a game can have several rows, which keep their order. Moving a row to RowsById
+// moves its node, without another allocation.
 using RowsInFiles = std::multimap<std::string, GameRow>;
 
-// The row of a scheduled game that has not been played.
+// The row for a scheduled game that has not been played.
 GameRow row_of(const ScheduledGame& game);
 
-// The record of a game that could not be completed.
+// The record for a void game, with the reason why it could not be completed.
 game::GameRecord void_record(const std::string& reason);
 
 bool is_void(const game::GameRecord& record);
 
-// Positive if team a won, negative if team b did: by goals, or by the shoot-out if there was one. A
-// forfeited game is lost regardless of the score. It has no meaning for void games.
+// Positive if team a won, negative if team b won, and 0 for a draw. Goals decide, or the shoot-out
+// if there was one. A team that forfeits has lost, regardless of the score. The value has no
+// meaning for void games.
 double lead_of_a(const game::GameRecord& record);
 
 // "3:1", "1:1 (4:2)" with a shoot-out, "void".

@@ -24,7 +24,7 @@ struct ColumnDifference {
 // `row_crc`, the CRC-32 of everything before it.
 class RowFormat {
  public:
-  // `factors` are paths; they name the columns with the factors' values.
+  // `factors` are the paths of the factors; the columns with the factors' values have these names.
   explicit RowFormat(const std::vector<std::string>& factors, RowKind kind = RowKind::kPlayed);
 
   // Names of all columns.
@@ -33,15 +33,15 @@ class RowFormat {
   // The row as a line without a line break. It must have one value per factor.
   std::string line(const GameRow& row) const;
 
-  // Returns nullopt if the line is damaged: if its checksum or number of cells is wrong, or if a
-  // cell is not a valid value of its column.
+  // Returns nullopt if the line is damaged: that is, if its checksum or number of cells is wrong,
+  // or if a cell is not a valid value of its column.
   std::optional<GameRow> read(std::string_view line) const;
 
-  // Names of the columns in results.csv, and a row's cells in them.
+  // Names of the columns in results.csv, and the cells of a row in these columns.
   io::Cells reproducible_names() const;
   io::Cells reproducible(const GameRow& row) const;
 
-  // Compares the reproducible columns. Returns nullopt if they are all equal.
+  // Compares two rows in the reproducible columns. Returns nullopt if they are all equal.
   std::optional<ColumnDifference> first_difference(const GameRow& first,
                                                    const GameRow& second) const;
 

@@ -105,8 +105,8 @@ std::string ShardIndex::file_name() const { return fmt::format("shard-{}-of-{}.c
 
 bool ShardIndex::has(std::size_t unit, std::size_t variants) const {
   const auto shards = static_cast<std::size_t>(of);
-  // Without the shift, every shard would get the same variants again after the least common
-  // multiple.
+  // Without the shift, every shard would get the same variants again after a number of units equal
+  // to the least common multiple of `of` and `variants`.
   const std::size_t shift = variants == 0 ? 0 : unit / std::lcm(variants, shards);
   return (unit + shift) % shards == static_cast<std::size_t>(number);
 }
@@ -212,7 +212,7 @@ void Shard::restore(const std::vector<std::string>& lines) {
   }
   std::vector<std::string> present = lines_of(descriptor_);
   if (present.empty() || present.front() != header_) {
-    // Rows without their header belong to nothing.
+    // Rows without their header cannot be assigned to columns.
     if (ftruncate(descriptor_, 0) != 0) throw cannot_write(path_);
     write(header_);
     present = {header_};

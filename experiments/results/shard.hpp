@@ -1,4 +1,4 @@
-// Appends a run's rows to its file, and reads all rows of a results folder.
+// Appends the rows of a run to the run's file, and reads all rows of a results folder.
 #pragma once
 
 #include <cstdint>
@@ -10,21 +10,21 @@
 
 namespace autoref::experiments {
 
-// Contents of a results folder.
+// Names of the contents of a results folder.
 inline constexpr const char* kGamesFolder = "games";             // one .csv of rows per shard
 inline constexpr const char* kEffectiveFile = "effective.yaml";  // scenario with all settings
 inline constexpr const char* kResultsFile = "results.csv";
 
-// One of several runs that share an experiment's games, on one machine or several.
+// The index of one of several runs that share an experiment's games, on one machine or several.
 struct ShardIndex {
-  int number = 0;  // from 0
+  int number = 0;  // number of the shard, from 0
   int of = 1;
 
   std::string name() const;       // "0/1"
   std::string file_name() const;  // "shard-0-of-1.csv"
-  // Whether this shard plays the games of that unit. Of `of` units in a row, each shard plays one.
-  // If `variants` is not 0 (ScheduledGame), the assignment changes from time to time, so that no
-  // shard always gets the same teams or values.
+  // Whether this shard plays the games of `unit`. Of every `of` successive units, each shard plays
+  // one. If `variants` is not 0 (ScheduledGame::variant), the assignment of units to shards changes
+  // from time to time, so that no shard always gets the same teams or values.
   bool has(std::size_t unit, std::size_t variants = 0) const;
 };
 
@@ -44,8 +44,8 @@ class Shard {
   Shard(const Shard&) = delete;
   Shard& operator=(const Shard&) = delete;
 
-  // Adds a line. It survives a crash of this process, but not necessarily one of the machine.
-  // Throws InputOutputError if it cannot be written; the file is then unchanged.
+  // Adds a line. The line survives a crash of this process, but not necessarily a crash of the
+  // machine. Throws InputOutputError if it cannot be written; the file is then unchanged.
   void write(const std::string& line);
 
   // Returns once all lines are on the disk. Throws InputOutputError if that fails; the file then
@@ -59,9 +59,9 @@ class Shard {
   // replaced, removed, moved or shortened the file; lines written after that are lost.
   bool is_intact() const;
 
-  // Continues in the file that the path names now, or in a new one in a new folder. Adds the lines
-  // of `lines` and of the former file that are missing from it, and returns once they are on the
-  // disk. Throws like the constructor and sync().
+  // Continues in the file that the path names now. If there is none, creates it and its folder.
+  // Adds the lines of `lines` and of the former file that are missing from this file, and returns
+  // once they are on the disk. Throws like the constructor and sync().
   void restore(const std::vector<std::string>& lines);
 
  private:
@@ -74,19 +74,19 @@ class Shard {
   std::string header_;
   double patience_s_;
   int descriptor_ = -1;
-  std::int64_t bytes_ = 0;  // of all lines
+  std::int64_t bytes_ = 0;  // length of all lines
   std::int64_t synced_bytes_ = 0;
 };
 
 // A line that RowFormat::read() rejects; its game counts as unplayed.
 struct DamagedRow {
   std::string at;       // "games/shard-0-of-1.csv:5"
-  std::string game_id;  // its first cell, which may itself be damaged
+  std::string game_id;  // the row's first cell, which may itself be damaged
 };
 
 struct StoredRows {
   RowsInFiles rows;
-  std::vector<DamagedRow> damaged;  // unless the game has another row
+  std::vector<DamagedRow> damaged;  // without those whose games have another row
 };
 
 // Reads every .csv file in the folder, in order of file name, line by line. Throws InputError if a

@@ -43,7 +43,8 @@ void refuse_difference(const GameRow& first, const GameRow& second, const RowFor
       first.game_id, difference->column, difference->first, difference->second));
 }
 
-// Handles a second row of a game. Killed games are replayed, so a killed game's row is replaced.
+// Handles a second row of a game. Killed games are replayed, so the row of a killed game is
+// replaced.
 void add_another(GameRow row, const RowFormat& format, GameRow& kept) {
   if (is_killed(kept)) {
     kept = std::move(row);
@@ -107,7 +108,7 @@ RowInventory take_row_inventory(const Scenario& scenario, RowsInFiles rows, cons
     return row_inventory;
   }
   // Start from the rows as they are: if they belong to the scenario, one iteration is enough. If
-  // not, sort_rows() refuses the rows on which the schedule depends.
+  // they do not, sort_rows() refuses the rows on which the schedule depends.
   RowInventory row_inventory{scenario.experiment().schedule(rows_of_build(rows, build)), {}};
   // Iterate to a fixed point: rows can extend a schedule (a knockout's, for example), and a longer
   // schedule can claim more rows.
@@ -116,7 +117,7 @@ RowInventory take_row_inventory(const Scenario& scenario, RowsInFiles rows, cons
     const std::size_t known = row_inventory.schedule.games.size();
     row_inventory.schedule = scenario.experiment().schedule(row_inventory.completed_games.done);
     if (row_inventory.schedule.games.size() == known)
-      return row_inventory;  // otherwise look again: more rows may belong to the longer schedule
+      return row_inventory;  // otherwise repeat: more rows may belong to the longer schedule
   }
 }
 

@@ -18,7 +18,8 @@ struct CompletedGames {
   int other_games = 0;                      // number of this build's rows of unscheduled games
 };
 
-// Whether the game is void because its worker was killed from outside. The next run replays it.
+// Whether the game in this row is void because its worker was killed from outside. The next run
+// replays it.
 bool is_killed(const GameRow& row);
 
 // Separates the rows that count from the others. Throws InputError if there are rows of other
@@ -35,7 +36,7 @@ struct RowInventory {
   CompletedGames completed_games;  // including games that are not needed
 };
 
-// The same for a scenario; its schedule may depend on the rows. Throws like sort_rows().
+// Sorts the rows for a scenario's schedule, which may depend on the rows. Throws like sort_rows().
 RowInventory take_row_inventory(const Scenario& scenario, RowsInFiles rows, const RowFormat& format,
                                 const std::string& build, bool allow_mixed_build,
                                 const std::filesystem::path& folder, const std::string& changes);

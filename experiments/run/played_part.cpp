@@ -12,7 +12,7 @@ namespace {
 
 using WallClock = std::chrono::steady_clock;
 
-constexpr double kShortest_s = 1;  // simulated time if the clock does not run
+constexpr double kShortest_s = 1;  // minimum simulated time if the game's clock does not run
 
 double since_s(WallClock::time_point began) {
   return std::chrono::duration<double>(WallClock::now() - began).count();
@@ -69,7 +69,7 @@ game::TeamMaker measuring(const game::GameConfiguration& game, const game::TeamM
   };
 }
 
-// The time played of the halves; 0 before the first kick-off.
+// How much of the halves has been played; 0 before the first kick-off.
 double played_clock_s(const referee::Match& match, const RefereeSignal& signal) {
   switch (signal.stage) {
     case Stage::kFirstHalfPre:

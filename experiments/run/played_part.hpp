@@ -11,10 +11,12 @@ namespace autoref::experiments {
 
 // The wall time that it took to play a game or its beginning.
 struct PlayedPart {
-  double share = 1;                // of the game that was played, above 0
-  double start_s = 0;              // before the first frame, e.g. to start programs
-  std::array<double, 2> team_s{};  // of teams a and b: to start them and for their decisions
-  std::string void_reason = {};    // empty unless void
+  double share = 1;  // share of the game that was played, above 0
+  // Wall time before the first frame, for example to start programs.
+  double start_s = 0;
+  // Wall time of teams a and b: to start them and to let them decide.
+  std::array<double, 2> team_s{};
+  std::string void_reason = {};  // empty unless the game is void
 };
 
 // Plays the game to its end or until it has taken `most_wall_s`, but at least until its clock has

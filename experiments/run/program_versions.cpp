@@ -23,7 +23,7 @@ constexpr const char* kStderrFolder = "stderr";
 constexpr int kMostKills = 5;
 constexpr std::size_t kLongestName = 180;
 
-// The id as a file name. It may contain a factor's value, such as a command with a path.
+// The game id as a file name. It may contain a factor's value, such as a command with a path.
 std::string file_name(const std::string& id) {
   std::string name;
   for (const char letter : id) {
@@ -62,14 +62,14 @@ constexpr std::size_t kMostFiles = 10'000;
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 30;
 
 struct ProgramFile {
-  std::string name;  // as given, or relative to the given folder
+  std::string name;  // path as given, or relative to the given folder
   fs::path path;
 };
 using ProgramFileList = std::vector<ProgramFile>;
 
 struct VersionedTeam {
   game::TeamSettings* team = nullptr;
-  std::string path;                          // of its settings
+  std::string path;                          // path of its settings
   std::vector<game::TeamSettings> variants;  // the team, or one for each value of a factor
 };
 using VersionedTeams = std::vector<VersionedTeam>;
@@ -104,7 +104,7 @@ void vary(const Factor& factor, VersionedTeam& team) {
   team.variants = std::move(variants);
 }
 
-// The teams of the experiment. It must outlive them.
+// The teams of the experiment, which must outlive the result.
 VersionedTeams teams_of(Experiment& experiment) {
   VersionedTeams all;
   for (const Key& key : experiment.keys()) {

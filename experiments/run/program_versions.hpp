@@ -1,5 +1,5 @@
-// Teams' programs in an experiment: the files they leave in its folder, and their versions, which
-// are identified by the content of their files.
+// The programs of teams in an experiment: the files they leave in its folder, and their versions,
+// which are identified by the content of the programs' files.
 #pragma once
 
 #include <filesystem>
@@ -23,9 +23,9 @@ inline constexpr double kRepeated_s = 10;
 // commands/GAME_ID.gz
 std::filesystem::path commands_file(const std::filesystem::path& folder, const std::string& id);
 
-// Plays a game of the folder with its programs, stores their files, and finds out whether they are
-// repeatable. `play` plays the game and returns its record, which this function completes. If a
-// program is killed from outside, `play` is called again, up to five times.
+// Plays a game of the folder with its programs, stores the files that they leave, and finds out
+// whether the game is repeatable. `play` plays the game and returns its record, which this function
+// completes. If a program is killed from outside, `play` is called again, up to five times.
 void play_live(const game::GameConfiguration& game, const std::filesystem::path& folder,
                const std::function<game::GameRecord&(game::GamePrograms&)>& play);
 
@@ -44,8 +44,9 @@ game::GameRecord play_recorded(const game::GameConfiguration& game,
 // games. The files are those named by the setting `files`, including everything in its folders
 // except hidden files and Python's __pycache__; without that setting, they are the words of the
 // command that are files. Relative paths are relative to the program's directory. Programs found in
-// PATH are not checked. The levels of a factor share the files of all of them. Throws InputError if
-// a file is missing or cannot be read, or if there are more than 10,000 files or more than 1 GiB.
+// PATH are not checked. If a factor varies the program, each of its values is assigned the files of
+// all values. Throws InputError if a file is missing or cannot be read, or if there are more than
+// 10,000 files or more than 1 GiB.
 void note_program_versions(Scenario& scenario);
 
 // Detects changes in the content of programs' files. A file with unchanged time and size is assumed
@@ -54,8 +55,8 @@ class ProgramChanges {
  public:
   explicit ProgramChanges(const Scenario& scenario);
 
-  // The settings, such as "teams.mine.files", of the programs that have changed since this object
-  // was created.
+  // The paths of the settings, such as "teams.mine.files", whose programs have changed since this
+  // object was created.
   std::vector<std::string> changed_settings();
 
  private:
@@ -66,7 +67,7 @@ class ProgramChanges {
     bool operator==(const Watched&) const = default;
   };
   struct WatchedProgram {
-    std::string path;                          // of the team's settings
+    std::string path;                          // path of the team's settings
     std::vector<game::TeamSettings> variants;  // one for each value of a factor
     std::vector<Watched> files;
   };

@@ -25,7 +25,7 @@ std::string missing_results_text(const std::filesystem::path& folder);
 
 namespace fs = std::filesystem;
 
-constexpr int kMostListed = 1000;  // entries of a folder
+constexpr int kMostListed = 1000;  // maximum number of entries examined in a folder
 
 // Calls `take` for the entries of a folder.
 template <typename Take>

@@ -1,5 +1,5 @@
-// A results folder, as filled by `autoref run` and `autoref judge`: the scheduled games and those
-// played so far.
+// A results folder, as filled by `autoref run` and `autoref judge`: the scheduled games and the
+// rows of the games played so far.
 #pragma once
 
 #include <filesystem>
@@ -17,20 +17,21 @@ namespace autoref::experiments {
 
 struct ResultFolder {
   std::filesystem::path path;
-  Scenario scenario;  // from effective.yaml
+  Scenario scenario;  // the scenario in effective.yaml
   RowFormat format;
   std::vector<ScheduledGame> games;  // as in Schedule
   std::size_t needed = 0;            // as in Schedule
-  std::string build;                 // only its rows count
+  std::string build;                 // only the rows of this build count
   CompletedGames completed_games;    // `done` contains only rows that count
   int beyond = 0;                    // number of rows of games that turned out not to be needed
-  std::vector<DamagedRow> damaged;   // these do not count; empty if every game has a row
-  std::vector<std::string>
-      lost;  // ids of the games in results.csv without a row; none if there are several builds
-  std::map<std::string, int> by_shard;  // games played by each shard, such as "0/1"
+  // Damaged rows, which do not count; empty if every game has a row.
+  std::vector<DamagedRow> damaged;
+  // Ids of the games that are in results.csv but have no row; empty if there are several builds.
+  std::vector<std::string> lost;
+  std::map<std::string, int> by_shard;  // number of games played by each shard, such as "0/1"
 
   int void_games() const;
-  int killed_games() const;  // void games that the next run replays
+  int killed_games() const;  // number of void games that the next run replays
   // The faults of the stored rows, one line for each; empty if there are none.
   std::set<std::string> faults() const;
   bool is_complete() const { return completed_games.done.size() == needed; }
@@ -40,15 +41,18 @@ struct ResultFolder {
 // folder.
 Scenario scenario_in(const std::filesystem::path& folder);
 
-// The builds that have rows in a results folder. Throws InputError if it is not one.
+// The builds that have rows in a results folder. Throws InputError if the folder is not a results
+// folder.
 std::set<std::string> builds_in(const std::filesystem::path& path);
 
 // Reads a folder, even while a run is writing to it. Only rows of `build` count; if `build` is
-// empty, the folder may have rows of only one build. Throws InputError if it has rows of several
-// builds, or if it is not a results folder; also throws like sort_rows().
+// empty, the folder may have rows of only one build. Throws InputError if `build` is empty and
+// there are rows of several builds, or if the folder is not a results folder. Also throws like
+// sort_rows().
 ResultFolder open_results(const std::filesystem::path& path, const std::string& build = {});
 
-// The existing files of a results folder: effective.yaml, its rows and its results.
+// The existing files of a results folder: effective.yaml, the files with rows and the files with
+// results.
 std::vector<std::string> files_of_results(const std::filesystem::path& path);
 
 // results.csv: the rows that count, sorted by game id, without columns that may differ from run to

@@ -104,8 +104,8 @@ class ExperimentRun {
     shard_.emplace(options_.folder / kGamesFolder / options_.shard.file_name(),
                    io::csv_line(format_.names()), options_.patience_s);
     for (const std::string& note : games_.open()) progress_.say(note);
-    // Write this only now that the rows have been checked: a row played with other settings would
-    // have caused an exception.
+    // Write effective.yaml only after the rows have been checked: a row played with other settings
+    // would have caused an exception.
     io::replace_file(options_.folder / kEffectiveFile, effective_text(scenario_));
     progress_.expect(games_.counts());
     ExperimentReport report;
@@ -199,7 +199,7 @@ class ExperimentRun {
 
   io::ProgressView view_so_far() const {
     if (!scenario_.experiment().follows_its_rows())
-      return outcomes_.view(games_.rows());  // all of them count
+      return outcomes_.view(games_.rows());  // all rows count
     return outcomes_.view(games_.counted_rows());
   }
 
@@ -250,15 +250,15 @@ class ExperimentRun {
     return line_of(std::move(row), wall.count(), job.attempt);
   }
 
-  // The line of a game that took too long or lost its workers.
+  // The line for a game that took too long or lost its workers.
   std::string failed_line(const io::JobResult& result) const {
     GameRow row = row_of(games_.schedule().games[result.job]);
     row.record = void_record(result.failure);
     return line_of(std::move(row), result.wall_s, result.attempt);
   }
 
-  // `attempt` counts the workers; within one attempt, the game's programs may have been started
-  // several times.
+  // `attempt` counts the workers that played the game. Within one attempt, the game's programs may
+  // have been started several times.
   std::string line_of(GameRow row, double wall_s, int attempt) const {
     row.circumstances = {
         options_.build,       host_, cpu_, wall_s, attempt + row.record.attempts - 1,
@@ -275,11 +275,11 @@ class ExperimentRun {
     keep_file();
     shard_->write(line);
     written_.push_back(std::move(*row));
-    // The next games may depend on this one.
+    // The choice of the next games may depend on this game.
     if (scenario_.experiment().follows_its_rows() || Clock::now() >= next_sync_) count_written();
   }
 
-  // It is unknown whether the game was played by the old or the new version.
+  // It is unknown whether the old or the new version of the program played the game.
   void refuse_changed_programs() {
     const std::vector<std::string> changed = programs_.changed_settings();
     if (changed.empty()) return;

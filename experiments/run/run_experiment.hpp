@@ -1,11 +1,11 @@
 // Experiments: all games of a sweep, a round robin, an SPRT match and so on, played in worker
 // processes and stored in a folder.
 //
-// The folder's primary data are games/*.csv, one row per game. Once all games are there, the
+// The folder's primary data are games/*.csv, one row per game. Once all games have rows, the
 // results are derived from them: results.csv (sorted by game id, without columns that may differ
-// from run to run), summary.csv (per value, matchup or tie) and standings.csv (per team). Games of
-// an SPRT match after the deciding pair remain in games/*.csv only. effective.yaml is the scenario
-// with every setting written out.
+// from run to run), summary.csv (per value, matchup or tie) and standings.csv (per team). If an
+// SPRT match has games after the deciding pair, their rows are only in games/*.csv. effective.yaml
+// is the scenario with every setting written out.
 #pragma once
 
 #include <cstdio>
@@ -23,24 +23,25 @@
 
 namespace autoref::experiments {
 
-// How a run plays its games and displays its results so far.
+// How a run plays its games, and how it displays its results so far.
 struct Outcomes {
   // Plays the game in a worker and fills the row's record (and evaluation). May throw.
   std::function<void(const game::GameConfiguration& game, GameRow& row)> play;
-  std::function<io::ProgressView(const RowsById& rows)> view;  // of the results so far
+  std::function<io::ProgressView(const RowsById& rows)> view;  // displays the results so far
 };
 
 struct ExperimentOptions {
   std::filesystem::path folder;
-  std::string build;  // this program's; rows of other builds do not count
+  std::string build;  // build of this program; rows of other builds do not count
   int workers = 1;
   ShardIndex shard;                // only this shard's games are played
   bool allow_mixed_build = false;  // accept rows of other builds without counting them
-  std::function<game::GameRecord(const game::GameConfiguration&)> play;  // called in workers
+  // Plays a game; called in workers.
+  std::function<game::GameRecord(const game::GameConfiguration&)> play;
   std::optional<Outcomes> outcomes = {};  // replaces `play`; then no results are written
   std::FILE* progress = nullptr;          // no progress output if null
-  io::ProgressStyle style = io::ProgressStyle::kAuto;  // of the progress output
-  io::Progress::Publish publish = {};                  // gets the progress
+  io::ProgressStyle style = io::ProgressStyle::kAuto;  // style of the progress output
+  io::Progress::Publish publish = {};                  // called with the progress
   // Gets the results so far whenever they are computed for display.
   std::function<void(const ExperimentResults& results)> show = {};
   std::function<void(const ScheduledGame& game)> starting = {};  // called before each game
@@ -48,22 +49,25 @@ struct ExperimentOptions {
   double longest_game_s = 600;                         // wall-clock limit; longer games are void
   int attempts = 3;       // a game is void if its worker dies this many times
   double patience_s = 2;  // how long to wait while another run locks the shard
-  // How long to wait, after the latest such row, for rows of other shards on which the next games
-  // depend.
+  // How long to wait for rows of other shards on which the next games depend. The time starts again
+  // with each such row.
   double wait_s = 0;
 };
 
 struct ExperimentReport {
-  bool is_complete = false;     // all games have been played, including those of other shards
-  bool is_interrupted = false;  // by the user, before this shard's last game
-  bool is_waiting = false;      // the next games depend on games that other shards must play first
-  int games = 0;                // number of games needed, as currently known
-  int done = 0;                 // by this run and earlier ones
-  int played = 0;               // by this run
+  // Whether all games have been played, including those of other shards.
+  bool is_complete = false;
+  // Whether the user interrupted the run before this shard's last game.
+  bool is_interrupted = false;
+  // Whether the next games depend on games that other shards must play first.
+  bool is_waiting = false;
+  int games = 0;   // number of games needed, as currently known
+  int done = 0;    // number of games played by this run and earlier ones
+  int played = 0;  // number of games played by this run
   int void_games = 0;
-  int killed_games = 0;        // void games that the next run replays
-  int unrepeatable_games = 0;  // their programs did not repeat their commands
-  ExperimentResults results;   // if complete
+  int killed_games = 0;        // number of void games that the next run replays
+  int unrepeatable_games = 0;  // number of games whose programs did not repeat their commands
+  ExperimentResults results;   // the results, if the experiment is complete
 };
 
 // Plays the games that have no row yet (with the same id, configuration and build), and those that

@@ -56,12 +56,14 @@ std::string note_on_pairs(const Scenario& here, const Scenario& there, int beyon
   if (!pairs || !former || *pairs == *former) return {};
   if (*pairs > *former && beyond > 0) {
     return fmt::format(
-        "the folder had {} pairs, now {}; its games count if they still belong to the experiment",
+        "the folder had {} pairs, now {}; the games already played count if they still belong to "
+        "the experiment",
         *former, *pairs);
   }
   if (*pairs > *former) {
     return fmt::format(
-        "the folder had {} pairs, now {}; its games count, and only the new ones are played",
+        "the folder had {} pairs, now {}; the games already played count, and only the others are "
+        "played",
         *former, *pairs);
   }
   return fmt::format(
@@ -123,8 +125,9 @@ void RunGames::set_killed_games_aside(std::vector<std::string>& notes) {
   }
   for (const std::string& id : to_replay_) rows_.erase(id);
   if (to_replay_.empty()) return;
-  notes.push_back(fmt::format(
-      "{} games are void because their workers were killed; they are replayed", to_replay_.size()));
+  notes.push_back(
+      fmt::format("{} games are void because their workers were killed; they will be replayed",
+                  to_replay_.size()));
   schedule_ = scenario_.experiment().schedule(rows_);
 }
 

@@ -26,22 +26,23 @@ std::optional<Scenario> scenario_of_folder(const std::filesystem::path& folder);
 void refuse_other_seed(const Scenario& here, const Scenario& there,
                        const std::filesystem::path& folder);
 
-// "the folder had 6 pairs, now 12; its games count, and only the new ones are played"; empty if the
-// number has not changed. `beyond` is the number of rows of games that are not in the scenario, or
-// not yet known to be.
+// "the folder had 6 pairs, now 12; the games already played count, and only the others are played";
+// empty if the number of pairs has not changed. `beyond` is the number of rows whose games are not
+// in the scenario or not yet known to be in it.
 std::string note_on_pairs(const Scenario& here, const Scenario& there, int beyond);
 
-// Keeps track of the games and of their rows, from this run, earlier ones and other shards. It
-// neither plays nor writes anything; run_experiment() asks it what to play next.
+// Keeps track of the games and of their rows, which come from this run, from earlier runs and from
+// other shards. This class neither plays nor writes anything; run_experiment() asks it which games
+// to play next.
 class RunGames {
  public:
   // All arguments must outlive this object.
   RunGames(const Scenario& scenario, const ExperimentOptions& options, const RowFormat& format);
 
   // Reads the rows of earlier runs and of other shards. Sets aside the games that are void because
-  // their workers were killed: every run replays them. Returns lines that say which rows do not
-  // count and why. Throws InputError if the rows do not belong to this scenario, its seed or this
-  // build.
+  // their workers were killed: every run replays them. Returns lines of text that say which rows do
+  // not count and why. Throws InputError if the rows do not belong to this scenario, its seed or
+  // this build.
   std::vector<std::string> open();
 
   // Reads the rows again, since other shards may have played games in the meantime. Does not change
@@ -57,7 +58,8 @@ class RunGames {
   void update_decision();
 
   const Schedule& schedule() const { return schedule_; }
-  // Rows of scheduled games. Until drop_uncounted_rows(), these include games that are not needed.
+  // Rows of scheduled games. Until drop_uncounted_rows() is called, they include rows of games that
+  // are not needed.
   const RowsById& rows() const { return rows_; }
   // Rows of the needed games.
   RowsById counted_rows() const { return needed_rows(schedule_, rows_); }
@@ -68,7 +70,7 @@ class RunGames {
   // Indices into schedule().games: the needed games of this shard that are known so far and have no
   // row.
   std::vector<std::size_t> missing() const;
-  // Counts this shard's needed games and all games not known yet.
+  // The counts for this shard's needed games and for all games that are not known yet.
   io::GameCounts counts() const;
   // Whether the next games cannot be known until other shards have played some of theirs.
   bool depends_on_others() const;
@@ -83,7 +85,8 @@ class RunGames {
   const ExperimentOptions& options_;
   const RowFormat& format_;
   const std::optional<Scenario> former_;  // the scenario of earlier runs in this folder
-  const std::string changes_;             // since then; empty if unknown
+  // Changes of settings since that scenario; empty if it is unknown.
+  const std::string changes_;
   Schedule schedule_;
   RowsById rows_;
   std::set<std::string> to_replay_;  // ids of killed games still to be replayed

@@ -11,26 +11,28 @@ namespace autoref::experiments {
 struct SlurmArray {
   // Absolute paths on a file system shared by all nodes of the cluster.
   std::filesystem::path program;       // autoref
-  std::filesystem::path file;          // the experiment
-  std::filesystem::path folder;        // of the results
+  std::filesystem::path file;          // the experiment's scenario file
+  std::filesystem::path folder;        // the results folder
   std::vector<std::string> overrides;  // additional options of autoref run, such as "--seed=7"
-  // Whether tasks depend on each other's games; a task that has waited too long requeues itself.
+  // Whether tasks depend on each other's games. If they do, a task that has waited too long
+  // requeues itself.
   bool waits_for_others = false;
   int tasks = 8;
-  int workers = 1;                   // processors per task
-  std::string time;                  // HH:MM:SS per task; if empty, the partition's limit
+  int workers = 1;  // number of processors per task
+  // Time limit per task, as HH:MM:SS; if empty, the partition's limit.
+  std::string time;
   std::string partition;             // if empty, the cluster's default
   std::vector<std::string> options;  // additional sbatch options, such as "--account=vision"
 };
 
-// Subfolder of the results folder for the scripts' output. Slurm does not create it.
+// Name of the subfolder of the results folder for the output of the jobs. Slurm does not create it.
 inline constexpr const char* kSlurmLogs = "slurm";
 
-// The job array's script. A task that is killed, pre-empted or about to reach its time limit
-// resumes where it stopped: either its process is restarted or the task is requeued.
+// The batch script of the job array. A task that is killed, pre-empted or about to reach its time
+// limit resumes where it stopped: either its process is restarted or the task is requeued.
 std::string array_script(const SlurmArray& array);
 
-// The script of the job that writes the results from all rows present.
+// The script of the job that writes the results from all rows that exist when it runs.
 std::string merge_script(const SlurmArray& array);
 
 // Quotes text as a single word for the shell and for #SBATCH lines.

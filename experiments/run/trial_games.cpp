@@ -22,12 +22,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kMostWholeGames = 6;  // per combination
+constexpr std::size_t kMostWholeGames = 6;  // maximum number of whole games per combination
 constexpr double kShareOfFirst = 0.5;       // fraction of the time for each game's first seconds
 constexpr double kShareOfSecond = 0.9;      // fraction of the remaining time for longer parts
-constexpr double kGrace_s = 2;              // for running games to finish
-constexpr std::size_t kMostPrograms = 5;    // named with their costs
-constexpr int kMostRounds = 3;              // of longer and longer parts
+constexpr double kGrace_s = 2;              // extra time for running games to finish
+constexpr std::size_t kMostPrograms = 5;    // maximum number of programs named with their costs
+constexpr int kMostRounds = 3;              // maximum number of rounds with longer and longer parts
 constexpr double kLeastLimit_s = 0.02;      // wall time allowed for any part
 
 // The id without pair and leg: "b.handicap=0.8" for "b.handicap=0.8-p0007-2".
@@ -63,7 +63,8 @@ PlayedPart played_part_of(const std::string& text) {
 struct Entry {
   Trial trial;
   std::vector<const ScheduledGame*> games;  // the first kMostWholeGames
-  std::vector<PartTime> samples;            // of parts that were not void, the first part first
+  // Times of parts that were not void, in order of playing.
+  std::vector<PartTime> samples;
 
   // Scenes are short enough to be played whole.
   double first_share() const {
@@ -73,8 +74,8 @@ struct Entry {
   }
   bool plays() const { return !samples.empty() && trial.void_reason.empty(); }
 
-  // Whether such a part adds information: it is longer than those played, or it is one of the first
-  // whole games after the first part.
+  // Whether playing such a part adds information: whether it is longer than the parts already
+  // played, or one of the first whole games after the first part.
   bool is_to_play(double share) const {
     if (!plays()) return false;
     return share > 2 * longest().share || (share >= 1 && samples.size() == 1);
@@ -148,7 +149,7 @@ class TrialRun {
   }
 
  private:
-  // How long a part may take: an equal share of the time, or all the time that is left.
+  // How long a part may take: an equal share of the available time, or all the time that is left.
   enum class Limit { kEqualShare, kTimeLeft };
 
   double elapsed_s() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
@@ -257,7 +258,7 @@ class TrialRun {
   const Clock::time_point began_ = Clock::now();
 };
 
-using CostShares = std::vector<std::pair<double, std::string>>;  // by name, the largest first
+using CostShares = std::vector<std::pair<double, std::string>>;  // costs by name, the largest first
 
 void merge_least(CostShares& shares) {
   double others = 0;
@@ -267,8 +268,8 @@ void merge_least(CostShares& shares) {
   shares.emplace_back(others, name);
 }
 
-// `all_s` is the sum over all workers, like the programs' times; `duration_s` is how long the user
-// waits.
+// `all_s` is the sum of the times of all workers, like the programs' times. `duration_s` is the
+// time for which the user waits.
 std::string text_of_costs(const std::map<std::string, double>& programs_s, double all_s,
                           double duration_s) {
   CostShares shares;

@@ -11,10 +11,10 @@
 
 namespace autoref::experiments {
 
-// A game that ended differently when replayed, and the first column that differs.
+// A game whose replay differs from its row, and the first column in which they differ.
 struct Difference {
   std::string id;
-  ColumnDifference column;  // first: as stored; second: as replayed
+  ColumnDifference column;  // `first` is the stored value, `second` the replayed one
 };
 
 struct Verification {
@@ -24,7 +24,7 @@ struct Verification {
 
 // Replays up to `sample` games of the folder in workers, spread evenly over its rows that are
 // neither void nor forfeited. `play` fills the row's record (and evaluation). Throws Interrupted if
-// the user interrupts, and InputError if there are no such rows.
+// the user interrupts, and InputError if all rows are void or forfeited.
 Verification verify(const ResultFolder& folder, int sample, int workers,
                     const std::function<void(const game::GameConfiguration&, GameRow&)>& play,
                     std::FILE* progress);

@@ -24,7 +24,8 @@ std::optional<std::vector<double>> numbers_of(const Factor& factor);
 // All combinations of the factors' values; the last factor changes fastest.
 std::vector<std::vector<game::SettingValue>> combinations(const std::vector<Factor>& factors);
 
-// The base with each factor set to one value. Throws SettingError if they contradict each other.
+// The settings of `base` with each factor set to one value. Throws SettingError if the values
+// contradict each other.
 game::GameSettings configured(const game::GameSettings& base, const std::vector<Factor>& factors,
                               const std::vector<game::SettingValue>& values);
 

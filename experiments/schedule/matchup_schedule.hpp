@@ -14,7 +14,7 @@
 
 namespace autoref::experiments {
 
-using Teams = std::map<std::string, game::TeamSettings>;  // by name, as in result rows
+using Teams = std::map<std::string, game::TeamSettings>;  // teams by name, as in result rows
 
 // Settings shared by all experiments between named teams.
 struct NamedTeams {
@@ -43,10 +43,11 @@ std::string matchup_name(const Matchup& matchup);
 // contain "-p", which marks the pair in game ids.
 void check_team_name(std::string_view name);
 
-// The games of matchups in playing order, with `order` as the order of the matchups within a pair
-// number. The two legs of a pair are adjacent, and all matchups play a pair number before the next
-// one. With an order from schedule.hpp the teams take turns: at any time, they have played the same
-// number of games, up to one pair and the running games. Ids look like "bold~zone-p0007-2".
+// The games of matchups in playing order. Within a pair number, the matchups are played in the
+// order `order`. The two legs of a pair are adjacent, and all matchups play a pair number before
+// the next one. With an order from schedule.hpp, the teams take turns: at any time, their numbers
+// of games differ by at most one pair, apart from the running games. Ids look like
+// "bold~zone-p0007-2".
 //
 // A game depends only on its two teams, its pair and its leg, so adding teams or pairs changes no
 // other game. Sides, first kick-off and seed are those of leg_of(); equal pair numbers have equal
@@ -55,7 +56,8 @@ void check_team_name(std::string_view name);
 std::vector<ScheduledGame> games_of(const NamedTeams& named, const std::vector<Matchup>& matchups,
                                     const std::vector<std::size_t>& order, int pairs);
 
-// Schedules games between named teams, which share their settings. Does not check the settings.
+// Schedules games between named teams. The games share the settings that they have in common. Does
+// not check the settings.
 class MatchupScheduler {
  public:
   explicit MatchupScheduler(const NamedTeams& named);

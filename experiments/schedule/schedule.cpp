@@ -41,7 +41,8 @@ std::vector<std::size_t> circle_order(std::size_t teams) {
   MatchupOrder order(teams);
   for (std::size_t round = 0; round < moving; ++round) {
     for (std::size_t i = 0; i < teams / 2; ++i) {
-      // The first team's matchup does not always come first, so it is not always in the same shard.
+      // The first team's matchup does not always come first in a round, so it is not always played
+      // by the same shard.
       const std::size_t k = (round + i) % (teams / 2);
       const std::size_t other = k == 0 ? 0 : 1 + (round + moving - k) % moving;
       order.add(1 + (round + k) % moving, other);
@@ -162,8 +163,9 @@ std::vector<std::size_t> round_robin_order(std::size_t teams) {
   return teams % 2 == 0 ? circle_order(teams) : cycles_order(teams);
 }
 
-// Combines the order so far with one list after the other. Both cycle through their values; the
-// combinations repeat after the least common multiple, so from there on the list is shifted by one.
+// Combines the order so far with one list after the other. Both the order and the list are cycled
+// through. The combinations would repeat after the least common multiple of their lengths, so from
+// there on the list is shifted by one.
 std::vector<std::size_t> combinations_order(const std::vector<std::size_t>& sizes) {
   std::vector<std::size_t> order = {0};
   for (const std::size_t size : sizes) {

@@ -13,7 +13,8 @@
 
 namespace autoref::experiments {
 
-// The differences between the games of two teams: their sides, the first kick-off and the seed.
+// The settings in which the games of two teams differ: the teams' sides, the first kick-off and the
+// seed.
 struct LegSettings {
   Side a_plays = Side::kWest;
   Side first_kickoff = Side::kWest;
@@ -25,8 +26,8 @@ struct LegSettings {
 // object about 0.1 kB. Copies share their parts.
 class SharedSettings {
  public:
-  // Takes the settings as they are. It does not keep which of them were given explicitly, since
-  // presets have already been applied.
+  // Takes the settings as they are. This object does not record which settings were given
+  // explicitly, since presets have already been applied.
   explicit SharedSettings(game::GameSettings game);
 
   // The same game with other teams, another leg, or another start of a scene. The start is given
@@ -47,11 +48,12 @@ class SharedSettings {
   std::shared_ptr<const game::GameSettings> base_;
   std::shared_ptr<const game::TeamSettings> a_;
   std::shared_ptr<const game::TeamSettings> b_;
-  std::shared_ptr<const game::StartState> start_;  // of team a in the west; null: the base's
+  // Start with team a in the west; null: that of the base.
+  std::shared_ptr<const game::StartState> start_;
   LegSettings leg_;
 };
 
-inline constexpr int kMostPairs = 9999;  // pairs of legs
+inline constexpr int kMostPairs = 9999;  // maximum number of pairs of legs
 
 struct ScheduledGame {
   std::string id;                   // "b.handicap=0.8-p0007-2": values, pair, leg
@@ -61,10 +63,12 @@ struct ScheduledGame {
   SharedSettings settings;
   std::string team_a = {};  // the team's name in result rows; its strategy or program in a sweep
   std::string team_b = {};
-  std::size_t unit = 0;  // games of one unit, such as a pair's legs, go to the same shard
-  // Index of its values or matchup, in the order of summary.csv, and how many of them take turns:
-  // each plays again after that many units, and shards share its games evenly. 0 if they do not
-  // take turns, as in a knockout, a tuning and judged games.
+  // Number of the unit; games of one unit, such as a pair's legs, are played by the same shard.
+  std::size_t unit = 0;
+  // Index of the game's values or matchup in the order of summary.csv, and the number of values or
+  // matchups that take turns. Each of them plays again after that number of units, and its games
+  // are shared evenly among the shards. The number is 0 if they do not take turns, as in a
+  // knockout, a tuning or judged games.
   std::size_t variant = 0;
   std::size_t variants = 0;
 };
@@ -76,7 +80,7 @@ game::GameConfiguration resolved(const ScheduledGame& game);
 std::string game_id(std::string_view played, int pair, int leg);
 
 // Throws SettingError for a team that is commanded over the network, since only `autoref live`
-// plays such teams. `path` is the team's in the scenario.
+// plays such teams. `path` is the path of the team in the scenario.
 void refuse_network(const game::TeamSettings& team, std::string_view path);
 
 // Throws SettingError if a game controller commands the games, since only `autoref play` supports
@@ -88,8 +92,8 @@ void refuse_game_controller(const game::GameSettings& game);
 // from each side over two pairs.
 LegSettings leg_of(std::uint64_t master_seed, int pair, int leg);
 
-// Throws SettingError if there are too many games for one experiment; `key` is the setting to
-// blame.
+// Throws SettingError if there are too many games for one experiment; `key` is the setting that the
+// error names.
 void refuse_too_many(double games, std::string_view key = "pairs");
 
 // A game's seed, below 2^53 so that programs that read numbers as doubles get it exactly. It does
@@ -101,7 +105,7 @@ std::uint64_t seed_of(std::uint64_t master_seed, int pair, int leg);
 // team and every value has been played about equally often.
 
 // The matchups of a round robin as indices into matchups_of(RoundRobin). After any number of
-// matchups, the teams' counts differ by at most one.
+// matchups, the numbers of matchups that two teams have played differ by at most one.
 //
 // An even number of teams plays in the rounds of the circle method: one team stays in place, the
 // others move around a circle, and every team plays once per round. With an odd number, one team
@@ -113,7 +117,7 @@ std::vector<std::size_t> round_robin_order(std::size_t teams);
 
 // The combinations of several lists' values as indices into all combinations in which the last list
 // changes fastest. `sizes` are the lists' lengths, at least 1. After any number of combinations,
-// the counts of a list's values differ by at most one.
+// any two values of a list have occurred equally often or differ by one occurrence.
 std::vector<std::size_t> combinations_order(const std::vector<std::size_t>& sizes);
 
 }  // namespace autoref::experiments

@@ -7,19 +7,19 @@
 
 namespace autoref::experiments {
 
-// A 95 % confidence interval. Method and assumptions are documented where it is computed. A bound
-// that the sample does not determine is infinite.
+// A 95 % confidence interval. The method and its assumptions are documented at each function that
+// computes an interval. A bound that the sample does not determine is infinite.
 struct Interval {
   double low = 0;
   double high = 0;
 };
 
-// Probability that an interval misses the true value, half on either side.
+// Probability that an interval misses the true value: half of it on each side.
 inline constexpr double kMissedShare = 0.05;
 
 // Student's t confidence interval of the mean: mean -+ t(0.975, n - 1) s / sqrt(n). Assumes
 // independent values; exact if they are normal. Returns nullopt for fewer than two values, and if
-// all values are equal, since the spread is then unknown.
+// all values are equal, since their spread is then unknown.
 std::optional<Interval> mean_interval(std::span<const double> sample);
 
 // Two-sided p value of the t test of "the true mean is 0": the probability of a mean at least this
@@ -31,16 +31,16 @@ std::optional<double> p_of_zero_mean(std::span<const double> sample);
 
 // Wilson's score interval (Wilson, Probable inference, J. Am. Stat. Assoc. 22, 1927), without
 // continuity correction. Its coverage is 95 % on average over all proportions, and lower for some.
-// The numbers need not be whole: n may be an effective number of trials.
+// `successes` and `n` need not be whole: n may be an effective number of trials.
 std::optional<Interval> wilson_interval(double successes, double n);
 
 // The exact interval (Clopper and Pearson, Biometrika 26, 1934). Its coverage is at least 95 % for
-// every proportion, so it is wider.
+// every proportion, so the interval is wider than Wilson's.
 std::optional<Interval> clopper_pearson_interval(int successes, int n);
 
 // The interval to report: Wilson's, or Clopper and Pearson's if no trial or every trial succeeded.
-// In those cases Wilson's is shorter, but its coverage is lowest for exactly the proportions of
-// most interest ("never", "always").
+// In these two cases, Wilson's interval is shorter, but its coverage is lowest for the proportions
+// of most interest: those near 0 and 1.
 std::optional<Interval> proportion_interval(int successes, int n);
 
 // F1 = 2 right / (2 right + wrong + missed) is treated as a proportion: `right` successes in right

@@ -13,7 +13,8 @@ constexpr int kMostNewtonSteps = 200;
 constexpr int kMostHalvings = 30;
 constexpr double kSmallStep = 1e-10;
 constexpr double kLongestStep = 2;
-constexpr double kRelativeRounding = 1e-13;  // relative error that could be mistaken for a fall
+// Relative rounding error that could be mistaken for a falling likelihood.
+constexpr double kRelativeRounding = 1e-13;
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -26,10 +27,11 @@ struct PredictedGame {
   double log_loss = 0;
 };
 
-// Remains accurate even if the strengths differ so much that one of the probabilities rounds to 1.
+// The prediction remains accurate even if the strengths differ so much that one of the
+// probabilities rounds to 1.
 PredictedGame predicted_game(double strength_a, double strength_b) {
   const double gap = std::abs(strength_a - strength_b);
-  const double odds = std::exp(-gap);  // of the weaker team
+  const double odds = std::exp(-gap);  // odds of the weaker team
   const double log_strong = -std::log1p(odds);
   const double strong = 1 / (1 + odds);
   const double weak = odds / (1 + odds);
@@ -65,8 +67,8 @@ MatrixXd information_of(const std::vector<MatchupTotals>& matchups,
   return means;
 }
 
-// Adds the derivatives of the penalised likelihood: as if each matchup had additional drawn games,
-// as many as its leverage.
+// Adds the derivatives of the penalised likelihood. The penalty acts as if each matchup had
+// additional drawn games, as many as its leverage.
 void add_derivatives(LikelihoodPoint& point, const std::vector<MatchupTotals>& matchups,
                      const std::vector<PredictedGame>& games, MatrixXd information,
                      const MatrixXd& inverse) {

@@ -18,13 +18,14 @@ struct LikelihoodPoint {
   // Logarithm of the penalised likelihood. If it is not finite, this is -infinity, and the
   // derivatives are not computed.
   double value = 0;
-  Eigen::VectorXd score;                  // its derivatives
-  Eigen::LLT<Eigen::MatrixXd> curvature;  // approximates its negated second derivatives
+  Eigen::VectorXd score;                  // first derivatives of `value`
+  Eigen::LLT<Eigen::MatrixXd> curvature;  // approximates the negated second derivatives of `value`
   double win_variance = 0;                // sum of n p (1 - p): variance of wins without draws
 };
 
-// Shortens a step so that it changes no strength by more than 2. Longer steps may end where all
-// results are certain; there, rounding errors would determine the next step.
+// Shortens a step so that it changes no strength by more than 2. A longer step may end at strengths
+// for which all results are practically certain, where rounding errors would determine the next
+// step.
 Eigen::VectorXd shortened_step(const Eigen::VectorXd& step);
 
 // In the Bradley-Terry model (Rank analysis of incomplete block designs, Biometrika 39, 1952), team
@@ -49,16 +50,17 @@ class PenalisedLikelihood {
   // All matchups with games.
   const std::vector<MatchupTotals>& matchups() const { return matchups_; }
 
-  // Moves a team against the mean of its group: 1 for the team, minus the mean of this vector over
-  // the group.
+  // The direction that moves a team relative to the mean of its group: 1 for the team, minus the
+  // mean of this vector over the group.
   Eigen::VectorXd direction_of(std::size_t team) const;
 
   // The likelihood for `strengths` that sum to zero in each group.
   LikelihoodPoint at(const Eigen::VectorXd& strengths) const;
 
   // The point of maximum likelihood, found by Newton's method from equal strengths. Steps are
-  // shortened and halved until the likelihood does not fall. Stops when a step changes no strength
-  // by 1e-10, after at most 200 steps. The second derivatives treat the leverages as constant.
+  // shortened and halved until the likelihood does not fall. Stops when a step changes every
+  // strength by less than 1e-10, and after at most 200 steps. The second derivatives treat the
+  // leverages as constant.
   LikelihoodPoint maximum() const;
 
  private:

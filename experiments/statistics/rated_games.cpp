@@ -27,7 +27,7 @@ std::vector<std::size_t> linked_groups(std::size_t teams, std::span<const Matchu
     const std::size_t of_b = root_of(parents, matchup.b);
     parents[std::max(of_a, of_b)] = std::min(of_a, of_b);
   }
-  std::map<std::size_t, std::size_t> numbers;  // by the root of the group
+  std::map<std::size_t, std::size_t> numbers;  // number of each group, by the group's root
   std::vector<std::size_t> groups(teams);
   for (std::size_t i = 0; i < teams; ++i) {
     groups[i] = numbers.try_emplace(root_of(parents, i), numbers.size()).first->second;

@@ -17,16 +17,16 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr int kMostProfileSteps = 100;
-constexpr double kTolerance = 1e-6;  // of the likelihood's logarithm
+constexpr double kTolerance = 1e-6;  // tolerance of the log-likelihood
 constexpr double kOpenEnd = std::numeric_limits<double>::infinity();
 
 enum class ProfileEnd { kLow, kHigh };
 
-// The profile of one team.
+// The profile likelihood of one team's strength.
 struct StrengthProfile {
   std::size_t team = 0;
   VectorXd direction;  // the team against its group's mean
-  double value = 0;    // of the likelihood's logarithm at both ends
+  double value = 0;    // log-likelihood at both ends of the interval
 };
 
 // Quantities of Venzon and Moolgavkar's quadratic model at a point.
@@ -36,9 +36,9 @@ struct ProfileStep {
 };
 
 // The likelihood is modelled as value + score' d - d' curvature d / 2. The model is largest for the
-// other teams along d = newton + slope * across, with any slope; choose the slope for which it has
-// the profile's value, on the side of the wanted end. If it does not reach that value anywhere, go
-// to its maximum.
+// other teams along d = newton + slope * across, with any slope; choose the slope for which the
+// model has the profile's value, on the side of the wanted end. If the model does not reach that
+// value anywhere, go to its maximum.
 ProfileStep step_from(const LikelihoodPoint& point, const StrengthProfile& profile,
                       ProfileEnd end) {
   const VectorXd newton = point.curvature.solve(point.score);
@@ -52,7 +52,7 @@ ProfileStep step_from(const LikelihoodPoint& point, const StrengthProfile& profi
           (gain - along * along / spread) / 2};
 }
 
-// The strength at an end of the interval; nullopt if it is not found.
+// The strength at one end of the interval; nullopt if that end is not found.
 std::optional<double> profile_end(const PenalisedLikelihood& likelihood, LikelihoodPoint point,
                                   const StrengthProfile& profile, ProfileEnd end) {
   for (int i = 0; i < kMostProfileSteps && std::isfinite(point.value); ++i) {
@@ -65,7 +65,7 @@ std::optional<double> profile_end(const PenalisedLikelihood& likelihood, Likelih
   return std::nullopt;
 }
 
-// Games and wins of a team.
+// The numbers of games and wins of a team.
 struct GamesAndWins {
   double games = 0;
   double wins = 0;
@@ -139,7 +139,7 @@ std::vector<MatchupTotals> totals_of(const std::vector<PairTotals>& matchups, Pi
 
 // All matchups with games, with numbered teams.
 struct NumberedGames {
-  std::vector<std::string> teams;  // by number, sorted
+  std::vector<std::string> teams;  // names by team number, sorted
   std::vector<PairTotals> matchups;
 };
 

@@ -12,10 +12,11 @@
 
 namespace autoref::experiments {
 
-// Scales the intervals of Bradley-Terry strengths. Draws are half wins, which vary less than wins
-// and losses: 1 - (draws / 4) / (sum of n p (1 - p)) is the variance of all games' results relative
-// to that without draws. `maximum` is likelihood.maximum(). At most 1, and at least
-// kLeastDispersion, so that intervals do not vanish if almost all games are drawn.
+// The factor that scales the intervals of Bradley-Terry strengths. Draws count as half wins, which
+// vary less than wins and losses. 1 - (draws / 4) / (sum of n p (1 - p)) is the variance of the
+// results of all games relative to the variance without draws. `maximum` is likelihood.maximum().
+// At most 1, and at least kLeastDispersion, so that intervals do not vanish if almost all games are
+// drawn.
 double dispersion(const PenalisedLikelihood& likelihood, const LikelihoodPoint& maximum);
 
 // The value of dispersion() if equal teams draw half of their games.
@@ -23,11 +24,12 @@ inline constexpr double kLeastDispersion = 0.5;
 
 // For each team, the 95 % confidence interval of its strength against the mean of its group, from
 // the profile of the penalised likelihood (Heinze and Schemper, A solution to the problem of
-// separation in logistic regression, Stat. Med. 21, 2002). It contains the strengths for which
-// twice the drop of the likelihood's logarithm, with the strengths of all other teams as likely as
-// possible, is at most dispersion() times the 95 % quantile of chi-squared with one degree of
-// freedom. Its ends are found by Venzon and Moolgavkar's method (A method for computing
-// profile-likelihood-based confidence intervals, Appl. Stat. 37, 1988).
+// separation in logistic regression, Stat. Med. 21, 2002). The interval contains the strengths for
+// which twice the drop of the log-likelihood is at most dispersion() times the 95 % quantile of
+// chi-squared with one degree of freedom. For each strength of the team, the strengths of all other
+// teams are those of maximum likelihood. The interval's ends are found by Venzon and Moolgavkar's
+// method (A method for computing profile-likelihood-based confidence intervals, Appl. Stat. 37,
+// 1988).
 //
 // For a team that won all its games, the upper bound is infinity, since no game shows how much
 // stronger the team may be. For a team that lost all its games, the lower bound is -infinity. A
@@ -51,11 +53,12 @@ inline constexpr std::size_t kFewestResampled = 5;
 
 // A rating in goals for each team, by name: goal_rating(). The intervals are bootstrap percentiles
 // (Efron, Bootstrap methods, Ann. Stat. 7, 1979): in each of kResamples resamples, every matchup's
-// pairs of legs are drawn with replacement (legs stay together) and the teams rated again; the
-// interval spans the middle 95 % of these ratings. It is nullopt if a matchup has fewer than
-// kFewestResampled pairs or all resamples agree, and too narrow for few pairs
-// (docs/explanations/statistics.md has the measured coverage). The draws come from a fixed random
-// stream and visit matchups and pairs by name, so the order of `matchups` does not matter.
+// pairs of legs are drawn with replacement (the legs of a pair stay together), and the teams are
+// rated again. The interval spans the middle 95 % of these ratings. An interval is nullopt if a
+// matchup has fewer than kFewestResampled pairs or if all resamples agree. Intervals are too narrow
+// if there are few pairs (docs/explanations/statistics.md has the measured coverage). The draws
+// come from a fixed random stream and visit matchups and pairs by name, so the order of `matchups`
+// does not matter.
 std::vector<Rating> goal_ratings_of(std::vector<RatedMatchup> matchups);
 
 // A Bradley-Terry strength for each team, by name: bradley_terry(), with profile_intervals(). All

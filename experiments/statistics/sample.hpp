@@ -7,13 +7,14 @@
 
 namespace autoref::experiments {
 
-// The sample must not be empty.
+// The mean of a sample, which must not be empty.
 double mean(std::span<const double> sample);
 
-// The upper median if the number of values is even. The sample must not be empty.
+// The median of a sample, which must not be empty. If the number of values is even, it is the upper
+// median.
 double median(std::vector<double> sample);
 
-// With n - 1 in the denominator. Returns nullopt for fewer than two values.
+// The standard deviation, with n - 1 in the denominator. Returns nullopt for fewer than two values.
 std::optional<double> standard_deviation(std::span<const double> sample);
 
 // Slope of the least-squares line through the points (x[i], y[i]). Returns nullopt if all x are

@@ -30,14 +30,16 @@ double power_of(const DifferenceSought& sought, int pairs) {
   assert(pairs >= kFewestPairs);
   const double degrees_of_freedom = pairs - 1;
   // The t statistic follows the central distribution if there is no difference, and the noncentral
-  // one if there is; the power is the mass of the latter beyond either critical value.
+  // one if there is; the power is the probability of the noncentral distribution beyond either
+  // critical value.
   const boost::math::students_t without(degrees_of_freedom);
   const boost::math::non_central_t with(degrees_of_freedom, effect_of(sought) * std::sqrt(pairs));
   const double bound = quantile(complement(without, sought.alpha / 2));
   return cdf(complement(with, bound)) + cdf(with, -bound);
 }
 
-// The power grows with the number of pairs: double it until it is enough, then bisect.
+// The power grows with the number of pairs. Double the number of pairs until the power is
+// sufficient, then bisect.
 std::optional<int> games_needed(const DifferenceSought& sought, double power) {
   assert(0 < power && power < 1);
   const auto is_enough = [&](int pairs) { return power_of(sought, pairs) >= power; };

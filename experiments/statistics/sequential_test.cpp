@@ -28,8 +28,9 @@ Verdict verdict_of(const SequentialTest& test, const SequentialState& state) {
   return state.pairs < test.max_pairs ? Verdict::kGoOn : Verdict::kUndecided;
 }
 
-// The log-likelihood of n normal differences with this mean square from the hypothesis's mean,
-// maximised over the variances from `least` on, without terms that are the same for any mean.
+// The log-likelihood of n normal differences, given their mean squared distance from the mean of
+// the hypothesis. The log-likelihood is maximised over all variances that are at least `least`, and
+// omits terms that are the same for any mean.
 double log_likelihood(int n, double mean_square, double least_variance) {
   const double variance = std::max(mean_square, least_variance);
   return -n / 2.0 * (std::log(variance) + mean_square / variance);

@@ -12,7 +12,8 @@ namespace autoref::experiments {
 
 // A 95 % confidence sequence of the mean: in 95 % of experiments, the intervals after the second
 // value, the third and so on all contain the true mean. The interval therefore remains valid if the
-// values themselves decide when to stop, as in a sequential test; Student's interval does not.
+// values themselves decide when to stop, as in a sequential test; Student's interval does not
+// remain valid.
 //
 // It contains the means that a mixture of t tests does not reject. With t the statistic of n values
 // for a mean, nu = n - 1, and the effect size (mean over standard deviation) distributed as
@@ -21,7 +22,8 @@ namespace autoref::experiments {
 //     (1 + n g)^(-1/2) [(1 + t^2 / nu) / (1 + t^2 / (nu (1 + n g)))]^(n / 2)
 //
 // and a mean is rejected where this exceeds 1 / 0.05 (Lai, On confidence sequences, Ann. Stat. 4,
-// 1976; Ville's inequality). Exact for normal values. About 1.3 to 1.7 times as wide as Student's.
+// 1976; Ville's inequality). Exact for normal values. About 1.3 to 1.7 times as wide as Student's
+// interval.
 //
 // Returns nullopt for fewer than two values, if all are equal, and while the interval is unbounded.
 std::optional<Interval> anytime_interval(std::span<const double> sample);
@@ -42,13 +44,13 @@ struct SequentialTest {
 double bound_of_d0(const SequentialTest& test);
 double bound_of_d1(const SequentialTest& test);
 
-// The least variance of a pair's difference that the test assumes, in squared goals: the larger of
-// |d0| and |d1|.
+// The least variance that the test assumes for the difference of a pair, in squared goals: the
+// larger of |d0| and |d1|.
 double least_variance_of(const SequentialTest& test);
 
 enum class Verdict { kGoOn, kAcceptD0, kAcceptD1, kUndecided };
 
-// State of the test after some pairs.
+// State of the test after the pairs so far.
 struct SequentialState {
   Verdict verdict = Verdict::kGoOn;
   int pairs = 0;
@@ -100,15 +102,15 @@ enum class ThreeWayVerdict : std::uint8_t {
 
 struct ThreeWayState {
   ThreeWayVerdict verdict = ThreeWayVerdict::kGoOn;
-  int pairs = 0;  // needed for the verdict; later ones do not count
+  int pairs = 0;  // number of pairs needed for the verdict; later ones do not count
 };
 
-// Runs two sequential tests on the same pairs: one of a mean of 0 against `delta`, the other of 0
-// against -`delta` (Sobel and Wald, A sequential decision procedure for choosing one of three
-// hypotheses concerning the unknown mean of a normal distribution, Ann. Math. Stat. 20, 1949). The
-// first one to reject 0 decides; "not shown" needs both to accept it. If the mean is 0, "better"
-// and "worse" each have a probability of at most alpha; if it is delta, "better" has at least 1 -
-// beta (approximately, as for a single test).
+// Runs two sequential tests on the same pairs: one of a mean of 0 against `delta`, the other of a
+// mean of 0 against -`delta` (Sobel and Wald, A sequential decision procedure for choosing one of
+// three hypotheses concerning the unknown mean of a normal distribution, Ann. Math. Stat. 20,
+// 1949). The first test that rejects 0 decides. The verdict is "not shown" if both tests accept 0.
+// If the mean is 0, "better" and "worse" each have a probability of at most alpha; if it is delta,
+// "better" has at least 1 - beta (approximately, as for a single test).
 //
 // `test.d0` must be 0; `test.d1` is delta, above 0.
 ThreeWayState compared(const SequentialTest& test, std::span<const double> pair_differences);

@@ -20,8 +20,8 @@ constexpr double kLeastLength = 1e-9;
 constexpr double kLeastSigma = 1e-6;
 constexpr double kMostSigma = 1e3;
 
-// Standard deviation of the known scores, but at least a little: the penalty for a clipped
-// distance.
+// Standard deviation of the known scores, but at least a small positive value. This deviation is
+// the unit of the penalty for a clipped distance.
 double spread_of(std::span<const Score> scores) {
   double sum = 0, squares = 0;
   int count = 0;
@@ -85,7 +85,7 @@ std::vector<Candidate> CmaEs::ask() const {
   return candidates;
 }
 
-// The candidates' indices, the best first; ties keep their order.
+// The candidates' indices, the best candidate first; tied candidates keep their order.
 std::vector<int> CmaEs::ranked(std::span<const Score> scores, const Eigen::MatrixXd& y) const {
   const double price = spread_of(scores);
   std::vector<double> values;

@@ -17,8 +17,9 @@ namespace autoref::experiments {
 struct CmaConstants {
   explicit CmaConstants(int parameters);
 
-  int lambda = 0;           // candidates per iteration
-  Eigen::VectorXd weights;  // of the mu best, descending, with the sum 1
+  int lambda = 0;  // candidates per iteration
+  // Weights of the mu best candidates, in descending order; their sum is 1.
+  Eigen::VectorXd weights;
   double mu_eff = 0;
   double c_sigma = 0;
   double d_sigma = 0;
@@ -33,25 +34,25 @@ class CmaEs : public Optimiser {
   // Starts with a standard deviation of one step in every parameter.
   CmaEs(std::vector<Axis> axes, std::uint64_t seed);
 
-  // "x01", "x02", ... Points outside the box are clipped for scoring.
+  // Candidates "x01", "x02", ... Points outside the box are clipped for scoring.
   std::vector<Candidate> ask() const override;
 
-  // Candidates without a score rank last. A candidate that had to be clipped loses score in
-  // proportion to the square of the distance, so that the distribution stays near the box
-  // (tutorial, B.5).
+  // Candidates without a score rank last. A candidate that had to be clipped gets a lower score, in
+  // proportion to the square of its distance from the box, so that the distribution stays near the
+  // box (tutorial, B.5).
   void tell(std::span<const Score> scores) override;
 
   // The mean of the distribution, clipped.
   Point centre() const override;
 
-  // The mean of the centres after the last half of the iterations so far, not the candidate with
-  // the best score, which was mainly lucky.
+  // The mean of the centres in the last half of the iterations so far. The best point is not the
+  // candidate with the best score, because that candidate was mainly lucky.
   Point best() const override { return tail_.value(); }
 
   double reach() const override { return sigma_; }
 
  private:
-  // The samples of this iteration, one per column: (x - mean) / sigma, as the tutorial's y.
+  // The samples of this iteration, one per column: (x - mean) / sigma, which is y in the tutorial.
   Eigen::MatrixXd samples() const;
   std::vector<int> ranked(std::span<const Score> scores, const Eigen::MatrixXd& y) const;
   void adapt(const Eigen::MatrixXd& y, const std::vector<int>& order);
@@ -65,7 +66,7 @@ class CmaEs : public Optimiser {
   double sigma_ = 1;
   Eigen::MatrixXd covariance_;
   Eigen::MatrixXd directions_;  // eigenvectors of the covariance
-  Eigen::VectorXd lengths_;     // square roots of its eigenvalues
+  Eigen::VectorXd lengths_;     // square roots of the covariance's eigenvalues
   Point path_c_;
   Point path_sigma_;
   TailMean tail_;

@@ -15,12 +15,13 @@
 
 namespace autoref::experiments {
 
-// One parameter, in units of its step: the distance over which its effect is tested first.
+// One parameter, in units of its step. The step is the distance over which the parameter's effect
+// is first tested.
 struct Axis {
   double low = 0;
   double high = 1;
-  double start = 0;               // low to high
-  double least_perturbation = 0;  // least distance in SPSA: half a whole number
+  double start = 0;               // start of the search, between `low` and `high`
+  double least_perturbation = 0;  // least perturbation in SPSA; for whole numbers, half of 1
 };
 
 using Point = Eigen::VectorXd;  // a coordinate per axis
@@ -31,7 +32,7 @@ struct Candidate {
   Point point;  // within the box
 };
 
-// The mean score of a candidate; nullopt if nothing is known about it.
+// The mean score of a candidate; nullopt if none of its games counts.
 using Score = std::optional<double>;
 
 class Optimiser {
@@ -58,17 +59,18 @@ enum class Method : std::uint8_t { kSpsa, kCmaEs };
 struct Search {
   Method method = Method::kSpsa;
   int iterations = 100;
-  double gain = 0.3;  // of SPSA; see spsa.hpp
+  double gain = 0.3;  // gain of SPSA; see spsa.hpp
   std::uint64_t seed = 1;
 };
 
-// Throws std::invalid_argument if there are no axes or a start is outside its box.
+// Throws std::invalid_argument if there are no axes or if the start of an axis is outside its
+// range.
 std::unique_ptr<Optimiser> make_optimiser(const Search& search, const std::vector<Axis>& axes);
 
-// The starts of the axes.
+// The point at which all axes have their start values.
 Point start_of(const std::vector<Axis>& axes);
 
-// The nearest point in the box.
+// The point of the box that is nearest to `point`.
 Point clipped(const Point& point, const std::vector<Axis>& axes);
 
 // The mean of the last half of a path. Individual points of a path wander with the noise of the
@@ -90,7 +92,7 @@ class TailMean {
   }
 
  private:
-  std::vector<Point> sums_;  // of the first 0, 1, 2, ... points
+  std::vector<Point> sums_;  // sums of the first 0, 1, 2, ... points
   Point start_;
 };
 

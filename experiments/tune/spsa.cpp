@@ -12,7 +12,7 @@ namespace {
 constexpr double kGainExponent = 0.602;          // Spall's alpha
 constexpr double kPerturbationExponent = 0.101;  // Spall's gamma
 constexpr double kStability = 0.1;               // A as a fraction of the iterations
-constexpr double kLongestMove = 2;               // in perturbations
+constexpr double kLongestMove = 2;               // longest move of the centre, in perturbations
 
 }  // namespace
 

@@ -18,8 +18,9 @@ namespace autoref::experiments {
 // mean square so far, so that a good gain does not depend on the number of goals per game.
 struct SpsaGains {
   int iterations = 100;
-  // If the difference is as large as usual, the centre moves by this many steps in the first
-  // iteration; later steps are as long except for the decay of the sequences. This sets a.
+  // Determines a. If the difference between the two scores is as large as usual, the centre moves
+  // by this many steps in the first iteration. In later iterations it moves as far, apart from the
+  // decay of the sequences.
   double gain = 0.3;
 
   double perturbation(int k) const;
@@ -30,8 +31,8 @@ class Spsa : public Optimiser {
  public:
   Spsa(const SpsaGains& gains, std::vector<Axis> axes, std::uint64_t seed);
 
-  // "plus" and "minus". At the edge of the box they are clipped, and the remaining difference
-  // between them is used.
+  // The candidates "plus" and "minus". At the edge of the box they are clipped, and the estimate
+  // uses the remaining difference between them.
   std::vector<Candidate> ask() const override;
 
   // Moves the centre along the estimated gradient, by at most twice the perturbation, or not at all
@@ -40,7 +41,7 @@ class Spsa : public Optimiser {
 
   Point centre() const override { return centre_; }
 
-  // The mean of the centres after the last half of the iterations so far.
+  // The mean of the centres in the last half of the iterations so far.
   Point best() const override { return tail_.value(); }
 
   double reach() const override { return gains_.perturbation(iteration_); }
@@ -48,7 +49,7 @@ class Spsa : public Optimiser {
  private:
   void move_by(double difference);
 
-  // The difference of "plus" from the centre, before clipping.
+  // The difference between "plus" and the centre, before clipping.
   Point perturbation() const;
 
   SpsaGains gains_;
@@ -57,7 +58,7 @@ class Spsa : public Optimiser {
   Point centre_;
   int iteration_ = 0;
   double squares_ = 0;   // sum of the squared differences between scores,
-  int differences_ = 0;  // and their number
+  int differences_ = 0;  // and the number of these differences
   TailMean tail_;
 };
 

@@ -11,8 +11,8 @@
 
 namespace autoref::game {
 
-// A command that replaces the robot's previous one from `at_s` on. The speeds change linearly from
-// those of the previous command to those of this one within `over_s`.
+// A command that replaces the robot's previous one from `at_s` on. Within `over_s`, the speeds
+// change linearly from those of the previous command to those of this one.
 struct TimedCommand {
   double at_s = 0;
   double over_s = 0;
@@ -20,10 +20,10 @@ struct TimedCommand {
 };
 
 struct LabRobot {
-  RobotId id;  // numbered from 0 on each side, in the order of the file
+  RobotId id;  // numbered per side from 0, in the order of the file
   sim::RobotSpec spec;
   sim::RobotState start;
-  std::vector<TimedCommand> commands;  // in order of time
+  std::vector<TimedCommand> commands;  // the robot's commands in order of time
 };
 
 // Motors, kickers, camera and radio are exact and without delay unless the scene says otherwise.
@@ -34,7 +34,7 @@ struct LabScene {
   double duration_s = 1;
   Field field;
   sim::Configuration sim;
-  sim::RobotSpec robot;  // for robots without a type
+  sim::RobotSpec robot;  // spec of robots without a type
   std::uint64_t seed = 1;
   sim::BallState ball;
   std::vector<LabRobot> robots;
@@ -50,7 +50,7 @@ struct LabRecord {
 LabScene read_lab_scene(const std::filesystem::path& file);
 LabScene read_lab_scene_text(const std::string& text, const std::string& file_name);
 
-// Simulates the scene. Each command takes effect `sim.latency_s` after its time.
+// Simulates the scene. Each command takes effect `sim.latency_s` after its `at_s`.
 LabRecord play_lab_scene(const LabScene& scene);
 
 // One row per frame: time, then position, heading and speed of every object, in SI units, headings

@@ -50,7 +50,7 @@ class LabReader {
   }
 
  private:
-  // Reads the branches of settings that scenes share with games.
+  // Reads those branches of settings that scenes have in common with games.
   void read_settings() {
     GameSettings game;
     game.sim = scene_.sim;

@@ -1,4 +1,4 @@
-// Vision latency of the teams.
+// A delay line for the vision latency of the teams.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ class DelayLine {
     values_[taken_ % values_.size()] = value;
     ++taken_;
   }
-  // The value delayed by `frames` frames; the first value until enough have been pushed.
+  // The value from `frames` frames ago; the first value until that many have been pushed.
   const Value& oldest() const {
     return taken_ < values_.size() ? values_.front() : values_[taken_ % values_.size()];
   }

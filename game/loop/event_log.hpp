@@ -1,5 +1,5 @@
-// The fields of the referee's decisions, and the event log of a game: one JSON object per line. The
-// same for the league's game events that correspond to the decisions.
+// The fields of the referee's decisions, and the event log of a game: one JSON object per line.
+// Also the log of the league's game events that correspond to the decisions.
 #pragma once
 
 #include <span>
@@ -33,11 +33,13 @@ inline constexpr const char* kText = "TEXT";
 // A field of a decision, in event logs and in databases. Sides are identified by their colours,
 // "yellow" and "blue", as in the commands. Positions are as published (soccer/referee_signal.hpp).
 struct DecisionField {
-  const char* path;  // in a line of the event log (JSON pointer, RFC 6901)
-  const char* type;  // of its column in a database
-  // Null if unknown or inapplicable; discarded if the whole object that contains it is null.
+  const char* path;  // path of the field in a line of the event log (JSON pointer, RFC 6901)
+  const char* type;  // type of the field's column in a database
+  // The field's value; null if unknown or inapplicable. A field is discarded if the object that
+  // contains it is null.
   io::Json (*value)(const referee::Decision& decision, const PerSide<EventTeam>& teams);
-  const char* column = nullptr;  // its name unless derived from the path; empty: no column
+  // Name of the column; null: derived from the path; empty: no column.
+  const char* column = nullptr;
 
   bool has_column() const { return column == nullptr || *column != 0; }
 };
@@ -71,7 +73,7 @@ class EventLog final : public Observer {
 };
 
 struct TimedGameEvent {
-  double time_s = 0;  // since the start of the game or log
+  double time_s = 0;  // time since the start of the game or log
   GameEvent event;
 };
 
@@ -83,7 +85,7 @@ class GameEventLog {
 
   void on_decision(const referee::Decision& decision);
 
-  // Leaves out decisions for which the league has no event.
+  // The events so far, without decisions for which the league has no event.
   const std::vector<TimedGameEvent>& events() const { return events_; }
 
  private:

@@ -32,7 +32,7 @@ PerSide<int> robots_of(const GameConfiguration& c) {
   return {{count(Side::kWest), count(Side::kEast)}};
 }
 
-// The reason for the end if this event ends the game, otherwise nullopt.
+// The reason for the end of the game if this event ends it, otherwise nullopt.
 std::optional<EndReason> reason_of(referee::Event event) {
   switch (event) {
     case referee::Event::kGameOver:
@@ -125,7 +125,7 @@ class Game::Impl {
 
   GameRecord record() const {
     GameRecord record = record_;
-    // A void game may have no final result yet.
+    // A void game may not have a final result.
     if (referee_.games_finished() == 0) take_result(record);
     const PerSide<PlayCounts> counts = statistics_.counts();
     record.counts = {counts[a()], counts[opponent_of(a())]};
@@ -143,8 +143,9 @@ class Game::Impl {
       std::array<bool, kMaxRobots> is_on{};
       for (const sim::RobotState& robot : start.robots[side]) {
         if (robot.number >= counts[side])
-          throw std::invalid_argument(fmt::format("the {} team has {} robots, but robot {} starts",
-                                                  name_of(side), counts[side], robot.number));
+          throw std::invalid_argument(
+              fmt::format("the {} team has {} robots, but the start positions include robot {}",
+                          name_of(side), counts[side], robot.number));
         is_on.at(static_cast<std::size_t>(robot.number)) = true;
         put_robot({side, robot.number}, robot);
       }
@@ -249,7 +250,7 @@ class Game::Impl {
     }
   }
 
-  // Ends the game if a team has a fault. If both teams have one, neither wins.
+  // Ends the game if a team has a fault. If both teams have a fault, neither wins.
   void end_for(const PerSide<std::string>& faults) {
     for (const Side side : kSides) {
       if (faults[side].empty()) continue;
@@ -304,7 +305,7 @@ class Game::Impl {
   SubstitutionController substitution_controller_;
   Frame frame_;
   RefereeSignal signal_;
-  std::optional<RefereeSignal> given_;  // by the game controller
+  std::optional<RefereeSignal> given_;  // signal given by the game controller
   DelayLine<Tracks> tracks_;
   PlayStatistics statistics_;
   std::optional<SceneFollower> scene_;

@@ -21,8 +21,8 @@ constexpr double kSlack_s = 300;
 // stops.
 constexpr double kStandstill = 10;
 
-// The same if the teams place the ball. That takes up to 30 s, and each team can fail a few times
-// per half.
+// The factor if the teams place the ball. A placement takes up to 30 s, and each team can fail a
+// few times per half.
 constexpr double kStandstillOfTeams = 20;
 
 // Programs that run the team given as their first argument.

@@ -49,7 +49,7 @@ struct GameRecord {
   // Labels of the transitions taken, without duplicates. The texts live as long as the program.
   std::vector<std::string_view> transitions;
   std::array<PlayCounts, 2> counts{};  // [a, b]
-  std::optional<SceneRecord> scene;    // of a scene
+  std::optional<SceneRecord> scene;    // record of the scene, if the game was one
   double ball_in_play_s = 0;
   double sim_s = 0;
   std::int64_t frames = 0;
@@ -57,7 +57,8 @@ struct GameRecord {
   // Whether the game's programs sent the same commands when restarted; true without programs,
   // nullopt if that was not tried.
   std::optional<bool> is_repeatable = true;
-  int attempts = 1;  // starts of its programs; they restart if killed from outside
+  // Number of starts of the game's programs, which restart if they are killed from outside.
+  int attempts = 1;
 };
 
 // A time measured in a game, such as "sim_s".

@@ -14,8 +14,8 @@
 
 namespace autoref::game {
 
-// The phases of a frame, in order. kReferee includes the tracker; kRecord also occurs after
-// kReferee.
+// The phases of a frame, in order. kReferee includes the tracker. kRecord occurs twice: at the end,
+// and after kReferee.
 enum class Phase : std::uint8_t { kCamera, kReferee, kTeamWest, kTeamEast, kPhysics, kRecord };
 inline constexpr int kPhaseCount = 6;
 
@@ -27,14 +27,14 @@ class Observer {
   virtual void on_phase(Phase /*ended*/) {}
   // The teams' requests to the referee. Called once per frame, before the referee.
   virtual void on_requests(const PerSide<TeamRequests>& /*requests*/) {}
-  // Vision's detections that are not part of a frame. Called just before that frame, only if there
-  // are any.
+  // Called with vision's detections that are not part of a frame, just before that frame, and only
+  // if there are any.
   virtual void on_other_detections(const OtherDetections& /*others*/) {}
   // Called once per frame, after the referee and before the teams.
   virtual void on_frame(const Frame& /*frame*/, const RefereeSignal& /*signal*/,
                         const sim::World& /*world*/) {}
-  // The commands that reach the robots and, if the ball is placed by hand, its new position. Called
-  // once per frame, just before the world moves.
+  // Called once per frame, just before the world moves, with the commands that reach the robots
+  // and, if the ball is placed by hand, its new position.
   virtual void on_commands(const PerSide<TeamCommands>& /*commands*/,
                            const std::optional<Placement>& /*placement*/,
                            const sim::World& /*world*/) {}

@@ -1,5 +1,5 @@
 // The start of a game that does not begin with both teams lined up for the first kick-off, and
-// scenes: games that last a few seconds of play and are scored for team a, the attackers.
+// scenes: games with a few seconds of play, which are scored for team a, the attackers.
 #pragma once
 
 #include <array>
@@ -20,17 +20,19 @@ namespace autoref::game {
 
 using StartingRobots = boost::container::static_vector<sim::RobotState, kMaxRobots>;
 
-// Uses the program's coordinates: west defends the goal at -x.
+// The positions and the restart with which a game starts. Uses the program's coordinates: west
+// defends the goal at -x.
 struct StartState {
-  PerSide<StartingRobots> robots;  // by number; a team's other robots stay off the field
+  // Robots on the field, by number; a team's other robots stay off it.
+  PerSide<StartingRobots> robots;
   sim::BallState ball;
   referee::MidwayStart referee;
 };
 
-// The state as seen from the other end: rotated by 180 degrees, with the sides swapped.
+// The start state as seen from the other end: rotated by 180 degrees, with the sides swapped.
 StartState mirrored(const StartState& state);
 
-// What ended a scene. kStop is any other call that stops play, or the end of the half.
+// What ended a scene. kStop stands for the end of the half and for any other call that stops play.
 enum class SceneEnd : std::uint8_t { kTime, kGoal, kBallOut, kFoul, kStop };
 
 constexpr auto names_of(SceneEnd /*any*/) {
@@ -64,7 +66,7 @@ struct SceneWeights {
   }
   bool operator==(const SceneWeights&) const = default;
 
-  // Whether every score is 0 or 1.
+  // Whether every score with these weights is 0 or 1.
   bool is_proportion() const {
     return *this == SceneWeights{1, 0, 0, 0} || *this == SceneWeights{0, 1, 0, 0} ||
            *this == SceneWeights{0, 0, 1, 0};
@@ -72,8 +74,8 @@ struct SceneWeights {
 };
 
 struct Scene {
-  double lasts_s = 10;  // of time since play began
-  // The calls that end it early; kTime is always true.
+  double lasts_s = 10;  // duration of the scene, counted from the start of play
+  // The events that end the scene, indexed by SceneEnd; kTime is always true.
   std::array<bool, kSceneEndCount> ends = {true, true, true, true, true};
   SceneWeights weights;
 
@@ -82,8 +84,8 @@ struct Scene {
 
 struct SceneRecord {
   SceneEnd ended_by = SceneEnd::kTime;
-  // Whether the attackers touched the ball last or take the next restart; true if nobody has
-  // touched it.
+  // Whether the attackers touched the ball last or take the next restart. Also true if nobody has
+  // touched the ball.
   bool ball_kept = true;
   double gained_m = 0;
   double score = 0;
@@ -108,7 +110,7 @@ class SceneFollower {
   bool is_over() const { return ended_by_.has_value(); }
   // Whether play has not begun although the referee's timeouts are over.
   bool is_late(double time_s) const { return !began_s_ && time_s > kLongestWait_s; }
-  // The measures so far, for these goals of attackers and defenders.
+  // The measures so far, given the numbers of goals scored by attackers and defenders.
   SceneRecord record(int goals, int goals_against) const;
 
  private:

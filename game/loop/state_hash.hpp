@@ -1,5 +1,5 @@
-// The hash of a game's states, and the fixed games that show, by their hashes, whether two builds
-// play identically.
+// The hash of a game's states, and the fixed games whose hashes show whether two builds play
+// identically.
 #pragma once
 
 #include <bit>
@@ -50,7 +50,7 @@ class StateHash {
   std::uint64_t hash_ = 0;
 };
 
-// Number of different fixed games; their seeds count from 1.
+// Number of different fixed games. Their seeds are 1, 2, 3 and so on.
 inline constexpr int kFixedGames = 5;
 
 inline std::uint64_t fixed_seed(int round) {

@@ -1,4 +1,5 @@
-// Takes robots off the field and puts them back according to the number the referee allows.
+// Takes robots off the field and puts them back according to the number of robots that the referee
+// allows.
 #pragma once
 
 #include <bitset>
@@ -13,19 +14,20 @@ namespace autoref::game {
 
 class SubstitutionController {
  public:
-  // `robots` is the size of each side's team.
+  // `robots` is the number of robots in each side's team.
   SubstitutionController(const Field& field, const PerSide<int>& robots)
       : field_(field), robots_(robots) {}
 
-  // A robot that is kept off does not return until this is lifted.
+  // Sets whether a robot is kept off: it then does not return until this is set to false.
   void keep_off(RobotId robot, bool is_kept_off) {
     kept_off_[robot.side].set(static_cast<std::size_t>(robot.number), is_kept_off);
   }
 
   // Call once per frame, before the world advances. While play is stopped, a side with too many
-  // robots loses one per frame, starting 1 s after the allowance fell: the robot that the team
-  // names, otherwise the one with the highest number other than the keeper. If a side has too few,
-  // the lowest-numbered missing robot that is not kept off returns immediately.
+  // robots loses one per frame, starting 1 s after the allowance fell. The robot that leaves is the
+  // one that the team names, otherwise the one with the highest number other than the keeper. If a
+  // side has too few robots, the lowest-numbered missing robot that is not kept off returns
+  // immediately.
   void act(const RefereeSignal& signal, const PerSide<TeamRequests>& requests, double time_s,
            sim::World& world);
 
@@ -40,10 +42,10 @@ class SubstitutionController {
   PerSide<double> fell_s_{};  // when the allowance last fell
 };
 
-// Returns a free position in the run-off for a returning robot of `side`: in its own half, as near
-// as possible to the halfway line, trying the touch line to the right of its goalkeeper first. At
-// that position, the robot's hull is more than 500 mm from the ball and from the ball placement
-// target. Returns nullopt if every position is taken.
+// Returns a free position in the run-off for a returning robot of `side`. The position is in the
+// side's own half, as near as possible to the halfway line. The touch line to the right of the
+// side's goalkeeper is tried first. At that position, the robot's hull is more than 500 mm from the
+// ball and from the ball placement target. Returns nullopt if every position is taken.
 std::optional<Vec2> return_position(const Field& field, Side side, const RefereeSignal& signal,
                                     const sim::World& world);
 

@@ -54,8 +54,8 @@ double believed_latency_s(const GameConfiguration& c, Side side) {
   return std::max(0.0, true_s + c.sim.latency_error_s * stream.normal());
 }
 
-// The message of the exception that `action` throws; empty if none. An InputOutputError is not the
-// team's fault and is rethrown.
+// The message of the exception that `action` throws; empty if it throws none. An InputOutputError
+// is not the team's fault and is rethrown.
 template <typename Action>
 std::string fault_of(const Action& action) {
   try {
@@ -159,7 +159,7 @@ void TeamController::end(const strategies::GameEnd& end) {
 std::string TeamController::fault_in(const TeamCommands& commands) const {
   for (int number = 0; number < robots_; ++number) {
     if (!is_finite(commands[static_cast<std::size_t>(number)])) {
-      return fmt::format("sent a number that is not finite to robot {}", number);
+      return fmt::format("sent a command for robot {} with a value that is not finite", number);
     }
   }
   return {};

@@ -1,4 +1,4 @@
-// Creates one side's strategy in a simulated game and runs it with the readings of the side's
+// Creates one side's strategy in a simulated game and runs it on the readings of the side's
 // sensors.
 #pragma once
 
@@ -28,7 +28,7 @@ using TeamMaker = std::function<std::unique_ptr<strategies::Strategy>(
 std::unique_ptr<strategies::Strategy> make_registered_team(const TeamConfiguration& team,
                                                            const strategies::TeamContext& context);
 
-// The readings of one side's cameras and robots, delayed like the side's view.
+// The readings of one side's cameras and robots, delayed like the side's view of the game.
 class Sensors {
  public:
   Sensors(const GameConfiguration& configuration, Side side);
@@ -61,10 +61,11 @@ class TeamController {
   // empty string.
   std::string decide(TeamCommands& commands);
 
-  // Informs the strategy of how the game has ended. A fault no longer matters.
+  // Informs the strategy of how the game has ended. A fault in the strategy is ignored at this
+  // point.
   void end(const strategies::GameEnd& end);
 
-  // The requests of the team's last decision.
+  // The requests that the team made with its last decision.
   const TeamRequests& requests() const { return requests_; }
 
  private:
@@ -73,7 +74,7 @@ class TeamController {
   Side side_;
   int robots_;
   std::unique_ptr<strategies::Strategy> strategy_;
-  std::optional<Sensors> sensors_;  // if the strategy has any
+  std::optional<Sensors> sensors_;  // nullopt if the strategy uses none
   TeamRequests requests_;
   TeamView view_;
   std::string fault_;

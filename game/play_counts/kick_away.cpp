@@ -11,8 +11,8 @@
 namespace autoref::game {
 namespace {
 
-// The distance rolled from `speed_mps` to rest, with deceleration a + k v. Its integral of v dv /
-// (a + k v) is v / k - a / k^2 ln(1 + k v / a).
+// The distance rolled from `speed_mps` to rest, with deceleration a + k v. The distance is the
+// integral of v dv / (a + k v) is v / k - a / k^2 ln(1 + k v / a).
 double rolled_m(double speed_mps, const sim::BallParameters& ball) {
   const double a = ball.roll_mps2;
   const double k = ball.roll_per_s;
@@ -51,7 +51,7 @@ double inside_m(double from_m, double direction, double limit_m) {
   return std::max(0.0, (std::copysign(limit_m, direction) - from_m) / direction);
 }
 
-// The path's length until the ball stops or leaves the field.
+// The length of the path until the ball stops or leaves the field.
 double length_on_field_m(const BallTrajectory& trajectory, const Field& field) {
   return std::min(
       {trajectory.reach_m(),
@@ -62,7 +62,7 @@ double length_on_field_m(const BallTrajectory& trajectory, const Field& field) {
 bool may_meet(const Vec2& mate_m, const BallTrajectory& trajectory, double length_m) {
   const double first_m = std::max(kShortestPass_m, trajectory.flight_m());
   if (first_m > length_m) return false;
-  // Projects the team-mate onto the path. It counts as able to receive the ball if, at a limited
+  // Projects the team-mate onto the path. The team-mate can receive the ball if, at a limited
   // speed, it can reach the nearest point of the path before the ball does.
   const double along_m = (mate_m - trajectory.from_m()).dot(trajectory.direction());
   if (along_m < kShortestPass_m) return false;

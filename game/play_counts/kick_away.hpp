@@ -1,5 +1,5 @@
-// Classifies a kick when it is fired, by the path of its ball. play_statistics.hpp tracks its
-// outcome.
+// Classifies a kick when it is fired, by the path of the kicked ball. play_statistics.hpp tracks
+// its outcome.
 #pragma once
 
 #include <array>
@@ -21,20 +21,23 @@ namespace autoref::game {
 // are neglected, which makes the path a few per cent too long.
 class BallTrajectory {
  public:
-  // Starts at `from_m` with `velocity_mps` in the plane and `vertical_mps` upwards.
+  // The path of a ball that starts at `from_m` with `velocity_mps` in the plane and `vertical_mps`
+  // upwards.
   BallTrajectory(const Vec2& from_m, const Vec2& velocity_mps, double vertical_mps,
                  const sim::BallParameters& ball);
 
   Vec2 point_m(double path_m) const { return from_m_ + path_m * direction_; }
   const Vec2& from_m() const { return from_m_; }
   const Vec2& direction() const { return direction_; }  // unit vector
-  double flight_m() const { return flight_m_; }         // first flight; 0 for a flat kick
-  double reach_m() const { return phases_[0].length_m + phases_[1].length_m; }  // until at rest
+  // Length of the first flight; 0 for a flat kick.
+  double flight_m() const { return flight_m_; }
+  // Length of the path until the ball is at rest.
+  double reach_m() const { return phases_[0].length_m + phases_[1].length_m; }
 
   // The speed at distance `path_m` along the path, from 0 to reach_m().
   double speed_mps(double path_m) const;
   double time_s(double path_m) const;
-  double height_m(double path_m) const;  // bottom of the ball, during its first flight
+  double height_m(double path_m) const;  // height of the ball's bottom during its first flight
 
  private:
   // A phase with constant deceleration.
@@ -58,9 +61,10 @@ struct KickAway {
   RobotId robot;
   std::int64_t frame = 0;  // as in sim::Touch
   Vec2 from_m{0, 0};
-  bool is_at_goal = false;        // its path is that of a shot
-  bool is_between_posts = false;  // and below the bar; only if is_at_goal
-  bool is_for_mate = false;       // its path is that of a pass
+  bool is_at_goal = false;  // whether the kick's path is that of a shot
+  // The path is between the posts and below the bar; only if is_at_goal.
+  bool is_between_posts = false;
+  bool is_for_mate = false;  // whether the kick's path is that of a pass
 };
 
 // Returns nullopt if the ball does not leave the robot fast enough. `now` is the world at the end

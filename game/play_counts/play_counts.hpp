@@ -1,15 +1,15 @@
 // A team's statistics in a game, as in football: shots, passes, possession and so on.
 //
-// They come from ground truth and the referee's signals and cannot see intentions. Play lasts from
-// a restart's signal until the referee ends it, so the restart's kick counts. Shoot-outs do not
-// count.
+// The statistics are based on ground truth and the referee's signals and cannot see intentions.
+// Play lasts from a restart's signal until the referee stops it, so the kick that takes the restart
+// counts. Shoot-outs do not count.
 //
 // A kick counts only if the ball leaves the robot at kAway_mps or more and then travels at least
 // kAway_m. It is classified once, when another robot touches the ball, a goal is given or play
-// stops. If the kicker touches the ball first (later than kSameKick_s), it has only pushed the ball
-// ahead, and the kick does not count. Kicks by both teams in the same sub-step do not count either.
-// A kick's path is the straight line along which the ball would roll or fly if nobody touched it
-// (kick_away.hpp).
+// stops. If the kicker touches the ball first (later than kSameKick_s after the kick), it has only
+// pushed the ball ahead, and the kick does not count. Kicks by both teams in the same sub-step do
+// not count either. A kick's path is the straight line along which the ball would roll or fly if
+// nobody touched it (kick_away.hpp).
 #pragma once
 
 #include <array>
@@ -20,55 +20,58 @@
 
 namespace autoref::game {
 
-// Relative to the robot. A slower ball is only nudged ahead.
+// Minimum speed of a kicked ball relative to the robot. A slower ball is only nudged ahead.
 inline constexpr double kAway_mps = 1.0_mps;
-// If another robot touches the ball earlier, the ball was kicked against that robot in a duel.
+// Minimum distance that a kicked ball travels. If another robot touches it before, the ball was
+// kicked against that robot in a duel.
 inline constexpr double kAway_m = 200_mm;
-// A kicker needs 100 ms before its next kick; until then the hull may still touch the departing
-// ball.
+// The time after a kick in which the kicker's touches belong to that kick. A kicker needs 100 ms
+// before its next kick; until then, the hull may still touch the departing ball.
 inline constexpr double kSameKick_s = 100_ms;
 
-// How far a shot may pass outside a post: more than the kicker's noise (1.5 degrees from 6 m: 160
-// mm).
+// How far a shot may pass outside a post: more than the kicker's noise accounts for (1.5 degrees
+// from 6 m: 160 mm).
 inline constexpr double kShotMiss_m = 250_mm;
 // Minimum speed on arrival of a shot or pass. A slower ball was pushed ahead and is a loose ball.
 inline constexpr double kArrival_mps = 1.0_mps;
-// A kick at the goal from a team's own third of the field is a clearance.
+// The share of the field in which a kick at the goal is a clearance: the team's own third.
 inline constexpr double kClearanceShare = 1.0 / 3.0;
 
-// Nearer team-mates do not count: they are next to the kicker, so every kick's path starts near
-// them.
+// Minimum distance from the kick to a team-mate that it can reach as a pass. Nearer team-mates are
+// next to the kicker, so the path of every kick starts near them.
 inline constexpr double kShortestPass_m = 500_mm;
 // How far a pass may miss a team-mate's current position; the team-mate can easily move that far.
 inline constexpr double kPassMiss_m = 500_mm;
-// The team-mate can move farther if the ball takes longer. This is the mean speed over the first
-// 0.67 s when accelerating from rest at 3 m/s^2.
+// Mean speed at which a team-mate moves towards the ball's path, so that it gets farther if the
+// ball takes longer. The value is the mean speed over the first 0.67 s when accelerating from rest
+// at 3 m/s^2.
 inline constexpr double kMate_mps = 1.0_mps;
 // Upper limit of that distance: given enough time, any robot can reach any ball.
 inline constexpr double kFarthestMate_m = 1.0_m;
 
-// Distance from a hull to the ball's surface: slightly more than the ball's diameter, so nothing
-// else fits in between.
+// Maximum distance from a robot's hull to the ball's surface in a duel: slightly more than the
+// ball's diameter, so nothing else fits in between.
 inline constexpr double kDuel_m = 50_mm;
-inline constexpr double kDuelBegins_s = 100_ms;  // how long both sides must be that close
-// Distance from the ball to the loser's full disc: more than a robot's width (0.18 m).
+inline constexpr double kDuelBegins_s = 100_ms;  // how long both sides must be within kDuel_m
+// Distance from the ball to the loser's disc at which a duel is over: more than a robot's width
+// (0.18 m).
 inline constexpr double kDuelOver_m = 300_mm;
 inline constexpr double kLongestDuel_s = 3.0_s;  // longer duels are drawn
 
 struct PlayCounts {
   // Kicks taken outside the team's own third of the field, with a path that crosses the opponents'
-  // goal line at kArrival_mps or faster and at most kShotMiss_m outside the posts, at any height.
+  // goal line at kArrival_mps or faster at any height, and at most kShotMiss_m outside the posts.
   // Excludes passes (see passes_tried) that a team-mate touches next. Every other goal from the
   // team's own touch also counts as a shot.
   int shots = 0;
-  // Shots that became goals, and shots that were saved or blocked: their path led between the posts
-  // and under the bar, and an opponent touched the ball next.
+  // Shots that became goals, and shots that were saved or blocked. A shot is saved or blocked if
+  // its path leads between the posts and under the bar and an opponent touches the ball next.
   int shots_on_goal = 0;
   // Kicks, other than shots, that a team-mate can reach. At the point of the path nearest to the
   // team-mate (at least kShortestPass_m from the kick and not in a chip's first flight), the ball
-  // must be at least as fast as kArrival_mps. The team-mate may be at most kPassMiss_m away, or as
-  // far as it can move at kMate_mps until the ball arrives, up to kFarthestMate_m. The path ends
-  // where the ball stops or leaves the field.
+  // must be at least as fast as kArrival_mps. The team-mate may be at most kPassMiss_m from the
+  // path, or as far as it can move at kMate_mps until the ball arrives, up to kFarthestMate_m. The
+  // path ends where the ball stops or leaves the field.
   int passes_tried = 0;
   // Passes that a team-mate touches next, without an opponent in the same sub-step.
   int passes_completed = 0;
@@ -81,7 +84,8 @@ struct PlayCounts {
   int fouls = 0;
   // A duel begins when robots of both teams have been within kDuel_m of the ball for kDuelBegins_s.
   // A team wins it by touching the ball, or by its kick in progress, once all opponents are farther
-  // from it than kDuelOver_m. Nobody wins if play stops first or after kLongestDuel_s.
+  // from it than kDuelOver_m. Nobody wins a duel if play stops first or if it takes longer than
+  // kLongestDuel_s.
   int duels_won = 0;
   bool operator==(const PlayCounts&) const = default;
 };

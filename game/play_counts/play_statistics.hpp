@@ -1,4 +1,5 @@
-// Updates the play counts (play_counts.hpp) of a running game, and finds out who wins its duels.
+// Updates the play counts (play_counts.hpp) of a running game, and finds out which teams win its
+// duels.
 #pragma once
 
 #include <cstdint>
@@ -29,28 +30,28 @@ class Duels {
   // How close a side's nearest robot is to the ball.
   struct Nearness {
     bool is_at_ball = false;  // within kDuel_m
-    bool is_in_it = false;    // within kDuelOver_m
+    bool is_in_it = false;    // within kDuelOver_m of the ball
   };
   static Nearness nearness(const sim::WorldState& now, Side side);
   void await(bool both_at_ball);
 
-  enum class Stage { kNone, kOn, kDrawn };  // kDrawn lasts until the robots separate
+  enum class Stage { kNone, kOn, kDrawn };  // a duel stays kDrawn until the robots separate
 
   int begin_frames_;
   int most_frames_;
   Stage stage_ = Stage::kNone;
-  int frames_ = 0;  // since both sides reached the ball, or since the duel began
+  int frames_ = 0;  // number of frames since both sides reached the ball, or since the duel began
 };
 
 // Owns the state of the current kick, duel and possession. The game loop calls update() once per
 // frame. Does not affect the game and does not allocate.
 class PlayStatistics {
  public:
-  // A frame after the referee's update.
+  // The state of the game in a frame, after the referee's update.
   struct FrameSummary {
     const sim::WorldState& now;
-    std::span<const sim::Touch> touches;             // of the last step
-    std::span<const referee::Decision> decisions{};  // of this frame
+    std::span<const sim::Touch> touches;             // touches in the last step
+    std::span<const referee::Decision> decisions{};  // decisions in this frame
     bool is_play_on = false;  // whether play is on after this frame (referee::State::kRun)
     bool is_ball_in_play = false;
   };
@@ -81,8 +82,8 @@ class PlayStatistics {
   std::int64_t same_kick_frames_;
   Duels duels_;
   bool is_on_ = false;              // whether play was on before this frame
-  std::optional<KickAway> kick_;    // in progress
-  std::optional<Side> last_touch_;  // since play started
+  std::optional<KickAway> kick_;    // kick in progress
+  std::optional<Side> last_touch_;  // side that touched the ball last since play started
   PerSide<PlayCounts> counts_;
   PerSide<std::int64_t> possession_frames_;
 };

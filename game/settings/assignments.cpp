@@ -30,7 +30,7 @@ Assignments assignments_in(const std::vector<std::string>& sets) {
       const std::string others = full_path(other.path);
       if (path == others || !sets_same_number(path, others)) continue;
       throw io::InputError({next.flag}, "",
-                           fmt::format("{} sets the same number; leave one out", other.flag));
+                           fmt::format("{} sets the same value; leave one out", other.flag));
     }
     all.push_back(std::move(next));
   }
@@ -49,7 +49,7 @@ void assign(const Assignment& assignment, GameSettings& game) {
 
 void assign_all(const Assignments& assignments, GameSettings& game) {
   for (const Assignment& assignment : assignments) assign(assignment, game);
-  // The settings need to be valid together, not one by one.
+  // The settings only need to be valid together, not after each single assignment.
   locate_errors(flags_of(assignments), [&] { check_game(game); });
 }
 

@@ -29,8 +29,8 @@ struct Assignment {
 
 using Assignments = std::vector<Assignment>;
 
-// Spaces around the equals sign do not count. Throws InputError if a string is not KEY=VALUE, or if
-// one sets a handicap and another one of its factors.
+// Spaces around the equals sign do not count. Throws InputError if a string is not KEY=VALUE. Also
+// throws it if one string sets a handicap and another one sets one of the factors of that handicap.
 Assignments assignments_in(const std::vector<std::string>& sets);
 
 // All flags in one string, for messages about their combined effect.

@@ -8,8 +8,8 @@
 namespace autoref::game {
 
 // The words of a command. A word with spaces is put in single or double quotes; except in single
-// quotes, a backslash takes the next character literally. There are no variables or patterns, since
-// no shell is involved. Throws std::invalid_argument if a quote is not closed.
+// quotes, the character after a backslash is taken literally. There are no variables or patterns,
+// since no shell is involved. Throws std::invalid_argument if a quote is not closed.
 std::vector<std::string> words_of_command(std::string_view text);
 
 // The command in a canonical form that words_of_command() reads back.

@@ -36,14 +36,14 @@ void list_changes(RobotChanges& changes, Branch to) {
   to.add("dribbler", ChangesOf{&changes, "dribbler"}, {}, "overrides of sim.dribbler");
 }
 
-// Settings common to a team's robots and a single robot.
+// Settings that all robots of a team and a single robot have in common.
 template <typename Of>
 void list_robots(Of& of, const RobotTypes& types, Branch to) {
   to.add("type", TypeName{&of.type, &types}, {}, "robot type");
   to.parameter(of.speed_factor,
                {"speed_factor", sim::kFactorRange, "scales the robots' top speed"});
-  to.parameter(of.acceleration_factor,
-               {"acceleration_factor", sim::kFactorRange, "scales their acceleration and braking"});
+  to.parameter(of.acceleration_factor, {"acceleration_factor", sim::kFactorRange,
+                                        "scales the robots' acceleration and braking"});
   to.add("handicap", BothFactors{&of.speed_factor, &of.acceleration_factor}, sim::kFactorRange,
          "sets speed_factor and acceleration_factor");
   list_changes(of.changes, to);
@@ -68,7 +68,8 @@ void list_team(TeamSettings& team, const RobotTypes& types, Branch to) {
   to.add("files", CommandWords{&team.files}, {},
          "files and folders of the program, which are part of its games' identity; by default, the "
          "words of the command that are files");
-  to.add("files_hash", FreeText{&team.files_hash}, {}, "their contents, recorded by AutoRef");
+  to.add("files_hash", FreeText{&team.files_hash}, {},
+         "the contents of these files, recorded by AutoRef");
   to.parameter(
       team.program.answer_s,
       {"answer_s", positive(3600), "how long the program may take to answer, in wall-clock time"});
@@ -84,7 +85,7 @@ void list_team(TeamSettings& team, const RobotTypes& types, Branch to) {
   to.add("params", &team.params, {-1e9, 1e9}, "parameters of the strategy, by name");
 }
 
-// Lists the numbers of a rule book that are settings of a match.
+// Lists the numeric values in a rule book that are settings of a match.
 void list_rules(RuleBook& rules, Branch to) {
   for (const std::string_view name : {"extra_half_s", "change_ends"}) {
     RuleBook::visit(rules, [name, &to](auto& value, const Parameter& about) {

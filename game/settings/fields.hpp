@@ -43,7 +43,7 @@ struct KickerPreset {
 };
 
 // `match.rules`: the name of a rule book, which also sets its rules, field, robots with their
-// kickers and dribblers, the error of the teams' latency and the length of a half.
+// kickers and dribblers, the teams' latency error and the length of a half.
 struct RulesChoice {
   GameSettings* game = nullptr;
 };
@@ -54,7 +54,8 @@ struct TypeName {
   const RobotTypes* types = nullptr;
 };
 
-// `robot`, `kicker` or `dribbler` of some robots: the values that differ from the game's, by name.
+// `robot`, `kicker` or `dribbler` of some robots: the values that differ from those of the game, by
+// name.
 struct ChangesOf {
   RobotChanges* changes = nullptr;
   std::string branch;
@@ -67,7 +68,7 @@ struct Change {
   bool is_preset = false;
 };
 
-// An enumeration (soccer/named.hpp).
+// An enumeration, set by the name of a value (soccer/named.hpp).
 struct EnumerationName {
   void* value = nullptr;
   std::string_view (*name)(const void* value) = nullptr;
@@ -100,10 +101,10 @@ using Target =
 struct Setting {
   std::string path;  // such as "teams.a.robots"
   Target target;
-  Range range;                             // for numbers
-  std::vector<std::string> allowed_words;  // if the target is not a number
+  Range range;                             // permitted range, for numbers
+  std::vector<std::string> allowed_words;  // permitted words, if the target is not a number
   std::string_view unit;
-  std::string_view about;  // one sentence
+  std::string_view about;  // description in one sentence
 };
 
 // All settings of `game`, grouped by branch. Includes the settings of the game's players and types.
@@ -113,7 +114,8 @@ std::vector<Setting> settings_of(GameSettings& game);
 std::vector<Setting> settings_of(TeamSettings& team, const RobotTypes& types,
                                  const std::string& prefix);
 
-// The settings of a robot below `prefix` ("" or "sim."), and the settings of overrides.
+// The settings of a robot below `prefix` ("" or "sim."), and the settings that overrides can
+// change.
 std::vector<Setting> settings_of(sim::RobotSpec& robot, const std::string& prefix);
 std::vector<Setting> settings_of(RobotChanges& changes);
 
@@ -126,13 +128,14 @@ std::string short_path(std::string_view path);
 std::vector<std::string> full_paths(const std::vector<Setting>& settings);
 std::vector<std::string> short_paths(const std::vector<Setting>& settings);
 
-// At most three of `paths`: those in which `end` follows a dot and ends the path, such as
+// At most three of `paths`: those in which `end` follows a dot and is the end of the path, such as
 // "match.half_s" for "half_s".
 std::vector<std::string> paths_ending_in(std::string_view end,
                                          const std::vector<std::string>& paths);
 
-// Returns whether two full or two short paths set the same number: they are equal, or one is a
-// handicap and the other one of its two factors. (Presets do not override single settings.)
+// Returns whether two full or two short paths set the same value: either they are equal, or one of
+// them is a handicap and the other is one of its two factors. (Presets do not override single
+// settings.)
 bool sets_same_number(std::string_view path, std::string_view other);
 
 // Returns the path without its last name.
@@ -158,8 +161,8 @@ void set_value(const Setting& setting, const SettingValue& value);
 // Parses `text` into the setting. Throws like value_in().
 void assign(const Setting& setting, std::string_view text);
 
-// Returns the value of a setting that contains no others. A preset is "other" if its numbers match
-// no known preset.
+// Returns the value of a setting that contains no others. The value of a preset is "other" if the
+// settings it stands for match no known preset.
 SettingValue current_value(const Setting& setting);
 
 // The value in the canonical form that assign() reads; a mapping for a setting that contains
@@ -186,7 +189,7 @@ bool is_alias(const Setting& setting);
 // of a camera, a ball or a dribbler.
 bool is_preset(const Setting& setting);
 
-// The settings or branches one step below `branch` ("" is the root).
+// The names of the settings or branches one level below `branch` ("" is the root).
 std::vector<std::string> names_below(const std::vector<Setting>& settings, std::string_view branch);
 
 // "unknown key 'robot'; did you mean 'robots'? Known here: ..."
@@ -196,14 +199,14 @@ std::string unknown_key_message(std::string_view key, const std::vector<std::str
 // std::invalid_argument unless `number` is from 0 to 15.
 PlayerSettings& player_of(Players& players, std::string_view number);
 
-// Sets one of `settings` on behalf of the user. The order does not matter, because a preset leaves
-// the settings in `given` unchanged and a single setting is added to `given`.
+// Sets one of `settings` on behalf of the user. The order of such calls does not matter: a preset
+// leaves the settings in `given` unchanged, and a single setting is added to `given`.
 void set_given(const std::vector<Setting>& settings, const Setting& setting,
                const SettingValue& value, std::set<std::string>& given);
 
 // The root of paths: a whole game or one team of an experiment.
 struct SettingsRoot {
-  // NOLINTNEXTLINE(google-explicit-constructor): a game is the usual one
+  // NOLINTNEXTLINE(google-explicit-constructor): the usual root is a game
   SettingsRoot(GameSettings& whole) : game(whole) {}
   // `its_prefix` precedes the team's settings, such as "teams.bold.". The types and the given
   // settings are kept in `base`.
@@ -226,14 +229,15 @@ std::vector<Setting> settings_with(const SettingsRoot& root, std::string_view pa
 SettingValue set_by_path(const SettingsRoot& root, std::string_view path, std::string_view text,
                          const std::filesystem::path& folder = {});
 
-// The same with a value that value_in() has already parsed.
+// Like set_by_path(), but with a value that value_in() has already parsed.
 void set_value_at(GameSettings& game, std::string_view path, const SettingValue& value);
 
 // The value at a path that set_by_path() accepts; 0 for a strategy's parameter that is not given.
 std::string value_at(const GameSettings& game, std::string_view path);
 
-// Checks conditions across settings: a team's parameters belong to its strategy and are in range,
-// goals fit the field. Throws SettingError (setting_value.hpp).
+// Checks conditions that involve several settings, for example that a team's parameters belong to
+// its strategy and are in range, and that goals fit the field. Throws SettingError
+// (setting_value.hpp).
 void check_game(const GameSettings& game);
 
 // check_game() for a single team of the game. `path` is the path of the team's settings, such as

@@ -1,6 +1,6 @@
 // A game as the user configured it: rule book and robot types by name, and the settings given
-// explicitly. Filled from files and `--set`, written to effective.yaml, and identified by its hash.
-// resolved() turns it into the configuration that is played.
+// explicitly. The settings are filled from files and `--set`, written to effective.yaml, and
+// identified by a hash. resolved() turns it into the configuration that is played.
 #pragma once
 
 #include <cstdint>
@@ -23,14 +23,14 @@ namespace autoref::game {
 // "robot.speed_mps".
 using RobotChanges = std::map<std::string, SettingValue>;
 
-using RobotTypes = std::map<std::string, RobotChanges>;  // by name
+using RobotTypes = std::map<std::string, RobotChanges>;  // changes of each robot type, by name
 
 inline constexpr const char* kNoType = "none";
 
 // A robot that differs from the rest of its team.
 struct PlayerSettings {
   std::string type = kNoType;
-  RobotChanges changes;              // override the type's
+  RobotChanges changes;              // override those of the type
   double speed_factor = 1.0;         // multiplied by the team's
   double acceleration_factor = 1.0;  // multiplied by the team's
 };
@@ -43,17 +43,19 @@ inline constexpr const char* kEnforcedOnly = "enforced";
 
 struct TeamSettings {
   std::string strategy = "basic";  // unused if the program has a command
-  TeamProgram program;             // the team, if it has a command
-  std::vector<std::string> files;  // its files and folders; empty: those named in the command
-  std::string files_hash;          // hash of their content (experiments/run/program_versions.hpp)
+  TeamProgram program;             // the program that plays, if it has a command
+  // The program's files and folders; empty: those named in the command.
+  std::vector<std::string> files;
+  // Hash of the files' content (experiments/run/program_versions.hpp).
+  std::string files_hash;
   int robots = 6;
   std::string type = kNoType;        // type of its robots
-  RobotChanges changes;              // override the type's
+  RobotChanges changes;              // override those of the type
   double speed_factor = 1.0;         // scales the robots' top speed
-  double acceleration_factor = 1.0;  // scales their acceleration and braking
+  double acceleration_factor = 1.0;  // scales the robots' acceleration and braking
   std::string laws = kDefaultLaws;   // name of a rule book, or kEnforcedOnly
   std::map<std::string, double> params;
-  std::map<int, PlayerSettings> players;  // by number
+  std::map<int, PlayerSettings> players;  // robots with settings of their own, by number
 };
 
 // The name of the team's strategy or program.
@@ -66,7 +68,7 @@ struct GameSettings {
   Field field;
   sim::Configuration sim;
   sim::RobotSpec robot;  // body, kicker and dribbler of every robot, unless its type overrides them
-  RobotTypes types;      // for teams and players
+  RobotTypes types;      // robot types for teams and players
   std::uint64_t seed = 42;
   // Set by kinds of experiments, not by settings
   // (experiments/kinds/situations/situations.hpp).
@@ -81,9 +83,9 @@ struct GameSettings {
 void choose_rules(const std::string& book, GameSettings& game);
 
 // The game that the settings describe: the rule book with the rules switched on or off, and each
-// robot with the overrides of its type, team and number. Looks up names but does not check values,
-// which check_game() (fields.hpp) does. Throws std::invalid_argument for unknown laws of a team,
-// and SettingError for an unknown robot type or for a player number that the team does not have.
+// robot with the overrides of its type, team and number. Looks up names but does not check values;
+// check_game() (fields.hpp) does that. Throws std::invalid_argument for unknown laws of a team, and
+// SettingError for an unknown robot type or for a player number that the team does not have.
 GameConfiguration resolved(const GameSettings& settings);
 
 }  // namespace autoref::game

@@ -1,4 +1,4 @@
-// Builds lists of settings, and reads mappings with keys that are not settings of a game.
+// Builds lists of settings, and reads YAML mappings with keys that are not settings of a game.
 #pragma once
 
 #include <fmt/format.h>
@@ -58,7 +58,7 @@ class Branch {
     list_.push_back(setting_of(path_ + std::string(parameter.name), value, parameter));
   }
 
-  // Adds all parameters of `of`; in each branch, the preset comes first.
+  // Adds all parameters of `of`. In each branch, the preset comes first.
   template <HasParameters Of>
   void parameters(Of& of) {
     if constexpr (requires(Branch to) { list_preset(of, to); }) list_preset(of, *this);
@@ -88,7 +88,7 @@ class Branch {
   std::string path_;
 };
 
-// A mapping in which each key must be known and given at most once. All functions that read throw
+// A mapping in which each key must be known and given at most once. All reading functions throw
 // InputError.
 class Mapping {
  public:

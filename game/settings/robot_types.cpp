@@ -153,7 +153,7 @@ void set_change(const Change& change, const SettingValue& value) {
   const Setting& changed = robot_setting(settings, change.path);
   set_value(changed, value);
   for (const Setting& setting : settings) {
-    // A preset sets several numbers. Record its whole branch, including values that a default robot
+    // A preset sets several values. Record its whole branch, including values that a default robot
     // already has: the changes will be applied to another robot.
     const bool is_set = is_alias(changed) ? branch_of(setting.path) == branch_of(change.path)
                                           : setting.path == change.path;

@@ -1,5 +1,5 @@
-// Robot types, and a team's robots, which combine types and overrides. A type is a file that
-// overrides some of the game's robot settings:
+// Robot types, and the robots of a team, which combine types and overrides. A robot type is a file
+// that overrides some of the game's robot settings:
 //
 //   schema: 1
 //   kind: robot
@@ -23,18 +23,18 @@ namespace autoref::game {
 // Reads a type as strictly as a scenario. Throws InputError with file, line and key.
 RobotChanges read_robot_type_text(const std::string& text, const std::string& file_name);
 
-// Returns whether a user's `text` for a type is the path of a file, not a name.
+// Returns whether `text`, with which a user gives a type, is the path of a file and not a name.
 bool is_type_file(std::string_view text);
 
 // Resolves a type that a user gave as `text` and returns its name in `types`. `text` is a name in
 // `types` or the path of a file relative to `folder`, which is then read into `types`;
-// "robots/slow.yaml" becomes "slow". Throws std::invalid_argument if the file cannot be read or
-// another type has that name, and InputError for errors inside the file.
+// "robots/slow.yaml" becomes "slow". Throws std::invalid_argument if the file cannot be read or if
+// another type already has that name, and InputError for errors inside the file.
 std::string take_type(const std::string& text, const std::filesystem::path& folder,
                       RobotTypes& types);
 
-// The existing type files named by the values of a scenario or scene. Returns none if the file is a
-// pipe, which can be read only once.
+// The existing type files named by the values of a scenario or scene. Returns none if `file` is a
+// pipe, since that can be read only once.
 std::vector<std::string> type_files_in(const std::filesystem::path& file);
 
 // Maximum number of types per game.
@@ -56,7 +56,7 @@ void apply_changes(const RobotChanges& changes, sim::RobotSpec& robot);
 // Sets one change, or all changes that an alias such as a preset stands for.
 void set_change(const Change& change, const SettingValue& value);
 
-// The value after the changes, or a robot's default if it is not changed.
+// The value after the changes; if it is not changed, the default of a robot.
 SettingValue changed_value(const Change& change);
 
 // The robots of a team of `game`. Their values come from, in increasing priority, the game's robot,

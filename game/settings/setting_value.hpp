@@ -11,7 +11,8 @@
 
 namespace autoref::game {
 
-// A number of the setting's type, or one of its words, such as a strategy or a rule book.
+// A number of the setting's type, or one of the setting's words, such as the name of a strategy or
+// of a rule book.
 using SettingValue = std::variant<double, int, std::uint64_t, std::string>;
 
 // The value's canonical text, as written to files.
@@ -19,7 +20,7 @@ std::string spelt(const SettingValue& value);
 std::vector<std::string> spelt(const std::vector<SettingValue>& values);
 std::vector<std::vector<std::string>> spelt(const std::vector<std::vector<SettingValue>>& rows);
 
-// An error about a setting, identified by its path. This includes settings that are valid
+// An error about a setting, which is identified by its path. Also used for settings that are valid
 // individually but contradict each other. what() is the message; path() lets a reader look up the
 // setting's location in its file.
 class SettingError : public std::invalid_argument {

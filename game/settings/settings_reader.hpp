@@ -35,13 +35,14 @@ void refuse_unknown(const YamlFile& file, const std::vector<YamlEntry>& top,
 // Parses the entry's value into the setting. Throws InputError saying what was expected.
 void assign_entry(const YamlFile& file, const YamlEntry& entry, const Setting& setting);
 
-// Reads branches of a file into a game as strictly as `--set`, and records their locations and
-// which of them are given. Does not check settings against each other.
+// Reads branches of a file into a game as strictly as `--set`. Records the locations of the
+// settings and which of them are given. Does not check whether settings contradict each other.
 class SettingsReader {
  public:
   using List = std::function<std::vector<Setting>()>;
 
-  // All three must outlive the reader. Settings go into `game`, their locations into `locations`.
+  // All three arguments must outlive the reader. Settings are stored in `game`, their locations in
+  // `locations`.
   SettingsReader(const YamlFile& file, GameSettings& game, SettingLocations& locations)
       : SettingsReader(
             file, [&game] { return settings_of(game); }, game, locations) {}

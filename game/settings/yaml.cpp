@@ -13,7 +13,7 @@
 namespace autoref::game {
 namespace {
 
-// A YAML syntax error, explained by its remedy.
+// A YAML syntax error and its remedy.
 struct SyntaxMistake {
   YamlLocation location;
   std::string message;

@@ -52,7 +52,7 @@ class YamlFile {
   // The plain values of a list. Throws InputError for anything else.
   std::vector<std::string> words(const YamlEntry& entry, std::string_view path) const;
 
-  // Folder to resolve relative paths in the file.
+  // The folder to which relative paths in the file refer.
   std::filesystem::path folder() const { return std::filesystem::path(name_).parent_path(); }
 
   [[noreturn]] void refuse(const YamlLocation& location, std::string_view key,

@@ -261,7 +261,7 @@ void CommandsReader::read_command(RobotCommand& command) {
   }
   command = {Vec2(numbers[0], numbers[1]), numbers[2], numbers[3], (flags & kHasChip) != 0,
              (flags & kHasDribble) != 0};
-  if (!is_finite(command)) refuse("is damaged: a command has a number that is not finite");
+  if (!is_finite(command)) refuse("is damaged: a command contains a value that is not finite");
 }
 
 const TeamEntry& CommandsReader::next(char team) {
@@ -269,7 +269,7 @@ const TeamEntry& CommandsReader::next(char team) {
   const std::size_t index = index_of(team);
   if ((kind & kTeamBits) != index + 1) {
     refuse(
-        fmt::format("has no commands of team {} where the game needs them; it belongs to "
+        fmt::format("has no commands from team {} where the game needs them; it belongs to "
                     "another game",
                     team));
   }

@@ -2,8 +2,8 @@
 //
 // A gzip file with a header line, `autoref-commands 1`, and then entries in the order in which they
 // took effect. An entry begins with a byte:
-//   bits 0-1  0 a change of the world before the teams' next entries, 1 team a, 2 team b, 3 the
-//             end: 8 bytes with the game's final state follow
+//   bits 0-1  0 a change of the world before the teams' next entries, 1 an entry of team a, 2 an
+//             entry of team b, 3 the end: 8 bytes with the game's final state follow
 //   bit 2     requests follow: keeper and robot that leaves (int8, -1: none), timeout (uint8)
 //   bit 3     a fault follows: its length (uint16) and text; the team's last entry
 // Unless there is a fault, a uint16 follows: bit n is set if robot n's command differs from its
@@ -31,9 +31,9 @@
 
 namespace autoref::game {
 
-// The file's information about a team at one time.
+// The file's information about a team in one step.
 struct TeamEntry {
-  TeamCommands commands{};  // as transmitted() returns them
+  TeamCommands commands{};  // commands as transmitted() returns them
   TeamRequests requests;
   std::string fault;  // empty unless the team failed; at most 4000 bytes are kept
 };
@@ -76,7 +76,8 @@ class CommandsWriter {
 
 class CommandsReader {
  public:
-  // Throws InputError if this is not a file of commands, and InputOutputError if it cannot be read.
+  // Throws InputError if `path` is not a file of commands, and InputOutputError if the file cannot
+  // be read.
   explicit CommandsReader(std::filesystem::path path, io::FileKind kind = io::FileKind::kFile);
   ~CommandsReader();
   CommandsReader(const CommandsReader&) = delete;
@@ -86,15 +87,16 @@ class CommandsReader {
   // Throws InputError if the file is damaged or `game` does not have these robots.
   void change_robots(GameConfiguration& game);
 
-  // The next entry, which must be of `team`. Throws InputError if it is another team's or if the
-  // file is damaged or at its end: the file then belongs to another game.
+  // The next entry, which must be an entry of `team`. Throws InputError if it is not, or if the
+  // file is damaged or at its end. An entry of another team or an early end means that the file
+  // belongs to another game.
   const TeamEntry& next(char team);
 
   // The next entry if it is a change of the world; nullopt for another entry or the end. Throws
   // InputError if the file is damaged.
   std::optional<WorldChange> next_change();
 
-  // The final state of the game. Throws InputError if there are entries left.
+  // The final state of the game. Throws InputError if the file has further entries.
   std::uint64_t final_state();
 
  private:
@@ -102,7 +104,7 @@ class CommandsReader {
   void read(void* bytes, std::size_t size);
   template <typename Number>
   Number number();
-  int robot();  // -1: none
+  int robot();  // reads a robot's number; -1: none
   void read_command(RobotCommand& command);
   Vec2 vector();
 

@@ -30,7 +30,7 @@ struct ProgramFiles {
   std::filesystem::path commands;       // commands_file.hpp
   std::filesystem::path stderr_a = {};  // standard error of team a's program
   std::filesystem::path stderr_b = {};
-  bool show_stderr = false;  // also show it on AutoRef's
+  bool show_stderr = false;  // whether to show it also on AutoRef's standard error
   io::FileKind commands_kind = io::FileKind::kFile;
 };
 
@@ -38,7 +38,8 @@ struct ProgramFiles {
 class GamePrograms {
  public:
   // Runs the programs. Throws InputOutputError if a file cannot be written. `make_network_team`
-  // makes teams that play over the network; without it, games with them cannot be played.
+  // makes teams that play over the network; without `make_network_team`, games with such teams
+  // cannot be played.
   static GamePrograms live(const GameConfiguration& game, ProgramFiles files,
                            TeamMaker make_network_team = {});
   // Plays back the commands in a file instead of running the programs. Throws InputError and
@@ -46,13 +47,13 @@ class GamePrograms {
   static GamePrograms recorded(const GameConfiguration& game, const std::filesystem::path& commands,
                                io::FileKind kind = io::FileKind::kFile);
 
-  // The game with the robots that were changed before it began, if it is played from recorded
-  // commands. Throws like CommandsReader.
+  // The configuration of `game`. If the game is played from recorded commands, it includes the
+  // changes made to robots before the game. Throws like CommandsReader.
   GameConfiguration configured(const GameConfiguration& game);
-  // Records that a robot was changed before the game. Throws like CommandsWriter.
+  // Records the change of a robot before the game. Throws like CommandsWriter.
   void record(const ChangedRobot& changed);
 
-  // For Game; this object must outlive its teams.
+  // The TeamMaker for Game. This object must outlive the teams that it makes.
   TeamMaker maker();
 
   // Applies the recorded changes of the world. Call this before each step. Throws like
@@ -85,8 +86,8 @@ class GamePrograms {
   std::unique_ptr<CommandsReader> reader_;  // null: the programs play
 };
 
-// Restarts the programs and plays the first `seconds` of a recorded game. Returns whether they send
-// the recorded commands, or nullopt if one was killed from outside.
+// Restarts the programs and plays the first `seconds` of a recorded game. Returns whether the
+// programs send the recorded commands, or nullopt if a program was killed from outside.
 std::optional<bool> repeats(const GameConfiguration& game, const std::filesystem::path& commands,
                             double seconds);
 

@@ -24,7 +24,8 @@ using ProgramClock = ProgramProcess::Clock;
 
 constexpr std::size_t kOutput_bytes = 64 * 1024;
 constexpr double kLongestEnd_s = 5.0;  // until the kernel has ended everything
-constexpr double kStatus_s = 5.0;      // between a closed output and the status, on a busy machine
+// Longest time from a closed output to the status, on a busy machine.
+constexpr double kStatus_s = 5.0;
 
 ProgramClock::time_point after(double seconds) {
   return ProgramClock::now() +
@@ -41,7 +42,8 @@ void close_once(int& descriptor) {
   descriptor = -1;
 }
 
-// Closes its ends unless they are released: there are six pipes, and any of them may fail.
+// A pipe that closes its ends unless they are released. There are six pipes, and opening any of
+// them may fail.
 class Pipe {
  public:
   Pipe() {
@@ -107,7 +109,7 @@ std::string start_failure(const ProgramSpec& spec, const SupervisorReport& repor
   }
 }
 
-// Added to the message if a program fails that has fewer rights than AutoRef.
+// Added to the error message if the program that fails has fewer rights than AutoRef.
 constexpr const char* kMayDoLess =
     "AutoRef is running as root, so it starts programs as an unprivileged user, which can only "
     "read files that everybody can read";
@@ -167,7 +169,8 @@ ProgramProcess::ProgramProcess(ProgramSpec spec) : spec_(std::move(spec)) {
   wait_for_start(started.reader());
 }
 
-// The pipe is closed without a report when the program has replaced the process that starts it.
+// If the program starts, the pipe is closed without a report, because exec() replaces the process
+// that would report a failure.
 void ProgramProcess::wait_for_start(int started) {
   SupervisorReport failure;
   ssize_t size = 0;

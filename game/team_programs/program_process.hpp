@@ -1,4 +1,4 @@
-// A team's program as a process: bytes in, bytes out.
+// A team's program as a process that receives and sends bytes.
 #pragma once
 
 #include <chrono>
@@ -13,9 +13,9 @@
 
 namespace autoref::game {
 
-// Owns the program and every process that it starts. They run in their own session and end with
-// this object or with AutoRef. This class knows nothing about messages. Whatever the program does,
-// no function blocks beyond its deadline.
+// Owns the program and every process that it starts. These processes run in their own session and
+// end with this object or with AutoRef. This class does not interpret the bytes as messages. No
+// function blocks beyond its deadline, whatever the program does.
 class ProgramProcess {
  public:
   using Clock = std::chrono::steady_clock;
@@ -32,12 +32,13 @@ class ProgramProcess {
   // A closed input is not an error here: read() reports what happened to the program.
   void write(std::string_view bytes);
 
-  // The deadline for an answer requested now.
+  // The deadline for an answer to a request that is sent now.
   Clock::time_point answer_deadline() const;
 
   // Waits for output and returns what has arrived, at least one byte; valid until the next call.
-  // Throws ProgramError if there is none by the deadline, or the program has closed its output or
-  // ended, and InputOutputError if the system has killed it for lack of memory.
+  // Throws ProgramError if no output arrives by the deadline, or if the program has closed its
+  // output or ended. Throws InputOutputError if the system has killed the program for lack of
+  // memory.
   std::string_view read(Clock::time_point deadline);
 
   // Whether there is output that has not been read. Does not wait.
@@ -46,9 +47,9 @@ class ProgramProcess {
   // A ProgramError that describes what the program did, for example "sent ...".
   ProgramError fault(std::string_view what) const;
 
-  // Closes the program's input and gives it the grace period to end by itself. Then sends SIGTERM,
-  // waits just as long again and sends SIGKILL to all of its processes. Returns how the program
-  // ended, for example "ended with status 0".
+  // Closes the program's input and waits up to `grace_s` for the program to end by itself. Then
+  // sends SIGTERM, waits up to `grace_s` again and sends SIGKILL to all of its processes. Returns
+  // how the program ended, for example "ended with status 0".
   std::string end(double grace_s);
 
   bool has_namespace() const { return supervisor_.has_namespace; }
@@ -70,8 +71,8 @@ class ProgramProcess {
   int out_ = -1;
   int life_ = -1;
   int reports_ = -1;
-  std::uint64_t kills_before_ = 0;   // kills by the system for lack of memory
-  std::optional<ProgramUser> user_;  // unless the program runs under this process's
+  std::uint64_t kills_before_ = 0;   // number of earlier kills by the system for lack of memory
+  std::optional<ProgramUser> user_;  // nullopt if the program runs under the user of this process
   std::optional<ProgramStderr> stderr_;
   Supervisor supervisor_;
   std::optional<SupervisorReport> report_;

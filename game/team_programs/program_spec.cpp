@@ -82,15 +82,16 @@ ProgramUser::ProgramUser() {
   int tried = 0;
   do {
     if (tried == kUsers)
-      throw io::InputOutputError(kLocks + std::string(": all users for programs are in use"));
+      throw io::InputOutputError(kLocks +
+                                 std::string(": all user accounts for programs are in use"));
     id_ = kFirstUser + (61 * getpid() + tried++) % kUsers;
   } while (has_account(id_) || !lock(locks_.descriptor, id_));
   const auto id = static_cast<uid_t>(id_);
   if (chown(folder_.path().c_str(), id, id) != 0) {
     const int error_number = errno;
-    throw io::io_error(
-        fmt::format("{}: {} cannot be given to user {}", kCannot, folder_.path().string(), id_),
-        error_number);
+    throw io::io_error(fmt::format("{}: the owner of {} cannot be changed to user {}", kCannot,
+                                   folder_.path().string(), id_),
+                       error_number);
   }
 }
 

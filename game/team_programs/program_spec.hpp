@@ -11,13 +11,15 @@
 namespace autoref::game {
 
 struct ProgramLimits {
-  std::uint64_t memory_bytes = 4ULL << 30;  // written to by each process
-  std::uint64_t open_files = 256;           // of each process
-  int processes = 64;                       // at a time, not counting threads; more end the program
-  std::uint64_t tasks = 512;            // processes and threads at a time; the kernel refuses more
-  std::uint64_t cpu_s = 3600;           // of each process
-  double answer_s = 10.0;               // wall clock; only to detect programs that hang
-  std::size_t stderr_bytes = 1U << 20;  // in the file of standard error; the rest is dropped
+  std::uint64_t memory_bytes = 4ULL << 30;  // memory that each process may write to
+  std::uint64_t open_files = 256;           // number of open files per process
+  // At a time, not counting threads; the program is ended if it has more.
+  int processes = 64;
+  std::uint64_t tasks = 512;   // processes and threads at a time; the kernel refuses more
+  std::uint64_t cpu_s = 3600;  // processor time of each process
+  // Wall-clock limit for an answer; only to detect programs that hang.
+  double answer_s = 10.0;
+  std::size_t stderr_bytes = 1U << 20;  // size of the file of standard error; the rest is dropped
 };
 
 struct ProgramSpec {
@@ -36,21 +38,21 @@ class ProgramError : public std::runtime_error {
   explicit ProgramError(const std::string& what, bool is_from_outside = false)
       : std::runtime_error(what), was_killed_from_outside(is_from_outside) {}
 
-  bool was_killed_from_outside;  // so it is not to blame
+  bool was_killed_from_outside;  // in that case, the program is not to blame
 };
 
-// Whether this process has root rights, here or outside its user namespace. If so, a program must
+// Whether this process has root rights, inside or outside its user namespace. If so, a program must
 // not run under the same user.
 bool runs_as_root();
 
-// A user id without an account, different from those of all other running programs, and a folder
-// that belongs to it. Both last as long as this object.
+// A user id without an account, different from the user ids of all other running programs, and a
+// folder that belongs to this user. The user id and the folder last as long as this object.
 class ProgramUser {
  public:
   // Throws InputOutputError if every id is in use, or if the lock or the folder cannot be obtained.
   ProgramUser();
 
-  int id() const { return id_; }  // also of its group
+  int id() const { return id_; }  // also the id of the user's group
 
   // Makes the user the owner of an open file.
   void give(int descriptor) const;

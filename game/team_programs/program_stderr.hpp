@@ -1,4 +1,5 @@
-// Standard error of a team's program: the beginning goes to a file, the end is kept.
+// Standard error of a team's program: its beginning is written to a file, its end is kept in
+// memory.
 #pragma once
 
 #include <string>
@@ -10,9 +11,9 @@ namespace autoref::game {
 class ProgramStderr {
  public:
   // Takes over `descriptor`, which must not block. At most spec.limits.stderr_bytes are written; a
-  // file is created only if there is anything to write. If that fails, for example because the disk
-  // is full or the program has put something else at the file's path, one message on stderr says
-  // so, and the lines are dropped.
+  // file is created only if there is anything to write. If writing fails, for example because the
+  // disk is full or the program has put something else at the file's path, one message on stderr
+  // says so, and the lines are dropped.
   ProgramStderr(int descriptor, const ProgramSpec& spec);
   ~ProgramStderr();
   ProgramStderr(const ProgramStderr&) = delete;
@@ -23,7 +24,7 @@ class ProgramStderr {
   // Reads some of what has arrived. Returns whether there may be more. Never blocks.
   bool drain();
 
-  // The last lines, at most four and 200 characters, with non-ASCII characters replaced by '?'.
+  // The last lines, at most four and 200 characters, with '?' in place of non-ASCII characters.
   std::string last_lines() const;
 
  private:

@@ -19,9 +19,10 @@ class ProgramKilled : public strategies::StrategyFault {
 };
 
 // Plays by the program's commands (docs/team-programs.md), as transmitted() sends them to robots.
-// The constructor starts the program; the destructor ends it and all processes that it started. For
-// any fault of the program, decide() throws a strategies::StrategyFault, which is a ProgramKilled
-// if the program was killed from outside. It can also throw InputOutputError (program_process.hpp).
+// The constructor starts the program; the destructor ends it and all processes that it started. If
+// the program has any fault, decide() throws a strategies::StrategyFault, which is a ProgramKilled
+// if the program was killed from outside. decide() can also throw InputOutputError
+// (program_process.hpp).
 class ProgramTeam final : public strategies::Strategy {
  public:
   ProgramTeam(const ProgramSpec& spec, const strategies::TeamContext& context);
@@ -33,9 +34,9 @@ class ProgramTeam final : public strategies::Strategy {
   TeamRequests requests() const override { return output_.requests; }
   void end(const strategies::GameEnd& end) override;
 
-  // The program's greeting; nullopt until it has been asked for a decision.
+  // The program's greeting; nullopt until the program has been asked for a decision.
   const std::optional<league::Greeting>& greeting() const { return greeting_; }
-  // How it ended after end(), for example "ended with status 0".
+  // How the program ended, for example "ended with status 0"; valid after end().
   const std::string& ending() const { return ending_; }
 
  private:
@@ -46,7 +47,7 @@ class ProgramTeam final : public strategies::Strategy {
   template <typename Message>
   void send(const Message& message);
 
-  std::optional<ProgramProcess> process_;  // nullopt if it could not be started
+  std::optional<ProgramProcess> process_;  // nullopt if the program could not be started
   std::string fault_;                      // empty until a fault occurs
   bool was_killed_ = false;
   std::string ending_;

@@ -114,7 +114,7 @@ void check_files(const ProgramEnds& ends, const PreparedProgram& prepared) {
 }
 
 void limit_all(const ProgramLimits& limits, bool has_own_user) {
-  // Without a separate user, the limit would count all processes of AutoRef's user.
+  // If the program had no separate user, the limit would count all processes of AutoRef's user.
   if (has_own_user) limit(RLIMIT_NPROC, limits.tasks, limits.tasks);
   limit(RLIMIT_DATA, limits.memory_bytes, limits.memory_bytes);
   limit(RLIMIT_NOFILE, limits.open_files, limits.open_files);

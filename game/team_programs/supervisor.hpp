@@ -13,7 +13,7 @@ struct SupervisorReport {
   enum Kind : int {
     kEnded,
     kTooManyProcesses,
-    kNoUser,  // failures to start from here on
+    kNoUser,  // from here on, the kinds of failure to start the program
     kNoDirectory,
     kUnreadable,
     kNoProgram,
@@ -21,7 +21,7 @@ struct SupervisorReport {
   };
   Kind kind = kEnded;
   int value = 0;      // kEnded: status as from waitpid(); failures to start: the error number
-  int argument = -1;  // kUnreadable: the word of the command that names the file
+  int argument = -1;  // kUnreadable: index of the word of the command that names the file
 };
 
 // Descriptors for the supervisor and the program. All are close-on-exec.
@@ -31,15 +31,17 @@ struct ProgramEnds {
   int err = -1;
   int life = -1;     // a byte requests SIGTERM; end of file ends everything
   int reports = -1;  // receives SupervisorReports
-  int started = -1;  // gets a SupervisorReport if the program cannot start, else is closed
+  // Receives a SupervisorReport if the program cannot start; otherwise it is closed.
+  int started = -1;
 };
 
 struct Supervisor {
   pid_t pid = -1;
-  bool has_namespace = false;  // the kernel ends all processes of the program with the supervisor
+  // Whether the kernel ends all processes of the program when the supervisor ends.
+  bool has_namespace = false;
 };
 
-// The program runs under the user of this process.
+// Value of `user` for a program that runs under the user of this process.
 inline constexpr int kSameUser = -1;
 
 // Starts a supervisor, in a PID namespace if the system allows one. `user` is the id under which

@@ -16,11 +16,11 @@ struct TemplateFile {
 // All files of all languages; those of one language are adjacent.
 std::vector<TemplateFile> template_files();
 
-// Their languages, in this order.
+// The languages of template_files(), in the same order.
 std::vector<std::string> template_languages();
 
-// The commands that the README of a language's team begins with, one a line: how to compile it if
-// it must be compiled, how to check it, how to play with it. Empty for an unknown language.
+// The commands at the beginning of the README of a language's team, one per line. These commands
+// compile the team (if necessary), check it, and play with it. Empty for an unknown language.
 std::vector<std::string> first_commands(std::string_view language);
 
 }  // namespace autoref::game

@@ -40,10 +40,10 @@ struct ChangedRobot {
   double chip_limit_mps = 0;
 };
 
-// The robot with its present limits.
+// The robot with the limits that it has in `game`.
 ChangedRobot unchanged(RobotId robot, const GameConfiguration& game);
 
-// Sets the robot's limits. Throws std::invalid_argument, and changes nothing, if a number is out of
+// Sets the robot's limits. Throws std::invalid_argument, and changes nothing, if a limit is out of
 // range or the robot does not exist.
 void apply(const ChangedRobot& changed, GameConfiguration& game);
 

@@ -15,7 +15,7 @@ namespace autoref::io {
 namespace {
 
 constexpr std::chrono::seconds kBetweenLines{5};
-constexpr std::chrono::seconds kBetweenDrawings{1};  // of the terminal view
+constexpr std::chrono::seconds kBetweenDrawings{1};  // time between drawings of the terminal view
 constexpr int kRowsAfterwards = 3;  // screen rows left for a two-line message and the prompt
 
 constexpr std::chrono::seconds kBetweenPublished{1};

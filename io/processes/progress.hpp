@@ -17,8 +17,8 @@ namespace autoref::io {
 
 struct GameCounts {
   int total = 0;
-  int done = 0;                   // by this run and earlier ones
-  int played = 0;                 // by this run
+  int done = 0;                   // number of games played by this run and earlier ones
+  int played = 0;                 // number of games played by this run
   std::optional<int> voids = {};  // among the games done; nullopt if not counted
 };
 
@@ -31,10 +31,10 @@ std::string progress_text(const GameCounts& counts, double elapsed_s);
 
 // Style of the progress output.
 enum class ProgressStyle {
-  kAuto,   // on a terminal (unless TERM is "dumb") a redrawn bar and tables, otherwise kPlain
+  kAuto,   // redrawn bar and tables on a terminal (unless TERM is "dumb"), otherwise kPlain
   kPlain,  // one line every few seconds
-  kJson,   // the same as JSON objects
-  kNone,   // messages only
+  kJson,   // a JSON object on a line every few seconds
+  kNone,   // no progress, only messages
 };
 
 // Parses "plain", "json" or "none"; nullopt for other words.
@@ -44,7 +44,7 @@ std::optional<ProgressStyle> progress_style_of(std::string_view name);
 struct ProgressView {
   std::string heading;                // line above the tables
   std::vector<ProgressTable> tables;  // shown on a terminal
-  std::shared_ptr<const Json> json;   // an object with additional members; null without any
+  std::shared_ptr<const Json> json;   // an object with additional members; null if there are none
 };
 
 // {"event": "progress", "done": 12, "total": 120, "void": 0, "played": 12, "elapsed_s": 11.6,
@@ -62,16 +62,16 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // Sets the number of games; call again if it changes. The class counts `played` itself. Before
-  // the first call, only messages are written.
+  // Sets the numbers of games; call it again if they change. The class counts `played` itself.
+  // Before the first call, only messages are written.
   void expect(const GameCounts& counts);
 
-  // Sets what to show in addition to the counts. `view` is called at most once a second, and so
-  // rarely that it takes at most 1 % of the time.
+  // Sets what to show in addition to the counts. `view` is called at most once a second, and rarely
+  // enough that it takes at most 1 % of the time.
   void show(std::function<ProgressView()> view) { view_of_ = std::move(view); }
 
   // Passes the counts and progress_text() to `publish` at most once a second and at the end,
-  // whatever the style. If the view of show() is due, it is updated first.
+  // whatever the style. If an update of the view set by show() is due, the view is updated first.
   using Publish = std::function<void(const GameCounts& counts, const std::string& text)>;
   void publish(Publish publish) { publish_ = std::move(publish); }
 
@@ -83,7 +83,7 @@ class Progress {
   // Writes a message on its own line; as JSON, {"event": "note", "text": "..."}.
   void say(const std::string& message);
 
-  // At the end, leaves not only the bar but also the tables on a terminal.
+  // Leaves the tables on the terminal at the end, not only the bar.
   void keep_tables() { keeps_tables_ = true; }
 
  private:

@@ -30,7 +30,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
 
 struct Drawn {
   std::string text;
-  std::size_t lines_below = 0;  // below the bar
+  std::size_t lines_below = 0;  // number of lines below the bar
 };
 
 // Leaves the last column and the last row free: filling them could make the terminal scroll.

@@ -15,12 +15,13 @@ struct Screen {
   int columns = 80;
 };
 
-// Size of the terminal behind the stream; the usual size if unknown.
+// Size of the terminal to which the stream writes; a default size if unknown.
 Screen screen_of(std::FILE* stream);
 
 // A table that can be shortened for small screens.
 struct ProgressTable {
-  std::vector<std::vector<std::string>> rows;  // the header, then the rows by decreasing importance
+  // The header, then the other rows by decreasing importance.
+  std::vector<std::vector<std::string>> rows;
   std::vector<Align> columns = {};
   std::string noun = "rows";                  // plural noun for what a row describes: "teams"
   std::vector<std::size_t> dispensable = {};  // columns to drop first if space is short
@@ -28,15 +29,15 @@ struct ProgressTable {
 };
 
 // Fits the tables into this many lines and columns, starting with the most important table. Drops
-// columns that do not fit, first the dispensable ones, then the rightmost; a last line counts the
-// rows left out: "... 12 more teams".
+// columns that do not fit, first the dispensable ones, then the rightmost ones. If rows are left
+// out, the last line counts them: "... 12 more teams".
 std::string fitted(const std::vector<ProgressTable>& tables, int lines, int columns);
 
 // "[######......] " for `done` of `total`, with a bar of `width` characters.
 std::string bar_text(int done, int total, int width = 24);
 
-// The bar followed by `text` in one line of `columns` columns, the bar as long as space allows;
-// only `text` if there is no space for a bar.
+// The bar followed by `text` in one line of `columns` columns, where the bar is as long as space
+// allows. Returns only `text` if there is no space for a bar.
 std::string bar_line(int done, int total, const std::string& text, int columns);
 
 // Clears the cursor's line and everything below it.
@@ -46,7 +47,7 @@ inline constexpr std::string_view kClearTable = "\r\033[J";
 // bar's line, for kClearTable or the next view. Cuts off whatever does not fit on the screen.
 std::string standings_table(std::string_view bar, std::string_view table, const Screen& screen);
 
-// The same for a final view: the cursor ends on the line below.
+// Like standings_table(), but for a final view: the cursor ends on the line below it.
 std::string last_standings_table(std::string_view bar, std::string_view table,
                                  const Screen& screen);
 

@@ -23,7 +23,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr ssize_t kLongestMessage = 128 * 1024;
-constexpr char kFailed = '\0';  // before the message if the environment has failed
+constexpr char kFailed = '\0';  // precedes the message if the environment has failed
 constexpr std::size_t kLongestFailure = 10'000;
 
 // A job on its way to a worker, without padding.

@@ -35,10 +35,10 @@ class EndSignals {
 
 struct WorkerAnswer {
   std::string payload;
-  std::string failure;  // of the environment; empty if the job was done
+  std::string failure;  // failure of the environment; empty if the job was done
 };
 
-// A process, or an empty slot for one. Destroying the object kills the process.
+// A worker process, or an empty slot for one. Destroying the object kills the process.
 class WorkerProcess {
  public:
   using Work = std::function<std::string(const Job& job)>;
@@ -61,7 +61,7 @@ class WorkerProcess {
   // Sends a job. Fails silently if the worker is dead, which is noticed when its answer is read.
   void give(const Job& job);
 
-  // Returns the answer to the job, or nullopt if the worker is dead.
+  // Returns the worker's answer to the job, or nullopt if the worker is dead.
   std::optional<WorkerAnswer> answer();
 
   void be_free() { job_.reset(); }

@@ -128,7 +128,7 @@ class Pool {
   std::deque<Job> queue_;
   std::vector<WorkerProcess> workers_;
   bool is_ending_ = false;
-  std::string failure_;  // of the machine during a job; no more are started
+  std::string failure_;  // failure of the machine during a job; no more jobs are started after it
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // A pool of worker processes: jobs go out and results come back over sockets.
 //
 // Each worker is a fork of this process and does one job at a time. If a worker dies, its job is
-// retried; a job that takes too long is given up. Workers never outlive this process. The parent
+// retried; a job that takes too long is abandoned. Workers never outlive this process. The parent
 // stays single-threaded, and only it receives results.
 #pragma once
 
@@ -23,14 +23,14 @@ struct WorkerOptions {
 
 struct Job {
   std::size_t number = 0;
-  int attempt = 1;  // counts from 1
+  int attempt = 1;  // number of the attempt, from 1
 };
 
 struct JobResult {
   std::size_t job = 0;
   std::string payload;   // return value of the work; never empty, at most 100 kB
   std::string failure;   // why the job was given up; empty if it succeeded
-  int attempt = 1;       // counts from 1
+  int attempt = 1;       // number of the attempt, from 1
   double wall_s = 0;     // duration of this attempt
   bool is_late = false;  // given up because it took too long
 };
@@ -39,8 +39,8 @@ struct WorkerCalls {
   std::function<std::string(const Job& job)> work;    // runs in a worker
   std::function<void(const JobResult& result)> done;  // runs here for each result; may throw
   std::function<void()> tick;                         // runs here, about four times a second
-  // Runs here; true stops new jobs. Without it, results never stop jobs, so a worker gets its next
-  // job before `done` runs for its last one.
+  // Runs here; if it returns true, no new jobs are started. Without this function, results never
+  // stop jobs, so a worker gets its next job before `done` runs for its last one.
   std::function<bool()> is_enough = {};
   std::function<void(int running)> ending = {};        // runs here once, after the first signal
   std::function<void(std::size_t job)> starting = {};  // runs here before each attempt
@@ -56,8 +56,8 @@ enum class Ending { kDone, kInterrupted };
 // Number of processors available to this process.
 int processors();
 
-// The environment has failed: a job threw such an error (environment_failure()), or no process can
-// be started for a job. Thrown once the running jobs have ended.
+// The environment has failed: a job threw an exception that environment_failure() recognises, or no
+// process can be started for a job. Thrown once the running jobs have ended.
 class EnvironmentError : public InputOutputError {
  public:
   using InputOutputError::InputOutputError;

@@ -14,9 +14,9 @@ constexpr double kHoldingMargin_s = 0.2;
 // If the ball would have gone too far within this time after the end of play, the call was early.
 constexpr double kContactLead_s = 0.05;
 
-// The kicker of a restart touches the ball, again or still, after the ball has moved more than 50
-// mm from its position and before another robot touches it (Laws 2014, law 9, decision 1; 2026,
-// Double Touch). In 2026, this does not apply to penalty kicks.
+// Double touch: the kicker of a restart touches the ball, again or still, after the ball has moved
+// more than 50 mm from its position and before another robot touches it (Laws 2014, law 9, decision
+// 1; 2026, Double Touch). In 2026, this does not apply to penalty kicks.
 class DoubleTouch final : public GroundTruthRule {
  public:
   void watch(const TrueFrame& frame, TrueEvents& all) override {
@@ -62,7 +62,7 @@ class DoubleTouch final : public GroundTruthRule {
 
   int count_ = -1;
   std::optional<RobotId> kicker_;
-  double farthest_m_ = 0;  // from the ball's position
+  double farthest_m_ = 0;  // largest distance from the ball's position
   bool is_over_ = false;   // another robot has touched the ball
   bool is_near_reported_ = false;
   std::optional<std::size_t> reported_at_;  // index of the event

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kCrashMargin_mps = 0.2_mps;
 constexpr double kDrawnMargin_mps = 0.1_mps;
-// If hulls come this close, it is a near miss.
+// If the hulls of two robots come this close, it is a near miss.
 constexpr double kNearlyMet_m = 8_mm;
 // If robots would have collided within this time after the end of play, the call was early.
 constexpr double kCrashLead_s = 0.05;
@@ -18,7 +18,7 @@ constexpr double kCrashLead_s = 0.05;
 class Crash final : public GroundTruthRule {
  public:
   void watch(const TrueFrame& frame, TrueEvents& all) override {
-    // 2026, appendix C: "always".
+    // 2026 rules, appendix C: "always".
     if (!frame.play.is_on && frame.rules.edition != Edition::kRules2026) return;
     for (const sim::RobotCollision& met : frame.collisions) {
       if (met.robots[0].side != met.robots[1].side) evaluate(frame, met, Standing::kTrue, all);

@@ -1,7 +1,8 @@
-// Observes the exact state of a game and reports what happened according to the rules.
+// Observes the exact state of a game and records the events that happened according to the rules.
 //
-// It follows the referee's commands, which determine when play is on and who takes a restart, but
-// ignores its calls. Field and ball are those of the simulated world.
+// The observer follows the referee's commands, which determine when play is on and who takes a
+// restart. The observer ignores the referee's calls. Field and ball are taken from the simulated
+// world.
 #pragma once
 
 #include <memory>
@@ -20,7 +21,7 @@ class GroundTruthObserver {
 
   // Call once per frame, after the referee; `signal` is its latest signal.
   void see(const sim::World& world, const RefereeSignal& signal);
-  // The same with touches and collisions given separately, for staged games.
+  // Like the function above, but with touches and collisions given separately, for staged games.
   void see(const sim::WorldState& now, std::span<const sim::Touch> touches,
            std::span<const sim::RobotCollision> collisions, const RefereeSignal& signal);
 
@@ -40,7 +41,7 @@ class GroundTruthObserver {
   BallHistory ball_;
   std::vector<std::unique_ptr<GroundTruthRule>> rules_of_truth_;
   sim::WorldState before_;
-  RefereeSignal signal_;  // in force since the previous frame
+  RefereeSignal signal_;  // signal in force since the previous frame
   bool has_begun_ = false;
   PerSide<int> keepers_;
   PerSide<double> fouled_s_;

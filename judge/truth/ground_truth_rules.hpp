@@ -1,5 +1,5 @@
-// Factories of the ground-truth rules (ground_truth_rules.def), and code shared by several files:
-// fouls that are counted per team.
+// Factories of the ground-truth rules (ground_truth_rules.def), and the code for fouls that are
+// counted per team, which several files share.
 #pragma once
 
 #include <memory>
@@ -22,7 +22,8 @@ std::vector<std::unique_ptr<GroundTruthRule>> ground_truth_rules_of(const RuleBo
 // 2026 rules, "Offenses": a team's grace period before the same foul is raised again.
 inline constexpr double kTeamGrace_s = 2_s;
 
-// With a tolerance of half a frame, since time is quantised to frames.
+// Whether `duration_s` has passed since `since_s`, with a tolerance of half a frame because time is
+// quantised to frames.
 bool has_passed(const TrueFrame& frame, double since_s, double duration_s);
 
 // The robot of a team farthest beyond a threshold; `excess` is in the threshold's unit.
@@ -35,8 +36,9 @@ struct WorstRobot {
 };
 
 // A foul of the 2026 rules that is counted per team, whichever of its robots commits it. Several
-// offending robots of a team within the grace period count as a single foul. After that, the foul
-// is raised again as soon as the team commits it again, or immediately if it still does.
+// offending robots of a team within the grace period count as a single foul. After the grace
+// period, the foul is raised again as soon as the team commits it again, or immediately if the team
+// still commits it.
 class TeamFoul {
  public:
   // `margin`: distance to the threshold within which the rules leave a foul open to interpretation,

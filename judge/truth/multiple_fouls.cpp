@@ -82,7 +82,7 @@ class MultipleFouls final : public GroundTruthRule {
   }
 
   std::size_t next_ = 0;  // index of the next event to examine
-  PerSide<int> fouls_;    // since the previous card
+  PerSide<int> fouls_;    // number of fouls since the previous card
   PerSide<int> shown_;
   PerSide<int> allowed_without_cards_;
   PerSide<std::optional<double>> due_s_;

@@ -50,7 +50,7 @@ class AttackersNearArea final : public GroundTruthRule {
   }
 
   int stop_ = -1;
-  PerSide<int> fouls_;  // in this stop and the following free kick
+  PerSide<int> fouls_;  // number of fouls in this stop and the following free kick
   TeamFoul near_{"attacker_stays_near_area", kRestartMargin_m};
 };
 

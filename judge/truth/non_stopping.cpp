@@ -83,7 +83,7 @@ class KickSpeed final : public GroundTruthRule {
 
   double raised_s_ = -kOneKick_s;
   double nearly_s_ = -kOneKick_s;  // time of the latest near miss
-  std::optional<RobotId> kicker_;  // of the latest foul
+  std::optional<RobotId> kicker_;  // kicker of the latest foul
   NonStopping fast_;               // robots whose kick is still too fast
 };
 

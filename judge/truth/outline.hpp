@@ -17,10 +17,12 @@ struct Reach {
   double farthest_m = 0;
 };
 
-// Distances to the defence area of `side`, negative inside; exact to 0.05 mm.
+// Distances from the robot's outline to the defence area of `side`, negative inside; exact to 0.05
+// mm.
 Reach reach_to_area(const Field& field, Side side, const sim::RobotState& robot);
 
-// Distances from the halfway line into the half of `side`, negative in the other half.
+// Distances of the robot's outline from the halfway line into the half of `side`, negative in the
+// other half.
 Reach reach_into_half(Side side, const sim::RobotState& robot);
 
 // Distance from a robot's hull to the ball's centre, which the rules call the distance to the ball.
@@ -35,13 +37,14 @@ struct Crossing {
   bool over_goal_line = false;  // otherwise over a touch line
   bool into_goal = false;       // between the posts and below the bar
   Side end = Side::kWest;       // the side that defends the crossed goal line or half of touch line
-  Vec2 point_m{0, 0};           // of the ball's centre
-  double height_m = 0;          // of its lowest point
-  double share = 0;             // of the step from the previous state, 0 to 1
+  Vec2 point_m{0, 0};           // position of the ball's centre
+  double height_m = 0;          // height of the ball's lowest point
+  // Time of the crossing as a fraction of the step from the previous state, 0 to 1.
+  double share = 0;
 };
 
-// Distance of the ball's far edge to the field's outer lines from inside; negative once the ball is
-// completely out.
+// Distance from the field's outer lines to the ball's farthest edge inside them; negative once the
+// ball is completely out.
 double inside_m(const Field& field, const Vec2& ball_m);
 
 // Returns nullopt unless the ball is completely out at `now` and was not at `before`. Assumes a

@@ -82,7 +82,7 @@ class Penalty final : public GroundTruthRule {
     farthest_m_ = -std::numeric_limits<double>::infinity();
   }
 
-  // 2026: returns whether a foul decides the kick, and reports the outcome.
+  // Under the 2026 rules, returns whether a foul decides the kick, and reports the outcome if so.
   bool is_decided(const TrueFrame& frame, TrueEvents& all) {
     if (frame.play.entered_now && frame.rules.has(RuleId::kPenaltyPositions)) {
       report_breaches(frame, all);

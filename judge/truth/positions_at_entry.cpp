@@ -13,7 +13,7 @@ namespace {
 // The ball's radius: the rules leave open whether distances end at its centre or its surface.
 constexpr double kEntryMargin_m = 25_mm;
 
-// The robot that violates its position most.
+// The robot with the largest position violation.
 struct Worst {
   std::optional<RobotId> robot;
   Vec2 position_m{0, 0};

@@ -13,14 +13,14 @@ constexpr double kPushMargin_m = 20_mm;
 constexpr double kOwnSpeed_mps = 0.1_mps;
 constexpr double kOwnMargin_mps = 0.1_mps;
 
-// Two opponents in contact, with start time and positions. The first robot belongs to the west
-// team.
+// Two opponents in contact, with the time and their positions when the contact began. The first
+// robot belongs to the west team.
 struct PushContact {
   RobotId west;
   RobotId east;
   Vec2 west_from_m{0, 0};
   Vec2 east_from_m{0, 0};
-  Vec2 west_mps{0, 0};  // in the frame before the contact
+  Vec2 west_mps{0, 0};  // velocity in the frame before the contact
   Vec2 east_mps{0, 0};
   bool is_reported = false;
   bool lasts = true;

@@ -44,7 +44,7 @@ class GraceTimer {
 
   std::string_view name_;
   double margin_;
-  PerSide<std::map<int, Timers>> timers_;  // by number
+  PerSide<std::map<int, Timers>> timers_;  // timers by robot number
 };
 
 // Returns true in the frame in which the grace period ends.
@@ -80,7 +80,7 @@ void GraceTimer::watch(const TrueFrame& frame, RobotId id, const sim::RobotState
   }
 }
 
-// Measures how long each robot has continuously met a condition.
+// Measures how long each robot has continuously fulfilled a condition.
 class ConditionTimer {
  public:
   // Call for every robot in every frame. Returns how long `does` has been true, or a negative value
@@ -203,15 +203,15 @@ class StopSpeed2026 final : public GroundTruthRule {
   }
 
   int stop_ = -1;
-  std::set<RobotId> counted_;  // in this stop
+  std::set<RobotId> counted_;  // robots counted in this stop
   LongEnough fast_for_{kFastMargin_mps};
   TeamFoul fast_{"bot_too_fast_in_stop", kFastMargin_mps};
 };
 
-// "Ball Placement Interference": counts once per placement. Further ones extend the placing team's
-// time and are events only if a team places the ball. It is a foul of "the non-placing team", and
-// it never occurs before kick-offs and penalty kicks: "the referee has to place the ball for all
-// kickoffs and all penalty kicks".
+// "Ball Placement Interference": counts once per placement. Further offences extend the placing
+// team's time and are events only if a team places the ball. The interference is a foul of "the
+// non-placing team", and it never occurs before kick-offs and penalty kicks: "the referee has to
+// place the ball for all kickoffs and all penalty kicks".
 class PlacementInterference final : public GroundTruthRule {
  public:
   void watch(const TrueFrame& frame, TrueEvents& all) override {

@@ -36,7 +36,7 @@ class BallOut final : public GroundTruthRule {
   }
 
   static void foresee(const TrueFrame& frame, TrueEvents& all) {
-    // Dead reckoning: play has ended, so the true crossing will never be seen.
+    // Extrapolates the ball's path: play has ended, so the true crossing will never be seen.
     sim::BallState soon = frame.now.ball;
     soon.position_m += kExitLead_s * soon.velocity_mps;
     std::optional<Crossing> crossing = find_crossing(frame.field, frame.now.ball, soon);

@@ -18,20 +18,22 @@ namespace autoref::judge::ground_truth {
 // `restart` is the command that started play; for a kick-off or penalty, it is the preparation
 // command.
 struct TruePlay {
-  bool is_on = false;          // from the restart's signal until play is stopped
+  // Whether play is on: from the restart's signal until play is stopped.
+  bool is_on = false;
   bool is_stop = false;        // STOP is in force
   std::optional<Side> placer;  // the side that BALL_PLACEMENT requests to place the ball
   Command restart;
-  std::optional<Side> taker;  // nullopt after a force start
+  std::optional<Side> taker;  // side that takes the restart; nullopt after a force start
   double began_s = 0;         // time of the restart's signal
   Vec2 ball_from_m{0, 0};     // position of the ball at that time
   bool in_play = false;       // the ball has moved far enough (RuleBook::in_play_m)
-  bool entered_now = false;   // in this frame
+  bool entered_now = false;   // the ball entered play in this frame
   double entered_s = 0;
   double stopped_s = 0;   // when STOP was sent
   bool ends_now = false;  // the referee has just stopped play
   int count = 0;          // number of commands obeyed; identifies a restart or stop
-  int stops = 0;          // number of STOPs among them; the same in a stop and its restart
+  // Number of STOPs among these commands; the same in a stop and in the restart that ends it.
+  int stops = 0;
   // A repeated STOP continues the same stop; a free kick continues the stop that precedes it.
   int stop_count = 0;
   double stop_began_s = 0;
@@ -40,8 +42,8 @@ struct TruePlay {
   bool is_penalty() const { return restart.kind == CommandKind::kPreparePenalty; }
 };
 
-// Follows a game. Commands sent before a frame are in force in it; commands sent in a frame are
-// obeyed after it.
+// Follows a game. A command that is sent before a frame is in force in that frame; a command that
+// is sent in a frame is obeyed after it.
 class PlayFollower {
  public:
   explicit PlayFollower(const RuleBook& rules) : in_play_m_(rules.in_play_m) {}
@@ -78,11 +80,12 @@ using Contacts = boost::container::static_vector<Contact, 2 * kMaxRobots>;
 
 // Maximum height of the ball's top.
 struct Heights {
-  // Since the side's last touch, or since play began if there was none.
+  // Maximum since the side's last touch, or since play began if there was none.
   double since_touch_m = 0;
-  // The same, but restarted when the ball rolls, when a robot of this side touches it low enough,
-  // and when a chip hits an opponent (Laws 2014, law 12, decision 7). nullopt if no touch of this
-  // side led to the ball's present flight.
+  // Maximum for judging a shot of the side. Compared with since_touch_m, it also restarts when the
+  // ball rolls, when a robot of this side touches the ball low enough, and when a chip hits an
+  // opponent (Laws 2014, law 12, decision 7). nullopt if no touch by this side led to the ball's
+  // current flight.
   std::optional<double> of_shot_m;
 };
 
@@ -139,8 +142,8 @@ struct TrueFrame {
   std::span<const sim::RobotCollision> collisions;
   const TruePlay& play;
   const BallHistory& ball;
-  const RefereeSignal& signal;      // in force since the previous frame
-  PerSide<int> keepers;             // their numbers
+  const RefereeSignal& signal;      // signal in force since the previous frame
+  PerSide<int> keepers;             // numbers of the keepers
   const PerSide<double>& fouled_s;  // time of each side's latest non-stopping foul (2026)
 
   bool is_keeper(RobotId robot) const { return keepers[robot.side] == robot.number; }

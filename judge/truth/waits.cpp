@@ -9,10 +9,10 @@
 namespace autoref::judge::ground_truth {
 namespace {
 
-// If play ends this soon before the time is up, the call was early.
+// If play ends less than this time before the limit, the call was early.
 constexpr double kWaitLead_s = 0.2;
 
-// Adds the event if its time is up, or if it was about to be up when play ended.
+// Adds the event if its time limit has passed, or if it was about to pass when play ended.
 bool add_timed(const TrueFrame& frame, TrueEvent event, double excess_s, TrueEvents& all) {
   const double half_frame_s = frame.frame_s / 2;
   if (excess_s < -half_frame_s && !(frame.play.ends_now && excess_s > -kWaitLead_s)) return false;
@@ -36,7 +36,8 @@ class UntakenRestart final : public GroundTruthRule {
   }
 
  private:
-  // 2026 rules: an opponent too close to the ball for too long resets the kicker's time.
+  // 2026 rules: an opponent that is too close to the ball for too long resets the time limit for
+  // the kicker.
   static double waits_since_s(const TruePlay& play, const TrueEvents& all) {
     for (auto it = all.rbegin(); it != all.rend() && it->time_s > play.began_s; ++it) {
       if (it->name == "defender_too_close_to_kick_point" && it->standing == Standing::kTrue)

@@ -30,7 +30,7 @@ double ground_speed_mps(double speed_mps, double angle_rad) {
 }  // namespace
 
 LocalVelocity velocity_of(const WheelSpeeds& wheels, const WheelPositions& positions) {
-  Eigen::Matrix<double, 4, 3> rims;  // from the robot's velocity to the wheels' speeds
+  Eigen::Matrix<double, 4, 3> rims;  // maps the robot's velocity to the speeds of the wheels
   Eigen::Vector4d speeds;
   for (std::size_t i = 0; i < 4; ++i) {
     const SinCos angle = sin_cos(positions.angles_rad.at(i));

@@ -1,5 +1,5 @@
-// The requests in a packet for a simulator, namely changes of robot commands and teleports, and the
-// errors in it.
+// The requests in a packet for a simulator (changes of robot commands, and teleports) and the
+// packet's errors.
 #pragma once
 
 #include <array>
@@ -17,28 +17,28 @@
 
 namespace autoref::league {
 
-// In the robot's own frame: x forward, y to the left.
+// A velocity in the robot's own frame: x forward, y to the left.
 struct LocalVelocity {
   Vec2 velocity_mps{0, 0};
   double angular_radps = 0;
 };
 
-// In the frame of vision.
+// A velocity in the coordinates of vision.
 struct GlobalVelocity {
   Vec2 velocity_mps{0, 0};
   double angular_radps = 0;
 };
 
-// The positions of a robot's wheels: angles from its front, counterclockwise, and the distance from
-// its centre. The order is that of the simulation protocol: front right, back right, back left,
-// front left.
+// The positions of a robot's wheels: counterclockwise angles from the robot's front, and the
+// distance from its centre. The order of the wheels is that of the simulation protocol: front
+// right, back right, back left, front left.
 struct WheelPositions {
   std::array<double, 4> angles_rad{};
   double distance_m = 0;
 };
 
-// Rim speeds of the wheels in the same order; positive speeds of all wheels turn the robot
-// counterclockwise.
+// Rim speeds of the wheels in the same order as in WheelPositions; positive speeds of all wheels
+// turn the robot counterclockwise.
 struct WheelSpeeds {
   std::array<double, 4> speeds_mps{};
 };
@@ -46,11 +46,11 @@ struct WheelSpeeds {
 // The velocity that best fits the wheel speeds, by least squares.
 LocalVelocity velocity_of(const WheelSpeeds& wheels, const WheelPositions& positions);
 
-// Members that are not set leave the value unchanged.
+// A change of a robot's command. Members that are not set leave the value unchanged.
 struct CommandUpdate {
   int robot = 0;
   std::optional<std::variant<LocalVelocity, GlobalVelocity, WheelSpeeds>> motion;
-  std::optional<double> kick_speed_mps;  // of the ball in space; 0 for no kick
+  std::optional<double> kick_speed_mps;  // total speed of the ball after the kick; 0 for no kick
   std::optional<double> kick_angle_rad;  // above the carpet
   std::optional<bool> dribble;
 };
@@ -59,12 +59,12 @@ struct CommandUpdate {
 void merge(const CommandUpdate& update, CommandUpdate& held);
 
 // The robot's command. `heading` is the robot's heading in the frame of vision. Members that were
-// never set are zero. A chip kick at an angle other than 45 degrees becomes one at 45 degrees with
-// a first hop of the same length.
+// never set count as zero. A chip kick at another angle than 45 degrees becomes a chip kick at 45
+// degrees whose first hop has the same length.
 RobotCommand command_of(const CommandUpdate& held, const Vec2& heading,
                         const WheelPositions& wheels);
 
-// A part of a packet that cannot be carried out. Codes are stable; messages are for people.
+// A part of a packet that cannot be carried out. Codes are stable; messages are for human readers.
 struct PacketError {
   std::string code;
   std::string message;
@@ -76,7 +76,8 @@ struct CommandPacket {
   std::vector<PacketError> errors;
 };
 
-// In the frame of vision. Members that are not set leave the value unchanged.
+// A request to move the ball, in the coordinates of vision. Members that are not set leave the
+// value unchanged.
 struct BallTeleport {
   std::optional<double> x_m;
   std::optional<double> y_m;
@@ -101,19 +102,19 @@ struct RobotTeleport {
 using Teleport = std::variant<BallTeleport, RobotTeleport>;
 
 inline constexpr std::size_t kMostErrors = 16;
-inline constexpr std::size_t kMostUpdates = 64;  // in one packet
+inline constexpr std::size_t kMostUpdates = 64;  // largest number of updates in one packet
 
-// The code for a packet that is not a message its port expects.
+// The error code for a packet that is not of the type that its port expects.
 inline constexpr const char* kNotAMessage = "PACKET";
 
-// Whether the packet was such a message.
+// Whether the packet was of the type that its port expects.
 inline bool is_readable(const CommandPacket& packet) {
   for (const PacketError& error : packet.errors)
     if (error.code == kNotAMessage) return false;
   return true;
 }
 
-// Errors beyond the first kMostErrors are dropped.
+// Adds an error to the list. Errors beyond the first kMostErrors are dropped.
 inline void add_error(std::vector<PacketError>& errors, std::string code, std::string message) {
   if (errors.size() < kMostErrors) errors.push_back({std::move(code), std::move(message)});
 }

@@ -58,8 +58,9 @@ void add_grsim(const grsim::RobotCommand& command, int robots, CommandPacket& pa
   update.robot = static_cast<int>(command.id());
   const LocalVelocity motion = motion_of(command);
   if (!is_possible_command(motion, command)) {
-    return add_error(packet.errors, "NOT_FINITE",
-                     fmt::format("the command of robot {} has an invalid number", update.robot));
+    return add_error(
+        packet.errors, "NOT_FINITE",
+        fmt::format("the command for robot {} contains an invalid number", update.robot));
   }
   update.motion = motion;
   set_kick(command, update);
@@ -100,7 +101,7 @@ void add_replacement(const grsim::Replacement& replacement, const PerSide<int>& 
                      GrsimPacket& packet) {
   const auto refuse = [&](const char* what) {
     add_error(packet.commands.errors, "REPLACEMENT",
-              fmt::format("the replacement of {} is invalid", what));
+              fmt::format("the replacement message for {} is invalid", what));
   };
   if (replacement.has_ball()) {
     if (const auto ball = ball_of(replacement.ball())) {

@@ -13,7 +13,7 @@
 namespace autoref::league {
 
 struct GrsimPacket {
-  Side side = Side::kWest;  // of the commands; yellow is west
+  Side side = Side::kWest;  // the side that the commands are for; yellow is west
   CommandPacket commands;   // errors have the codes of robot_control.hpp
   std::vector<Teleport> teleports;
 };

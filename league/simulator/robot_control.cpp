@@ -21,7 +21,8 @@ struct NamedNumber {
   double limit;
 };
 
-// Adds an error if a number is beyond its limit or not finite; returns whether all are possible.
+// Adds an error if a value is beyond its limit or not finite; returns whether all values are
+// possible.
 bool are_possible(std::initializer_list<NamedNumber> numbers, std::uint32_t robot,
                   CommandPacket& packet) {
   for (const NamedNumber& number : numbers) {

@@ -11,7 +11,7 @@
 
 namespace autoref::league {
 
-// The largest magnitudes that commands can have; no robot comes near them.
+// The largest magnitudes that commands can have; robots are far slower.
 inline constexpr double kFastestCommand_mps = 100;
 inline constexpr double kFastestCommand_radps = 1000;
 
@@ -21,8 +21,8 @@ inline constexpr double kFastestCommand_radps = 1000;
 CommandPacket read_robot_control(std::string_view bytes, int robots);
 CommandPacket updates_of(const simulation::RobotControl& control, int robots);
 
-// The response: the errors and, for each robot with an update, whether the ball is in its dribbler
-// zone.
+// Fills the response: the errors and, for each robot with an update, whether the ball is in its
+// dribbler zone.
 void fill_response(const CommandPacket& packet, const std::bitset<kMaxRobots>& dribbler_contact,
                    simulation::RobotControlResponse& response);
 

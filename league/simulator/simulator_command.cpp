@@ -13,7 +13,7 @@
 namespace autoref::league {
 namespace {
 
-constexpr double kFarthest = 100;  // m, m/s or rad/s of a teleport
+constexpr double kFarthest = 100;  // largest magnitude in a teleport, in m, m/s or rad/s
 constexpr double kLargestSpec = 1000;
 constexpr int kHighestPort = 65535;
 
@@ -24,7 +24,7 @@ std::optional<RobotId> id_of(const simulation::SimulatedRobotId& id, const PerSi
   return RobotId{side, static_cast<int>(id.id())};
 }
 
-// Copies a number that is set. Returns false if it is impossible.
+// Copies a value if it is set. Returns false if the value is impossible.
 bool read_number(bool is_set, float value, double limit, std::optional<double>& number) {
   if (!is_set) return true;
   number = static_cast<double>(value);
@@ -96,13 +96,13 @@ class RequestReader {
       if (read_ball(control.teleport_ball(), ball)) {
         request_.teleports.emplace_back(ball);
       } else {
-        refuse("TELEPORT", "the ball's teleport has an invalid number");
+        refuse("TELEPORT", "the teleport command for the ball contains an invalid number");
       }
     }
     for (const simulation::TeleportRobot& message : control.teleport_robot()) read(message);
     if (!control.has_simulation_speed()) return;
     const double speed = static_cast<double>(control.simulation_speed());
-    // As a float, a number may be slightly less than its decimal value.
+    // As a float, a value may be slightly less than its decimal value.
     const bool is_slow = speed < static_cast<double>(static_cast<float>(kSlowestSimulation));
     if (speed == 0 || (!is_slow && speed <= kFastestSimulation)) {
       request_.speed = speed;
@@ -119,8 +119,9 @@ class RequestReader {
     RobotTeleport teleport;
     teleport.robot = *robot;
     if (!read_robot(message, teleport))
-      return refuse("TELEPORT", fmt::format("the teleport of {} robot {} has an invalid number",
-                                            colour_of(robot->side), robot->number));
+      return refuse("TELEPORT",
+                    fmt::format("the teleport command for {} robot {} contains an invalid number",
+                                colour_of(robot->side), robot->number));
     request_.teleports.emplace_back(teleport);
   }
 
@@ -154,7 +155,7 @@ class RequestReader {
     SpecUpdate spec;
     spec.robot = *robot;
     if (!read_specs(message, spec)) {
-      return refuse("ROBOT_SPECS", fmt::format("the specs of {} robot {} have an invalid number",
+      return refuse("ROBOT_SPECS", fmt::format("the specs of {} robot {} contain an invalid number",
                                                colour_of(robot->side), robot->number));
     }
     request_.specs.push_back(spec);

@@ -1,4 +1,4 @@
-// Requests of a program to the simulator at its control port.
+// Requests that a program sends to the simulator's control port.
 #pragma once
 
 #include <optional>
@@ -31,7 +31,7 @@ inline constexpr double kFastestSimulation = 1000;
 
 struct SimulatorRequest {
   std::vector<Teleport> teleports;
-  std::optional<double> speed;  // of the simulation, relative to real time; 0 pauses it
+  std::optional<double> speed;  // speed of the simulation, relative to real time; 0 pauses it
   std::optional<int> vision_port;
   std::optional<Field> field;
   std::vector<SpecUpdate> specs;
@@ -39,7 +39,7 @@ struct SimulatorRequest {
 };
 
 // The request in a SimulatorCommand for teams of `robots` robots. Invalid parts are left out.
-// Codes: PACKET, ROBOT_ID, TELEPORT, SPEED, VISION_PORT, GEOMETRY, ROBOT_SPECS (a number is
+// Codes: PACKET, ROBOT_ID, TELEPORT, SPEED, VISION_PORT, GEOMETRY, ROBOT_SPECS (a value is
 // impossible), UNSUPPORTED_SPECS (radius, height, dribbler distance, wheel angles and custom specs
 // are fixed), UNSUPPORTED_REALISM (choose the realism in the scenario).
 SimulatorRequest read_simulator_command(std::string_view bytes, const PerSide<int>& robots);

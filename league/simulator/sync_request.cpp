@@ -48,7 +48,8 @@ SyncRequest read_sync_request(std::string_view bytes, std::optional<Side> side,
   if (side) {
     request.commands = updates_of(message.robot_control(), robots[*side]);
   } else if (message.has_robot_control()) {
-    add_error(request.commands.errors, kNotAMessage, "robots are commanded at their team's port");
+    add_error(request.commands.errors, kNotAMessage,
+              "robot commands must be sent to their team's port");
   }
   for (const PacketError& error : request.control.errors)
     add_error(request.commands.errors, error.code, error.message);

@@ -14,12 +14,12 @@
 namespace autoref::league {
 
 // Whether a packet is a SimulationSyncRequest with a step or with robot commands, rather than a
-// RobotControl or a SimulatorCommand, whose fields have other numbers and types.
+// RobotControl or a SimulatorCommand, whose protobuf fields have other numbers and types.
 bool is_sync_request(std::string_view bytes);
 
 struct SyncRequest {
   bool is_readable = false;  // false if the packet is something else
-  double step_s = 0;         // 0 only notes the commands
+  double step_s = 0;         // if 0, the commands are recorded but time does not advance
   CommandPacket commands;    // with the errors of the whole request
   SimulatorRequest control;
 };
@@ -30,7 +30,7 @@ struct SyncRequest {
 SyncRequest read_sync_request(std::string_view bytes, std::optional<Side> side,
                               const PerSide<int>& robots);
 
-// The response: detections as serialized DetectionFrames.
+// The response, which contains `detections` as serialized DetectionFrames.
 std::string sync_response(const std::vector<std::string>& detections, const CommandPacket& commands,
                           const std::bitset<kMaxRobots>& dribbler_contact);
 

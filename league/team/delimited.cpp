@@ -37,7 +37,7 @@ void append_delimited(std::string_view message, std::string& bytes) {
 }
 
 std::optional<MessageExtent> find_delimited(std::string_view bytes) {
-  constexpr std::size_t kLongestVarint = 3;  // of kLongestOutput
+  constexpr std::size_t kLongestVarint = 3;  // length of kLongestOutput as a varint
   std::size_t size = 0;
   for (std::size_t i = 0; i < std::min(kLongestVarint, bytes.size()); ++i) {
     const auto byte = static_cast<unsigned char>(bytes[i]);

@@ -158,7 +158,7 @@ bool yes_or_no(unsigned value, std::string_view name) {
 }
 
 void check_reserved(std::uint32_t value) {
-  if (value != 0) throw TeamFault("a reserved number is not 0");
+  if (value != 0) throw TeamFault("a reserved value is not 0");
 }
 
 void add_flat_command(const FlatCommand& record, OutputBuilder& output) {

@@ -1,6 +1,6 @@
 // The flat encoding: records of fixed layout, little-endian, without padding. A record's first
-// member is its length in bytes, including that of the parts that follow it.
-// docs/team-programs.md lists these records; a test compares the two.
+// member is its length in bytes, including that of the parts that follow it. docs/team-programs.md
+// lists these records; a test compares that list with this file.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ static_assert(std::endian::native == std::endian::little);
 
 enum class FlatKind : std::uint16_t { kStart = 1, kFrame = 2, kEnd = 3, kOutput = 4 };
 
-// Followed by `robots` FlatAbilities, then `rule_numbers` and `params` FlatNumber.
+// The record is followed by `robots` FlatAbilities, then by `rule_numbers` and `params` FlatNumber.
 struct FlatStart {
   std::uint32_t length;
   FlatKind kind;
@@ -56,7 +56,8 @@ struct FlatNumber {
   double value;
 };
 
-// Followed by `own_robots` and then `opponent_robots` FlatRobot. Members that do not apply are 0.
+// The record is followed by `own_robots` and then `opponent_robots` FlatRobot. Members that do not
+// apply are 0.
 struct FlatFrame {
   std::uint32_t length;
   FlatKind kind;
@@ -117,7 +118,7 @@ struct FlatEnd {
   std::array<char, 56> reason;
 };
 
-// Followed by `commands` FlatCommand and `text_bytes` bytes of text.
+// The record is followed by `commands` FlatCommand and `text_bytes` bytes of text.
 struct FlatOutput {
   std::uint32_t length;
   FlatKind kind;

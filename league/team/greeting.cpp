@@ -14,7 +14,7 @@ constexpr std::size_t kLongestGreeting = 80;  // bytes, without the end of the l
 constexpr std::string_view kGreetingName = "autoref-team";
 constexpr std::string_view kGreetingVersion = "1";
 
-// "json, flat or league".
+// The list of names as text: "json, flat or league".
 template <typename Enumeration>
 std::string alternatives() {
   std::vector<std::string> names = all_names<Enumeration>();

@@ -1,4 +1,4 @@
-// The first line that a team's program writes.
+// The greeting, which is the first line that a team's program writes.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace autoref::league {
 
 enum class TeamEncoding : std::uint8_t { kJson, kFlat, kLeague };
 
-// How robots and ball are given to the program: as motion estimated by the simulator's tracker, or
+// How the program gets the robots and the ball: as motion estimated by the simulator's tracker, or
 // as detections from the latest camera frame.
 enum class TeamMotion : std::uint8_t { kTracked, kDetections };
 
@@ -37,7 +37,7 @@ struct Greeting {
 };
 
 // Reads "autoref-team 1 ENCODING [MOTION]", with the names above. MOTION defaults to tracked, or,
-// if the encoding is league, to detections. Throws TeamFault if the line is anything else.
+// if the encoding is league, to detections. Throws TeamFault if the line does not have this form.
 Greeting greeting_of(std::string_view line);
 
 struct GreetingAndSize {

@@ -96,7 +96,9 @@ class OutputHandler {
     builder_.set_text(value);
     return true;
   }
-  static bool binary(const json::binary_t& /*value*/) { return false; }  // does not occur in JSON
+  static bool binary(const json::binary_t& /*value*/) {
+    return false;
+  }  // binary values do not occur in JSON
 
   bool start_object(std::size_t /*size*/) {
     if (level_ != JsonLevel::kOutside && level_ != JsonLevel::kCommands) refuse_value();
@@ -148,7 +150,7 @@ class OutputHandler {
   const std::string& syntax_error() const { return syntax_error_; }
 
  private:
-  // The library's explanation, without its number and without the text that it read.
+  // The library's explanation, without the error number and without the text that it read.
   static std::string_view explanation_of(const json::exception& error) {
     constexpr std::size_t kLongest = 120;
     std::string_view what = error.what();

@@ -1,4 +1,4 @@
-// Reading outputs in JSON, and writing flat JSON fast.
+// Reads outputs in JSON, and writes flat JSON fast.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +16,13 @@ class JsonText {
  public:
   explicit JsonText(std::string& text) : text_(&text) {}
 
-  // In an array, the name is empty.
+  // Opens an object or array. The name is empty for an element of an array.
   JsonText& open(char bracket, std::string_view name = {});
   JsonText& close(char bracket);
 
-  // Doubles are written with the fewest digits, at most 17, from which the same value is read back,
-  // and with a point or an exponent, so that no reader takes them for integers, which have no -0.
+  // Doubles are written with the fewest digits, at most 17, that give the same value when read
+  // back. They have a point or an exponent, so that no reader takes them for integers, which have
+  // no -0.
   JsonText& member(std::string_view name, double value);
   JsonText& member(std::string_view name, std::int64_t value);
   JsonText& member(std::string_view name, int value) {
@@ -38,8 +39,8 @@ class JsonText {
   bool is_first_ = true;
 };
 
-// Replaces `output` by the content of a line, given without its end. Throws TeamFault if the line
-// is invalid, contains unknown members or a member twice.
+// Replaces `output` by the content of a line, which is given without its line ending. Throws
+// TeamFault if the line is invalid, or contains unknown members or a member twice.
 void read_json_output(std::string_view line, TeamOutput& output);
 
 }  // namespace autoref::league

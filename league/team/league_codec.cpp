@@ -25,7 +25,8 @@ namespace autoref::league {
 namespace {
 
 // Serializes frames as the packets of their cameras. A camera gets a number once it has seen a ball
-// whose height vision does not know. Until one has, there is one camera above the field's centre.
+// whose height vision does not know. Until a camera has seen such a ball, there is a single camera
+// above the field's centre.
 class LeagueVision {
  public:
   explicit LeagueVision(const Field& field);
@@ -34,7 +35,7 @@ class LeagueVision {
   const std::string& geometry() const { return geometry_; }
 
   // One packet per camera, after the geometry if that is due: once per second, and when there are
-  // new cameras. Valid until the next call.
+  // new cameras. The packets are valid until the next call.
   const std::vector<std::string>& packets_of(const Frame& frame);
 
  private:
@@ -66,8 +67,8 @@ Frame seen_by_a_perfect_camera(const TeamView& view) {
   return frame;
 }
 
-// The detections in a team's frame, in field coordinates. Without detections, they are those of a
-// perfect camera: the tracked positions, and the ball's height if it is known.
+// The detections in a team's frame, in field coordinates. If the frame has none, they are those of
+// a perfect camera: the tracked positions, and the ball's height if it is known.
 Frame field_frame_of(const TeamFrame& frame, Side side) {
   Frame seen = frame.detections ? *frame.detections : seen_by_a_perfect_camera(frame.view);
   seen.number = frame.view.frame;
@@ -131,7 +132,7 @@ void add_commands(const simulation::RobotControl& control, const Headings& headi
   }
 }
 
-// Remembers what the messages need from earlier ones: the colour and the robots from START, the
+// Stores what messages need from earlier messages: the colour and the robots from START, the
 // referee's commands, and the number of the latest frame with the robots' headings in it.
 class LeagueCodec final : public TeamCodec {
  public:

@@ -27,7 +27,7 @@ LeagueSignal::LeagueSignal(Side side, int robots) : side_(side) {
   signal_.robots_allowed = {{robots, robots}};
 }
 
-// A command lasts until the next one, even while the ball is in play.
+// A command stays in force until the next one, even while the ball is in play.
 CommandKind LeagueSignal::kind_in_running_play() const {
   const CommandKind kind = signal_.command.kind;
   if (is_prepared(kind)) return CommandKind::kNormalStart;

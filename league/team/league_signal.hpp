@@ -7,8 +7,8 @@
 
 namespace autoref::league {
 
-// Infers from a team's views what the referee has sent. A view contains neither cards nor whether a
-// team may place the ball; the half is inferred from the time left in it.
+// Reconstructs from a team's views what the referee has sent. A view contains neither cards nor
+// whether a team may place the ball; the half is inferred from the time left in it.
 class LeagueSignal {
  public:
   // `side` is the team's side.
@@ -27,7 +27,7 @@ class LeagueSignal {
 
   Side side_;
   RefereeSignal signal_;
-  Play play_ = Play::kHalt;  // of the last view
+  Play play_ = Play::kHalt;  // the state of play in the last view
   std::size_t halves_ = 0;   // number of halves that have begun
 };
 

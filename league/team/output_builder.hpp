@@ -14,14 +14,14 @@ namespace autoref::league {
 // robot.
 class OutputBuilder {
  public:
-  // Largest magnitudes of commands; no robot comes near them.
+  // Largest magnitudes of commands; robots are far slower.
   static constexpr double kFastest_mps = 100;
   static constexpr double kFastest_radps = 1000;
 
   explicit OutputBuilder(TeamOutput& output);
 
   void set_frame(std::int64_t frame);
-  void set_keeper(std::int64_t number);  // -1 if unknown
+  void set_keeper(std::int64_t number);  // -1 if the keeper is unknown
   void set_leaves(std::int64_t number);
   void set_timeout(bool is_requested) { output_->requests.timeout = is_requested; }
   void set_text(std::string_view text);

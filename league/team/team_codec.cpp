@@ -11,7 +11,7 @@ namespace {
 void check_name(std::string_view name, std::size_t longest) {
   if (name.size() <= longest) return;
   throw std::invalid_argument(
-      fmt::format("the name '{}' has {} bytes; teams' programs are sent at most {}", name,
+      fmt::format("the name '{}' has {} bytes; names sent to team programs have at most {}", name,
                   name.size(), longest));
 }
 

@@ -21,7 +21,7 @@ struct MessageExtent {
   std::size_t end = 0;  // end of the whole message, including its delimiters
 };
 
-// One encoding. Objects reuse their memory from message to message.
+// Encodes and decodes messages in one encoding. A codec reuses its memory from message to message.
 class TeamCodec {
  public:
   TeamCodec() = default;
@@ -29,8 +29,9 @@ class TeamCodec {
   TeamCodec& operator=(const TeamCodec&) = delete;
   virtual ~TeamCodec() = default;
 
-  // Append the message, including its delimiters, to `bytes`. All numbers must be finite. Throw
-  // std::invalid_argument if the name of the rule book or of a parameter is too long to be sent.
+  // These functions append the message, including its delimiters, to `bytes`. All numbers must be
+  // finite. They throw std::invalid_argument if the name of the rule book or of a parameter is too
+  // long to be sent.
   virtual void append(const TeamStart& start, std::string& bytes) = 0;
   virtual void append(const TeamFrame& frame, std::string& bytes) = 0;
   virtual void append(const TeamEnd& end, std::string& bytes) = 0;
@@ -39,14 +40,14 @@ class TeamCodec {
   // bytes cannot begin a message or the message would be longer than kLongestOutput.
   virtual std::optional<MessageExtent> find_message(std::string_view bytes) const = 0;
 
-  // Replaces `output` by the content of a message. Throws TeamFault if the content is invalid;
-  // `output` is unspecified then.
+  // Replaces `output` by the content of a message. Throws TeamFault if the content is invalid; in
+  // that case, `output` is unspecified.
   virtual void read(std::string_view content, TeamOutput& output) = 0;
 };
 
 std::unique_ptr<TeamCodec> make_team_codec(TeamEncoding encoding);
 
-// The codec of each encoding, for make_team_codec().
+// Create the codecs for each encoding, for use by make_team_codec().
 std::unique_ptr<TeamCodec> make_flat_codec();
 std::unique_ptr<TeamCodec> make_json_codec();
 std::unique_ptr<TeamCodec> make_league_codec();
@@ -64,15 +65,15 @@ class OutputDecoder {
 
   void add(std::string_view bytes) { bytes_.append(bytes); }
 
-  // Extracts the next message. Only after kOutput, `output` is that message. After a fault, every
-  // further call returns kFault.
+  // Extracts the next message. If it returns kOutput, `output` is that message; otherwise, `output`
+  // is unspecified. After a fault, every further call returns kFault.
   Result next(TeamOutput& output);
 
   // The error in the output; empty unless next() has returned kFault.
   const std::string& fault() const { return fault_; }
 
-  // The number of bytes that belong to no message extracted so far; 0 for a program that only
-  // answers.
+  // The number of bytes that belong to no message extracted so far; 0 for a program that sends
+  // nothing but answers.
   std::size_t bytes_left() const { return bytes_.size(); }
 
  private:

@@ -1,4 +1,4 @@
-// A fault of a team's program, and the quoting of its output in messages.
+// A fault of a team's program, and a function that quotes its output in messages.
 #pragma once
 
 #include <stdexcept>
@@ -13,7 +13,7 @@ class TeamFault : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// `bytes` in quotation marks, cut off after 40 bytes; bytes that are not printable ASCII are
+// `bytes` in quotation marks, truncated after 40 bytes. Bytes that are not printable ASCII are
 // written as \xHH.
 std::string excerpt_of(std::string_view bytes);
 

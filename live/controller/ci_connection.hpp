@@ -26,12 +26,13 @@ class CiConnection {
   CiConnection& operator=(const CiConnection&) = delete;
 
   // Sends an input, waits for an output, and reads those that follow immediately. Each input causes
-  // one or more outputs, so some may still belong to an earlier input. Returns the newest output.
+  // one or more outputs, so some of those read may belong to an earlier input. Returns the newest
+  // output.
   league::CiOutput exchange(const league::CiInput& input);
 
  private:
   void write(const std::string& bytes);
-  // Reads what arrives within this time. Returns whether there was anything.
+  // Reads what arrives within `longest_wait`. Returns whether anything arrived.
   bool read(std::chrono::milliseconds longest_wait);
   std::optional<league::CiOutput> next_output();
   [[noreturn]] void fail(const std::string& what) const;

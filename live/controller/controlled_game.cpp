@@ -27,7 +27,7 @@ namespace {
 // The time of the first frame on the controller's clock: 1 January 2026.
 constexpr double kStart_s = 1767225600;
 constexpr double kGeometryEvery_s = 1;
-constexpr std::chrono::milliseconds kLongestReply{500};  // to an event
+constexpr std::chrono::milliseconds kLongestReply{500};  // longest wait for the reply to an event
 constexpr std::chrono::seconds kLongestRegistration{5};
 constexpr std::chrono::milliseconds kPoll{1};
 
@@ -91,7 +91,7 @@ class ControlledGame::Impl final : public game::Observer {
   }
 
  private:
-  // Waits until the condition holds, but at most this long.
+  // Waits until the condition holds, but at most for the given time.
   template <typename Condition>
   void await(const Condition& condition, std::chrono::milliseconds longest) {
     const auto deadline = std::chrono::steady_clock::now() + longest;
@@ -101,8 +101,8 @@ class ControlledGame::Impl final : public game::Observer {
     }
   }
 
-  // The controller's clock stands still until it has answered, so it dates an event to the frame in
-  // which it was reported.
+  // The controller's clock stands still until it has answered. The time that it gives an event is
+  // therefore that of the frame in which the event was reported.
   void report_events(const game::Game& game) {
     if (std::optional<GameEvent> event = placement_.update(signal_, game.tracks()))
       events_.push_back(*std::move(event));
@@ -168,10 +168,10 @@ class ControlledGame::Impl final : public game::Observer {
   league::TrackerSource source_{"00000000-0000-4000-8000-000000000000", "AutoRef"};
   double geometry_due_s_ = 0;
   PerSide<TeamRequests> requests_;
-  std::vector<GameEvent> events_;  // to report
+  std::vector<GameEvent> events_;  // events to report
   std::int64_t sent_ = 0;
   league::RefereePacket packet_;  // the controller's newest message
-  RefereeSignal signal_;          // in the program's coordinates
+  RefereeSignal signal_;          // signal in the program's coordinates
 };
 
 ControlledGame::ControlledGame(const game::GameConfiguration& game, const ControllerPlace& place,

@@ -16,7 +16,7 @@ namespace autoref::live {
 // The addresses at which the game controller listens.
 struct ControllerPlace {
   Address ci{kLoopback, 10009};
-  int autoref_port = 10007;  // on the same computer
+  int autoref_port = 10007;  // port for automatic referees, on the same computer
 };
 
 // How the game went, apart from the result.
@@ -24,8 +24,8 @@ struct ControlledGameReport {
   std::int64_t accepted = 0;  // events that the controller accepted
   std::int64_t rejected = 0;
   std::int64_t unanswered = 0;
-  std::string problem;      // with the connection for events; empty: none
-  std::string differences;  // as text (controller_differences.hpp)
+  std::string problem;      // problem with the connection for events; empty: none
+  std::string differences;  // differing decisions as text (controller_differences.hpp)
 };
 
 // Plays one game. In each frame, the controller gets the tracks and its operator's actions; the
@@ -39,7 +39,7 @@ class ControlledGame {
                  std::function<void()> check);
   ~ControlledGame();
 
-  // Throws InputError if the controller disappears.
+  // Plays the game. Throws InputError if the connection to the controller is lost.
   game::GameRecord play(game::Observers observers, game::GamePrograms& programs);
 
   ControlledGameReport report() const;

@@ -131,7 +131,7 @@ class ControllerClient::Impl : public std::enable_shared_from_this<ControllerCli
         });
   }
 
-  // Closes the connection if `talk` fails; returns whether it did not.
+  // Closes the connection if `talk` fails; returns whether `talk` succeeded.
   template <typename Talk>
   bool guarded(const Talk& talk) {
     try {
@@ -168,7 +168,7 @@ class ControllerClient::Impl : public std::enable_shared_from_this<ControllerCli
   Address controller_;
   ControllerSession session_;
   Phase phase_ = Phase::kClosed;
-  std::int64_t connection_ = 0;  // the number of the present one
+  std::int64_t connection_ = 0;  // number of the current connection
   double retry_s_ = 0;
   double connecting_s_ = 0;
   bool is_writing_ = false;

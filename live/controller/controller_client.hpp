@@ -13,13 +13,14 @@ inline constexpr int kControllerPort = 10007;
 
 struct ControllerStatus {
   bool is_registered = false;
-  std::size_t waiting = 0;  // events
+  std::size_t waiting = 0;  // number of events waiting to be sent
   ControllerCounts counts;
-  std::string problem;      // with the last connection; empty: none
+  std::string problem;      // problem with the last connection; empty: none
   std::int64_t losses = 0;  // number of lost connections
 };
 
-// Works in the network's thread. If the connection is lost or refused, it tries again every second.
+// Works in the network's thread. If the connection is lost or refused, the client tries again every
+// second.
 class ControllerClient {
  public:
   // `host` is an IPv4 address; if it is empty, the host is not known yet (set_host()).
@@ -28,7 +29,7 @@ class ControllerClient {
   ControllerClient(const ControllerClient&) = delete;
   ControllerClient& operator=(const ControllerClient&) = delete;
 
-  // Switches to this host unless it is already the present one.
+  // Switches to this host unless it is already the current one.
   void set_host(const std::string& host);
 
   void report(const GameEvent& event);

@@ -10,8 +10,8 @@
 namespace autoref::live {
 namespace {
 
-constexpr double kSamePosition_m = 0.1;  // rounded in different ways
-constexpr double kSlowest_s = 3;         // from AutoRef's event to the controller's
+constexpr double kSamePosition_m = 0.1;  // the two referees round positions differently
+constexpr double kSlowest_s = 3;         // longest time from AutoRef's event to the controller's
 
 bool is_restart_command(CommandKind kind) {
   return kind == CommandKind::kForceStart || kind == CommandKind::kDirectFree ||

@@ -1,4 +1,4 @@
-// The league's game controller's decisions that differ from AutoRef's.
+// Decisions of the league's game controller that differ from AutoRef's decisions.
 #pragma once
 
 #include <optional>
@@ -23,10 +23,11 @@ class ControllerDifferences {
  public:
   void on_decision(const referee::Decision& decision);
 
-  // Adds the controller's newest message and the signal in it, at this time of the game.
+  // Adds the controller's newest message and the signal in it. `time_s` is the time in the game.
   void add(const league::RefereePacket& packet, const RefereeSignal& signal, double time_s);
 
-  int restarts() const { return restarts_; }  // the controller's, except those that start a half
+  // Number of the controller's restarts, except those that start a half.
+  int restarts() const { return restarts_; }
   const std::vector<ControllerDifference>& differences() const { return differences_; }
 
   // The differing restarts, one per line, and the table of both referees' game events.
@@ -44,10 +45,10 @@ class ControllerDifferences {
   void compare_restart(Command restart, double stopped_s);
   void note(double time_s, std::string text);
 
-  std::optional<OwnCall> call_;  // AutoRef's, since play was last on
+  std::optional<OwnCall> call_;  // AutoRef's call since play was last on
   std::optional<std::uint32_t> command_counter_;
-  std::optional<double> stopped_s_;  // by the controller, since play was last on
-  std::string reason_;               // its last event
+  std::optional<double> stopped_s_;  // when the controller stopped play, since play was last on
+  std::string reason_;               // the controller's last event
   std::optional<Vec2> position_m_;
   int restarts_ = 0;
   std::vector<ControllerDifference> differences_;

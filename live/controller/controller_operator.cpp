@@ -13,7 +13,7 @@ using league::ControllerInput;
 using referee::Event;
 
 constexpr double kBetweenActions_s = 1_s;
-constexpr double kReady_s = 3_s;          // robots go to their positions for a kick-off
+constexpr double kReady_s = 3_s;          // time for robots to go to their positions for a kick-off
 constexpr double kLongestReady_s = 10_s;  // after that, play starts even if the ball is elsewhere
 constexpr double kLongestStop_s = 40_s;   // longer than the controller waits for a ball placement
 constexpr double kBallInPosition_m = 0.1_m;

@@ -24,15 +24,15 @@ class ControllerOperator {
 
   explicit ControllerOperator(const game::GameConfiguration& game);
 
-  // To be sent before the first frame: sets up a new match with these teams, which the controller
-  // continues by itself where it can.
+  // The inputs to send before the first frame. These inputs set up a new match with these teams,
+  // which the controller continues by itself where it can.
   Inputs set_up(const PerSide<TeamRequests>& requests) const;
 
-  // Notes AutoRef's decision on a shot at goal, to be given when the controller asks for it.
+  // Records AutoRef's decision on a shot at goal, to be given when the controller asks for it.
   void on_decision(const referee::Decision& decision);
 
-  // Called once per frame: the inputs to send now, given the controller's newest message and the
-  // signal in it.
+  // Call once per frame. Returns the inputs to send now, given the controller's newest message and
+  // the signal in it.
   Inputs act(const league::RefereePacket& packet, const RefereeSignal& signal,
              const Tracks& tracks);
 
@@ -48,15 +48,15 @@ class ControllerOperator {
 
   game::GameConfiguration game_;
   double now_s_ = 0;
-  std::optional<double> before_s_;  // of the previous frame
+  std::optional<double> before_s_;  // time of the previous frame
   std::optional<Stage> stage_;
-  double stage_s_ = 0;  // time spent in the stage; in a half, time played
+  double stage_s_ = 0;  // time spent in the stage; in a half, the time played
   std::uint32_t command_counter_ = 0;
   double command_s_ = 0;  // when the command was first seen
-  double acted_s_ = -1;   // when it last acted
+  double acted_s_ = -1;   // when the operator last acted
   bool is_goal_valid_ = true;
-  std::string decided_goal_;  // the event of the last goal that was accepted or rejected
-  int halted_ = 0;            // attempts to resume from the present halt
+  std::string decided_goal_;  // id of the event of the last goal that was accepted or rejected
+  int halted_ = 0;            // number of attempts to resume from the current halt
   int for_team_ = 0;          // used for the next action
 };
 

@@ -20,20 +20,20 @@ class ControllerFault : public std::runtime_error {
 struct ControllerCounts {
   std::int64_t accepted = 0;  // events that the controller accepted
   std::int64_t rejected = 0;
-  std::int64_t dropped = 0;    // not sent: too old, or too many were waiting
-  std::string last_rejection;  // the controller's reason
+  std::int64_t dropped = 0;    // events not sent because they were too old or too many were waiting
+  std::string last_rejection;  // the controller's reason for the last rejection
 };
 
 // Works without sockets and clocks: the caller transfers the bytes and supplies the time, in
 // seconds on any clock. Only one message at a time awaits its reply. After a lost connection, the
 // unanswered event is sent again. Events that could not be sent for kLongestWait_s are dropped,
-// since the controller would take them for new ones.
+// since the controller would take them for new events.
 class ControllerSession {
  public:
   static constexpr double kLongestWait_s = 10;
   static constexpr double kSignOfLife_s = 1;
   static constexpr double kLongestReply_s = 3;
-  static constexpr std::size_t kMostWaiting = 64;  // events
+  static constexpr std::size_t kMostWaiting = 64;  // maximum number of waiting events
 
   explicit ControllerSession(std::string identifier) : identifier_(std::move(identifier)) {}
 
@@ -43,8 +43,8 @@ class ControllerSession {
   // Queues an event to report.
   void report(GameEvent event, double now_s);
 
-  // Processes bytes from the controller. Throws ControllerFault if they are not valid replies or if
-  // it refuses the registration.
+  // Processes bytes from the controller. Throws ControllerFault if the bytes are not valid replies
+  // or if the controller refuses the registration.
   void receive(std::string_view bytes, double now_s);
 
   // The bytes to send now, if any. Throws ControllerFault if a reply is overdue for too long.
@@ -67,7 +67,7 @@ class ControllerSession {
 
   std::string identifier_;
   Phase phase_ = Phase::kGreeting;
-  Sent sent_ = Sent::kNothing;  // and not yet answered
+  Sent sent_ = Sent::kNothing;  // the message that was sent and has not been answered yet
   double sent_s_ = 0;
   std::deque<Report> events_;
   std::string input_;

@@ -21,10 +21,10 @@ class PlacementWatch {
   void begin(const RefereeSignal& signal, const Tracks& tracks);
   bool is_placed(const RefereeSignal& signal, const Tracks& tracks);
 
-  std::optional<std::uint32_t> command_counter_;  // of the current BALL_PLACEMENT
+  std::optional<std::uint32_t> command_counter_;  // counter of the current BALL_PLACEMENT
   bool is_reported_ = false;
   double begun_s_ = 0;
-  std::optional<Vec2> begun_m_;  // the ball's position at its start
+  std::optional<Vec2> begun_m_;  // the ball's position at the start of the BALL_PLACEMENT
   std::optional<double> at_rest_since_s_;
 };
 

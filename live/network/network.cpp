@@ -23,9 +23,10 @@ namespace asio = boost::asio;
 using asio::ip::udp;
 using boost::system::error_code;
 
-constexpr int kHops = 1;                       // of multicast: the interface's own network
+// Number of hops of multicast packets: only the interface's own network.
+constexpr int kHops = 1;
 constexpr int kMostAtOnce = 256;               // datagrams read before other work of the thread
-constexpr int kReceiveBuffer_bytes = 1 << 20;  // for bursts
+constexpr int kReceiveBuffer_bytes = 1 << 20;  // large enough for bursts
 
 asio::ip::address_v4 address_of(const std::string& host, const std::string& flag) {
   error_code error;
@@ -171,7 +172,7 @@ class DatagramReceiver::Impl : public std::enable_shared_from_this<DatagramRecei
       error_code error;
       const std::size_t size = socket_.receive_from(asio::buffer(buffer_), from_, 0, error);
       if (error == asio::error::would_block) return;
-      if (error) continue;  // for example, a port refused a reply
+      if (error) continue;  // for example, because a port refused a reply
       if (size == buffer_.size()) {
         ++oversized_;
         continue;

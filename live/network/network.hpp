@@ -13,7 +13,7 @@ namespace autoref::live {
 inline constexpr const char* kLoopback = "127.0.0.1";
 // The longest datagram that is read; longer ones are counted and dropped.
 inline constexpr std::size_t kLongestDatagram = 8192;
-// The longest one that can be sent over IPv4.
+// The longest datagram that can be sent over IPv4.
 inline constexpr std::size_t kLongestSent = 65'507;
 
 struct Address {
@@ -39,13 +39,13 @@ class NetworkThread {
   std::unique_ptr<Context> context_;
 };
 
-// Sends datagrams to a multicast group, to a host or to all hosts of a network. It never waits:
-// datagrams that the system cannot accept immediately are dropped and counted. Multicast goes to
-// one interface only and does not leave its network.
+// Sends datagrams to a multicast group, to a host or to all hosts of a network. Sending never
+// waits: datagrams that the system cannot accept immediately are dropped and counted. Multicast
+// goes to one interface only and does not leave its network.
 class DatagramSender {
  public:
   // `interface` is the address of the interface to send on. Throws InputError if an address is
-  // invalid or not this computer's.
+  // invalid or `interface` is not an address of this computer.
   DatagramSender(const std::string& interface, const Address& to);
   ~DatagramSender();
   DatagramSender(DatagramSender&&) noexcept;
@@ -62,13 +62,14 @@ class DatagramSender {
 // Receives datagrams at a port or those of a multicast group.
 class DatagramReceiver {
  public:
-  // Called in the network's thread. Its result is sent back to the sender; an empty message is an
-  // answer as well.
+  // Called in the network's thread. Its result is sent back to the sender, even if it is an empty
+  // message.
   using Handler =
       std::function<std::optional<std::string>(std::string_view bytes, const Address& from)>;
 
-  // Port 0: any free port. `group` is the address of a group, otherwise empty. Throws InputError if
-  // the port is in use or an address is invalid; `flag` is the option that sets it.
+  // Where to receive. Port 0 means any free port. `group` is the address of a multicast group; if
+  // it is empty, datagrams sent to this computer are received. Throws InputError if the port is in
+  // use or an address is invalid; `flag` is the option that sets it.
   struct Place {
     std::string interface = kLoopback;
     std::string group = {};

@@ -7,7 +7,7 @@
 #include <boost/asio/ip/udp.hpp>
 #include <csignal>
 #include <thread>
-#include <utility>  // Boost 1.74 needs it before Asio
+#include <utility>  // needed before Asio in Boost 1.74
 
 #include "live/network/network.hpp"
 

@@ -30,7 +30,8 @@ namespace {
 using boost::asio::ip::tcp;
 using boost::system::error_code;
 
-constexpr std::chrono::milliseconds kAcceptPause{100};  // after a failure to accept a connection
+// Pause after failing to accept a connection.
+constexpr std::chrono::milliseconds kAcceptPause{100};
 
 tcp::endpoint endpoint_of(const DatagramReceiver::Place& place) {
   error_code error;
@@ -56,7 +57,7 @@ class StreamConnection : public std::enable_shared_from_this<StreamConnection> {
 
   // Returns the response; nullopt if there is none yet.
   using OnMessage = DatagramReceiver::Handler;
-  // Called once, just before the connection is closed, unless close() closes it.
+  // Called once, just before the connection is closed, except if close() closes the connection.
   using OnEnd = std::function<void(const StreamConnection& connection, End why)>;
 
   StreamConnection(boost::asio::ip::tcp::socket socket, OnMessage on_message, OnEnd on_end);
@@ -83,9 +84,9 @@ class StreamConnection : public std::enable_shared_from_this<StreamConnection> {
   Address peer_;
   Clock::time_point last_heard_ = Clock::now();
   std::array<char, kChunk> chunk_{};
-  std::string received_;  // not yet a complete message
-  std::string waiting_;   // to be written
-  std::string written_;   // being written
+  std::string received_;  // bytes received, not yet a complete message
+  std::string waiting_;   // bytes to be written
+  std::string written_;   // bytes being written
   bool is_writing_ = false;
   bool is_open_ = true;
 };
@@ -110,7 +111,7 @@ void StreamConnection::read() {
                           });
 }
 
-// Less than a message remains, so memory is bounded.
+// Less than one message remains unread, so memory is bounded.
 void StreamConnection::take_messages() {
   std::string_view rest = received_;
   try {

@@ -63,7 +63,7 @@ class EndFinder final : public league::LogVisitor {
 
 }  // namespace
 
-// Passes everything on to the first visitor and then to the second.
+// Passes everything on to a first visitor and then to a second one.
 class VisitorPair final : public league::LogVisitor {
  public:
   VisitorPair(league::LogVisitor& first, league::LogVisitor& second)
@@ -94,8 +94,8 @@ class VisitorPair final : public league::LogVisitor {
 // A packet from the network.
 struct LiveMessage {
   league::ParsedMessage message;
-  double time_s = 0;  // since the first packet
-  std::string host;   // of the sender
+  double time_s = 0;  // time since the first packet
+  std::string host;   // host of the sender
 };
 
 class LiveSession final : league::LogVisitor {
@@ -112,7 +112,7 @@ class LiveSession final : league::LogVisitor {
  private:
   using Clock = std::chrono::steady_clock;
 
-  void on_frame(const Frame& frame) override;  // after the referee has judged it
+  void on_frame(const Frame& frame) override;  // called after the referee has judged the frame
   void on_vision(double time_s, const league::VisionPacket& packet) override;
   void on_referee(double time_s, const league::RefereePacket& packet) override;
   void report(const referee::Decision& decision);
@@ -280,7 +280,7 @@ class LiveReferee::Impl {
   RecordSource source_;
   std::vector<LiveMessage> gathered_;
   std::int64_t first_ns_ = 0;       // when the first packet arrived
-  std::size_t received_bytes_ = 0;  // of all packets
+  std::size_t received_bytes_ = 0;  // total size of all packets
 };
 
 LiveReferee::LiveReferee(const LiveRefereeOptions& options)

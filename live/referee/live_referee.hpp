@@ -24,18 +24,18 @@ namespace autoref::live {
 struct LiveRefereeOptions {
   std::string interface = kLoopback;
   std::string unicast;  // host to send to instead of the multicast groups
-  LivePorts ports;      // of vision, referee and tracker
-  league::FrameSource source = league::FrameSource::kVision;  // or kTracker
+  LivePorts ports;      // ports for vision, referee and tracker packets
+  league::FrameSource source = league::FrameSource::kVision;  // kVision or kTracker
   bool commands = false;  // AutoRef commands the game; otherwise it follows the referee packets
   // Where to report game events; an empty host means the sender of the referee packets. If nullopt,
-  // nothing is sent at all unless AutoRef commands the game.
+  // AutoRef sends nothing at all unless it commands the game.
   std::optional<Address> controller;
-  double seconds = 0;  // when to stop; 0: only when interrupted
+  double seconds = 0;  // time after which to stop; 0: only when interrupted
 };
 
 // The status shown to the user.
 struct LiveRefereeStatus {
-  double time_s = 0;  // of the last frame
+  double time_s = 0;  // time of the last frame
   std::int64_t frames = 0;
   league::MessageFaults faults;
   bool has_referee = false;  // whether packets from another referee arrive
@@ -62,13 +62,13 @@ class LiveReferee {
   explicit LiveReferee(const LiveRefereeOptions& options);
   ~LiveReferee();
 
-  // Waits for the first frames to find out about the field and the teams: for 2 s, or for 10 s if
-  // no geometry arrives. `check` is called several times a second while it waits, with the packets
-  // received so far, and may throw.
+  // Waits for the first frames to find out about the field and the teams. Waits for 2 s, or for 10
+  // s if no geometry arrives. Meanwhile, calls `check` several times a second with the number of
+  // packets received so far; `check` may throw.
   logs::RecordedFacts gather(const std::function<void(std::int64_t packets)>& check);
 
-  // Judges all packets, including those of gather(), until the time is over or on_idle throws.
-  // Throws std::invalid_argument if the configuration is not valid.
+  // Judges all packets, including those of gather(), until `LiveRefereeOptions::seconds` have
+  // passed or on_idle throws. Throws std::invalid_argument if the configuration is not valid.
   void run(const referee::Configuration& configuration, const logs::RecordedFacts& facts,
            const LiveRefereeCallbacks& watch);
 

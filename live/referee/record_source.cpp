@@ -42,7 +42,7 @@ class RecordSource::Socket {
     open_for_group(socket_, {interface, group.group, group.port, group.flag}, kSourceBuffer_bytes);
     const int on = 1;
     ::setsockopt(handle(), SOL_SOCKET, SO_TIMESTAMPNS, &on, sizeof on);
-    // Exceeds the system's limit if the user is allowed to.
+    // Sets a buffer larger than the system's limit if the user is allowed to exceed it.
     ::setsockopt(handle(), SOL_SOCKET, SO_RCVBUFFORCE, &kSourceBuffer_bytes,
                  sizeof kSourceBuffer_bytes);
   }

@@ -16,14 +16,14 @@
 namespace autoref::live {
 
 struct ReceivedRecord {
-  std::int64_t arrived_ns = 0;  // Unix time of its arrival at this computer
+  std::int64_t arrived_ns = 0;  // Unix time at which the packet arrived at this computer
   league::MessageKind kind = league::MessageKind::kUnknown;
   std::string bytes;
-  std::string host;  // of the sender
+  std::string host;  // host that sent the packet
 };
 
-// A group to listen to; packets that are broadcast to its port are received as well. `flag` is the
-// option that sets the port.
+// A multicast group to listen to. Packets that are broadcast to its port are received as well.
+// `flag` is the option that sets the port.
 struct RecordGroup {
   league::MessageKind kind = league::MessageKind::kUnknown;
   std::string group;  // empty: packets sent to this computer
@@ -38,8 +38,8 @@ class RecordSource {
   using Clock = std::chrono::steady_clock;
 
   // Throws InputError if a group cannot be joined. Waiting packets of several groups are read in
-  // the order of their arrival. The first group is read last, so that its packets that arrive
-  // meanwhile do not overtake those of the others.
+  // the order of their arrival. The first group is read last, so that packets of this group that
+  // arrive in the meantime do not overtake packets of the other groups.
   RecordSource(const std::string& interface, const std::vector<RecordGroup>& groups);
   ~RecordSource();
   RecordSource(const RecordSource&) = delete;

@@ -30,7 +30,7 @@ class RefereeOutputs final : league::PacketSink {
   // Sets the Unix time of the frames' time 0.
   void set_start(const std::optional<double>& start_unix_s);
 
-  // Notes the sender of the referee packets, which is assumed to be the game controller's host
+  // Records the sender of the referee packets, which is assumed to be the game controller's host
   // unless another one was given.
   void note_referee(const std::string& host);
 
@@ -69,8 +69,8 @@ class RefereeOutputs final : league::PacketSink {
   std::string bytes_;
 };
 
-// "12:34.5  ball_left_field yellow: ..." Empty for decisions that only follow another referee's
-// commands.
+// A line such as "12:34.5  ball_left_field yellow: ...". Empty for decisions that only follow
+// another referee's commands.
 std::string call_line(const referee::Decision& decision);
 
 // "stage FIRST_HALF, STOP, yellow 1 : 0 blue".
@@ -79,8 +79,8 @@ std::string state_line(const LiveRefereeStatus& status);
 // "registered; 12 events accepted, 1 rejected ...".
 std::string controller_line(const ControllerStatus& controller);
 
-// The whole view: text with line breaks, at most `columns` wide. `calls` are the latest calls, the
-// newest last.
+// The whole status display: text with line breaks, at most `columns` wide. `calls` are the latest
+// calls, the newest last.
 std::string status_text(const LiveRefereeStatus& status, const std::deque<std::string>& calls,
                         std::size_t columns);
 

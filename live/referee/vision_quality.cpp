@@ -10,7 +10,7 @@
 namespace autoref::live {
 namespace {
 
-constexpr std::size_t kMostKept = 20'000;  // of each list
+constexpr std::size_t kMostKept = 20'000;  // maximum length of each list
 constexpr double kSameFrame_s = 0.008;     // between detections of two cameras
 constexpr double kOtherRobot_m = 0.5;      // if farther apart, one of the two numbers is misread
 

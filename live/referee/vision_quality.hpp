@@ -1,4 +1,4 @@
-// The quality of vision, for the person at a real field.
+// Measures the quality of vision, for the person who runs AutoRef at a real field.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace autoref::live {
 
-// Covers the last kWindow_s seconds.
+// The quality of vision over the last kWindow_s seconds.
 struct VisionReport {
   std::map<std::uint32_t, double> rates_hz;  // packets per second, by camera
   double ball_seen = 0;                      // share of the frames with a ball

@@ -1,5 +1,5 @@
-// The newest command of each robot, passed from the network's thread to the game's, and the team
-// that carries them out.
+// The newest command of each robot, passed from the network's thread to the game's thread, and the
+// team that plays these commands.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ namespace autoref::live {
 
 // The state to which a side's commands refer.
 struct SideState {
-  std::array<Vec2, kMaxRobots> headings{};  // in the frame of vision, by number
+  std::array<Vec2, kMaxRobots> headings{};  // robots' headings in the frame of vision, by number
   std::array<league::WheelPositions, kMaxRobots> wheels{};
 };
 
@@ -28,7 +28,7 @@ class CommandSlots {
  public:
   using Clock = std::chrono::steady_clock;
 
-  // Commands older than this many frames lapse, and their robots stop.
+  // Commands older than `lapse_frames` frames lapse, and their robots stop.
   explicit CommandSlots(int lapse_frames) : lapse_frames_(lapse_frames) {}
 
   // Called in the network's thread: accepts a packet's updates.
@@ -43,14 +43,14 @@ class CommandSlots {
             Clock::time_point deadline);
 
   // The commands of a side for the step after `frame`, as transmitted() sends them to robots.
-  // Commands that have arrived since the last call are attributed to this frame.
+  // Commands that have arrived since the last call are attributed to `frame`.
   TeamCommands commands_for(Side side, std::int64_t frame, const SideState& state);
 
  private:
   struct Slot {
     league::CommandUpdate held;
     bool is_new = false;
-    std::int64_t frame = 0;  // of the newest update
+    std::int64_t frame = 0;  // frame of the newest update
     bool is_held = false;
   };
 

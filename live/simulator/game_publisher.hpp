@@ -18,9 +18,9 @@
 namespace autoref::live {
 
 // All packets of a frame are delayed like the teams' view of the game (sim.latency_s, whole
-// frames), so that nobody learns of a decision before the frame that led to it. The times in them
-// are the frame's. Referee packets follow every 25 ms of the game, and tracker packets with every
-// frame.
+// frames), so that nobody learns of a decision before receiving the frame that led to it. The times
+// in the packets are those of the frame. Referee packets follow every 25 ms of the game, and
+// tracker packets with every frame.
 class GamePublisher final : public game::Observer, league::PacketSink {
  public:
   // `start_unix_s` is the time of the game's first frame in all packets. Throws InputError if the
@@ -40,15 +40,15 @@ class GamePublisher final : public game::Observer, league::PacketSink {
   void publish(const Tracks& tracks);
 
   // Used in lock-step before the game: publishes the geometry and the signal for programs that wait
-  // for them. Their content does not depend on how long anybody waits.
+  // for them. The content of these packets does not depend on how long the programs wait.
   void send_standing_field(const RefereeSignal& signal);
-  // Sends both again until the first frame has been published; after that, does nothing.
+  // Sends the geometry and the signal again. Does nothing once the first frame has been published.
   void repeat_standing_field();
 
   // The serialized detections of the last frame sent.
   const std::vector<std::string>& detections() const { return detections_; }
 
-  // Sends vision to another port from now on.
+  // Sends vision packets to another port from now on.
   void set_vision_port(int port);
 
   std::int64_t dropped() const;  // datagrams that the system did not accept
@@ -86,8 +86,8 @@ class GamePublisher final : public game::Observer, league::PacketSink {
   bool has_newest_ = false;
   game::DelayLine<PublishedFrame> frames_;
   sim::Camera waiting_camera_;      // the game's camera sees only the game's frames
-  std::int64_t next_number_ = 0;    // in the packets
-  std::int64_t waited_frames_ = 0;  // sent while the game waited
+  std::int64_t next_number_ = 0;    // frame number in the packets
+  std::int64_t waited_frames_ = 0;  // number of frames sent while the game waited
   std::uint32_t command_counter_ = 0;
   double command_waited_s_ = 0;  // how long the game had waited when the command was sent
   league::VisionPacket sent_;

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kAfterEnd_s = 1;
 constexpr std::chrono::milliseconds kSlice{50};  // length of a wait before checking for interrupts
-constexpr std::chrono::milliseconds kLastSlice{500};  // for the last requests after the game
+constexpr std::chrono::milliseconds kLastSlice{500};  // time for the last requests after the game
 // The time of the first frame in lock-step, so that the packets are the same in each run: 1 January
 // 2026.
 constexpr double kLockstepStart_s = 1767225600;
@@ -71,9 +71,9 @@ class LiveGame::Impl {
       await_teams(game);
     }
     if (change_robots(programs)) game = game::Game(game_, observers, programs.maker());
-    be_prompt();  // after starting programs, since they would inherit it
+    be_prompt();  // call this after starting programs, since they would inherit the scheduling
     for (;;) {
-      // Read this before the frame is sent: a fast team may answer immediately.
+      // Count the packets before the frame is sent: a fast team may answer immediately.
       const PerSide<std::int64_t> before = slots_.packets();
       if (!game.begin_step()) break;
       check_();
@@ -279,7 +279,7 @@ class LiveGame::Impl {
   double speed_ = 0;  // requested at the control port; 0: never
   PerSide<SideState> states_;
   PerSide<NetworkInput> inputs_;
-  PerSide<int> silent_frames_;  // since the newest packet
+  PerSide<int> silent_frames_;  // number of frames since the newest packet
   PerSide<std::array<std::int64_t, 3>> ages_;
 };
 

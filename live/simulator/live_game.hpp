@@ -24,7 +24,8 @@ struct LiveReport {
   PerSide<TeamTraffic> traffic;
   StreamTroubles connections;
   std::int64_t wrong_control = 0;  // packets with errors at the control port
-  // Number of frames by the age of a network team's newest packet, in frames: 0, 1, and older.
+  // Number of frames in which a network team's newest packet was 0 frames old, 1 frame old, or
+  // older.
   PerSide<std::array<std::int64_t, 3>> command_ages;
 };
 
@@ -41,7 +42,7 @@ class LiveGame {
            std::function<void()> check);
   ~LiveGame();
 
-  // Makes the team on the network, for a TeamMaker.
+  // Makes a team that plays over the network, for a TeamMaker.
   std::unique_ptr<strategies::Strategy> make_network_team(const strategies::TeamContext& context);
 
   // Plays the game and sends its last frame for another second.

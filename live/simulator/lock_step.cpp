@@ -12,9 +12,10 @@ namespace autoref::live {
 namespace {
 
 constexpr std::size_t kMostWaitingRequests = 64;
-constexpr std::size_t kReserved_bytes = 4096;  // of a response: for errors and robot feedback
-constexpr std::size_t kFraming_bytes = 6;      // of a detection in a response
-constexpr double kRoundingFrames = 1e-3;       // tolerance of steps, which are floats
+// Part of a response reserved for errors and feedback.
+constexpr std::size_t kReserved_bytes = 4096;
+constexpr std::size_t kFraming_bytes = 6;  // overhead of a detection in a response
+constexpr double kRoundingFrames = 1e-3;   // tolerance of steps, which are floats
 constexpr std::array<Participant, 3> kParticipants = {Side::kWest, Side::kEast, std::nullopt};
 
 }  // namespace
@@ -70,11 +71,11 @@ void LockStep::fit_detections(Member& member, std::int64_t frame, Waiting& done)
   const double share = static_cast<double>(room) / static_cast<double>(member.detections_bytes);
   const double most_s = std::floor(0.9 * share * frames) / rate_hz_;
   done.request.commands.errors.push_back(
-      {"STEP", fmt::format("the detections of {:.3f} s take {} bytes, but a response only has room "
-                           "for {}; the oldest were left out; {}",
+      {"STEP", fmt::format("the detections of {:.3f} s take {} bytes, but a response holds at "
+                           "most {}; the oldest were left out; {}",
                            frames / rate_hz_, member.detections_bytes, room,
                            most_s > 0 ? fmt::format("ask for steps of at most {:.3f} s", most_s)
-                                      : "connect by TCP, or use fewer cameras")});
+                                      : "connect with TCP, or use fewer cameras")});
 }
 
 void LockStep::answer(Member& member, std::int64_t frame, const std::bitset<kMaxRobots>& contact) {

@@ -1,4 +1,5 @@
-// Lock-step with programs on the network: the game continues when all of them have requested it.
+// Lock-step with programs on the network: the game continues when all programs have requested the
+// next step.
 #pragma once
 
 #include <array>
@@ -19,7 +20,7 @@
 
 namespace autoref::live {
 
-// Who sends requests: a team, or the control port (nullopt).
+// The sender of a request: a team, or a program at the control port (nullopt).
 using Participant = std::optional<Side>;
 
 class LockStep {
@@ -38,13 +39,13 @@ class LockStep {
            std::size_t longest_bytes);
 
   // Adds a camera's detections to the next responses. If the detections since a participant's last
-  // response do not all fit into the next one, the oldest are left out, and an error says how long
-  // the participant's steps may be.
+  // response do not all fit into the next one, the oldest are left out, and an error in the
+  // response says how long the participant's steps may be.
   void add_detection(const std::string& detection);
 
-  // Answers every request that a frame completes, applies the commands of the next requests, and
-  // waits until all participants have requested a later frame. Returns false if the deadline passes
-  // first. `control` receives the requests to the simulator.
+  // Answers every request that is completed by `frame`, applies the commands of the next requests,
+  // and waits until all participants have requested a later frame. Returns false if the deadline
+  // passes first. `control` receives the requests to the simulator.
   bool advance(std::int64_t frame, const PerSide<RobotReports>& reports, CommandSlots& slots,
                const std::function<void(const league::SimulatorRequest&)>& control,
                Clock::time_point deadline);
@@ -60,14 +61,16 @@ class LockStep {
   };
   struct Member {
     bool takes_part = false;
-    double granted_s = 0;  // time until which it lets the game continue
+    double granted_s = 0;  // time until which the participant lets the game continue
     std::deque<Waiting> waiting;
-    std::optional<Waiting> current;      // answered when its frame is reached
-    std::deque<std::string> detections;  // since the last response, or the newest
-    std::size_t detections_bytes = 0;    // of all since the last response
+    std::optional<Waiting> current;  // answered when its frame is reached
+    // Detections since the last response, or the newest of them.
+    std::deque<std::string> detections;
+    std::size_t detections_bytes = 0;  // size of all detections since the last response
     std::size_t kept_bytes = 0;
-    std::int64_t answered = 0;                        // the frame of the last response
-    std::vector<league::SimulatorRequest> control{};  // of requests since the last frame
+    std::int64_t answered = 0;  // frame of the last response
+    // Requests to the simulator since the last frame.
+    std::vector<league::SimulatorRequest> control{};
   };
 
   Member& member(const Participant& participant);

@@ -13,7 +13,8 @@ namespace autoref::live {
 
 // The reports of a side's robots.
 struct RobotReports {
-  std::bitset<kMaxRobots> ball_contact;  // the ball is in the dribbler zone
+  // Whether the ball is in the dribbler zone, by robot number.
+  std::bitset<kMaxRobots> ball_contact;
   std::array<league::GrsimStatus, kMaxRobots> status{};
 };
 

@@ -1,5 +1,5 @@
-// Changes by programs on the network other than commands: robots' limits before a game, and
-// teleports.
+// Changes other than commands that programs on the network request: limits of robots before a game,
+// and teleports.
 #pragma once
 
 #include <bitset>
@@ -21,13 +21,13 @@ class RobotUpdates {
   explicit RobotUpdates(const game::GameConfiguration& game) : game_(game) {}
 
   // Called in the network's thread. Updates that cannot be applied are added to `errors`, with the
-  // codes ROBOT_SPECS (a number is out of range) and GAME_BEGUN. A wheel's acceleration changes in
+  // codes ROBOT_SPECS (a value is out of range) and GAME_BEGUN. A wheel's acceleration changes in
   // proportion to the robot's.
   void add(const std::vector<league::SpecUpdate>& updates,
            std::vector<league::PacketError>& errors);
 
-  // Called in the game's thread when the game begins: returns each changed robot once. Later
-  // changes are refused.
+  // Called in the game's thread when the game begins: returns each changed robot once. Changes
+  // after this call are refused.
   std::vector<game::ChangedRobot> close();
 
  private:
@@ -39,9 +39,9 @@ class RobotUpdates {
   bool is_closed_ = false;
 };
 
-// The change of the simulated world by a teleport in the frame of vision. Values missing from the
-// teleport stay as they are in `world`. Positions beyond the walls are moved inside. Returns
-// nullopt if the teleport of a robot off the field is incomplete.
+// The change of the simulated world that a teleport requests. The teleport is in the coordinates of
+// vision. Values missing from the teleport stay as they are in `world`. Positions beyond the walls
+// are moved inside. Returns nullopt if the teleport of a robot off the field is incomplete.
 std::optional<game::WorldChange> change_of(const league::Teleport& teleport,
                                            const sim::WorldState& world, const Field& field,
                                            bool blue_on_positive_half);

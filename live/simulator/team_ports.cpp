@@ -212,7 +212,7 @@ std::string TeamPorts::answer_control(std::string_view bytes) {
   return response.SerializeAsString();
 }
 
-// The field and the robots are set by the scenario, and without a clock the teams set the pace.
+// The scenario sets the field and the robots. In a game without a clock, the teams set the pace.
 void TeamPorts::refuse_unsupported(league::SimulatorRequest& request,
                                    std::vector<league::PacketError>& errors) const {
   if (request.field && !is_same_size(*request.field, field_))
@@ -270,7 +270,7 @@ void TeamPorts::read_grsim(std::string_view bytes, const Address& from) {
   league::GrsimPacket packet = league::read_grsim_packet(bytes, robots_);
   const bool has_commands = !packet.commands.updates.empty();
   if (!is_network_[packet.side] || !is_admitted(packet.side, from, has_commands)) return;
-  // Replacements have no team, so they are not blue's mistake.
+  // Robot replacements have no team, so their errors are not attributed to blue.
   const bool only_replaces = !has_commands && !packet.teleports.empty();
   if (!only_replaces) count(packet.side, packet.commands, from, has_commands);
   if (targets_.lock_step == nullptr) take_over(packet.side, packet.commands);

@@ -29,13 +29,14 @@ namespace autoref::live {
 // The traffic that has arrived for a team.
 struct TeamTraffic {
   std::int64_t packets = 0;  // those that were read, with or without errors
-  std::int64_t wrong = 0;    // with at least one error
-  std::int64_t foreign = 0;  // dropped because they came from a computer other than the team's
-  std::string last_error;    // with its sender; empty: none
+  std::int64_t wrong = 0;    // number of packets with at least one error
+  // Number of packets dropped because they came from another computer than the team's.
+  std::int64_t foreign = 0;
+  std::string last_error;  // last error with its sender; empty: none
 };
 
-// Admits packets from one computer: the first that sends commands, until it has been silent for
-// 2 s.
+// Admits packets from one computer: the first computer that sends commands, until it has been
+// silent for 2 s.
 class SourceLock {
  public:
   // A packet without commands is admitted unless another computer is in command, but does not lock
@@ -64,7 +65,7 @@ class ControlRequests {
   std::vector<league::SimulatorRequest> requests_;
 };
 
-// The destinations of the ports' packets.
+// The objects to which the ports pass their packets.
 struct PortTargets {
   CommandSlots* slots = nullptr;
   ControlRequests* control = nullptr;
@@ -72,7 +73,7 @@ struct PortTargets {
   LockStep* lock_step = nullptr;  // null: SimulationSyncRequests are errors
 };
 
-// How a packet arrived and its answer is sent.
+// How a packet arrived, which is also how its answer is sent.
 enum class Transport : std::uint8_t { kDatagram, kStream };
 
 // The sides with teams that play over the network.
@@ -80,8 +81,8 @@ PerSide<bool> network_sides(const game::GameConfiguration& game);
 
 class TeamPorts {
  public:
-  // Listens for the game's network teams and at the control port. It accepts datagrams and, except
-  // at grSim's port, connections. Throws InputError if a port is in use.
+  // Listens at the ports of the game's network teams and at the control port. Accepts datagrams
+  // and, except at grSim's port, connections. Throws InputError if a port is in use.
   TeamPorts(NetworkThread& thread, const LiveOptions& options, const game::GameConfiguration& game,
             const PortTargets& targets);
 
@@ -92,8 +93,8 @@ class TeamPorts {
   PerSide<TeamTraffic> traffic() const;
   std::int64_t wrong_control() const;  // packets with errors at the control port
 
-  // Messages for the user since the last call: they report the first packet at each team's port
-  // that did not show that its team is there.
+  // Messages for the user since the last call: each reports the first packet at a team's port that
+  // commanded no robot while the team had not commanded any yet.
   std::vector<std::string> take_notices();
 
   // The troubles of all connections.
@@ -136,7 +137,7 @@ class TeamPorts {
   PerSide<RobotReports> reports_;
   PerSide<TeamTraffic> traffic_;
   PerSide<bool> is_present_;  // the team has sent commands
-  PerSide<bool> is_noted_;    // a packet that did not show it has been reported
+  PerSide<bool> is_noted_;    // a packet that commanded no robot has been reported
   std::vector<std::string> notices_;
   std::int64_t wrong_control_ = 0;
   PerSide<SourceLock> sources_;

@@ -110,7 +110,8 @@ void LivePage::record(const Frame& frame) {
   skipped_.reset();
 }
 
-// The last frame is always sent because the page shows no signal that is later.
+// The last frame is always sent because the page does not show signals that are later than its last
+// frame.
 void LivePage::end() {
   if (skipped_) record(Frame(*skipped_));
   send_newest(clock_->now());

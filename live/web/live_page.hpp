@@ -1,4 +1,4 @@
-// Turns a simulated or real game into messages for watchers, and shows it to them on the network.
+// Turns a simulated or real game into messages, and shows the game to watchers on the network.
 #pragma once
 
 #include <cstddef>
@@ -42,11 +42,12 @@ class MessageList {
   std::deque<Kept> messages_;
 };
 
-// The messages that show a watcher the game so far: lists of messages, and single messages until
-// messages in the lists replace them. One thread adds; any thread can ask for the backlog.
+// The messages that show a watcher the game so far. Messages are kept in lists; the newest ones are
+// kept singly until messages in the lists replace them. One thread adds; any thread can ask for the
+// backlog.
 class MessageHistory {
  public:
-  // `enough` is the number of entries that must be kept of each list.
+  // `enough` is the number of entries that must be kept in each list.
   MessageHistory(std::string start, const std::vector<std::size_t>& enough);
 
   // Numbers the message and stores it.
@@ -69,8 +70,8 @@ class MessageHistory {
 // Takes published positions (soccer/referee_signal.hpp). Sends about 30 frames per wall-clock
 // second, and decisions and changed signals with the next frame that is added, in at most 100
 // messages per second. New watchers get the last ten minutes and as many calls as a page keeps
-// (LiveLimits), so the memory for them is limited to about 10 MB, most of which is used only after
-// 13 hours of a game.
+// (LiveLimits), so the memory for these messages is limited to about 10 MB. Most of it is used only
+// after a game has lasted 13 hours.
 class LivePage {
  public:
   using Send = std::function<void(const WebMessage&)>;

@@ -15,7 +15,7 @@ namespace autoref::live {
 
 // Messages waiting for a watcher. Only the newest frames wait; other messages are kept up to limits
 // on their number and their bytes (kMostWaiting_bytes, including the frames). The backlog is shared
-// with the server, which limits it.
+// with the server, which limits its size.
 class WatcherQueue {
  public:
   static constexpr std::size_t kMostFrames = 3;
@@ -37,10 +37,10 @@ class WatcherQueue {
   void leave_out_oldest_frame();
 
   std::deque<WebText> backlog_;
-  std::int64_t last_number_ = 0;  // of the backlog
+  std::int64_t last_number_ = 0;  // number of the last message in the backlog
   std::deque<WebMessage> waiting_;
-  std::size_t frames_ = 0;  // number of frames among them
-  std::size_t bytes_ = 0;   // total size of all of them
+  std::size_t frames_ = 0;  // number of frames among the waiting messages
+  std::size_t bytes_ = 0;   // total size of all waiting messages
   std::int64_t left_out_ = 0;
 };
 

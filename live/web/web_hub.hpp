@@ -14,9 +14,9 @@
 namespace autoref::live {
 
 enum class WebState {
-  kSilent,    // has not sent its request
+  kSilent,    // the client has not sent its request
   kAnswered,  // the answer is being sent
-  kWatching,  // gets messages
+  kWatching,  // the client gets messages
 };
 
 // One open socket.
@@ -27,7 +27,8 @@ class WebConnection {
   WebConnection(const WebConnection&) = delete;
   WebConnection& operator=(const WebConnection&) = delete;
 
-  const std::string& computer() const { return computer_; }  // its address, without port
+  // Address of the client's computer, without port.
+  const std::string& computer() const { return computer_; }
   virtual void close() = 0;
   virtual WebState state() const = 0;
   virtual void push(const WebMessage& /*message*/) {}
@@ -48,15 +49,15 @@ class WebHub {
   WebBacklog backlog() const { return content_.backlog(); }
   std::optional<std::string> game_page(const std::string& id) const;
 
-  // Adds a watcher or a connection that has not sent anything yet; another one may have to give
-  // way.
+  // Adds a watcher or a connection that has not sent anything yet; if there is no room for it,
+  // another connection is closed.
   void add(const std::shared_ptr<WebConnection>& connection);
-  // Returns whether one more watcher from this computer can be added; another one may have to give
-  // way.
+  // Returns whether one more watcher from this computer can be added. To make room for it, another
+  // watcher may be disconnected.
   bool makes_room_for_watcher(const std::string& computer);
   void remove(const std::shared_ptr<WebConnection>& connection);
 
-  void send(const WebMessage& message);  // to all watchers
+  void send(const WebMessage& message);  // sends the message to all watchers
   void close_watchers();
   void close();  // all connections, permanently
   bool is_closed() const { return is_closed_; }

@@ -11,7 +11,7 @@
 
 namespace autoref::live {
 
-// Shared by all watchers to which it is sent.
+// The text of a message, shared by all watchers to which it is sent.
 using WebText = std::shared_ptr<const std::string>;
 
 // Maximum total length of the messages waiting for one watcher or for the network's thread.
@@ -26,7 +26,7 @@ struct WebMessage {
 // The messages that a new watcher gets first.
 struct WebBacklog {
   std::vector<WebText> texts;
-  std::int64_t last_number = 0;  // of the messages included
+  std::int64_t last_number = 0;  // number of the last message included
 };
 
 // The content that a server shows.

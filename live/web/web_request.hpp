@@ -14,8 +14,8 @@
 
 namespace autoref::live {
 
-// Reads "127.0.0.1:8090", "[::1]:8090" or "8090", which means the loopback; port 0 means any free
-// one. Throws InputError naming `flag`.
+// Reads "127.0.0.1:8090", "[::1]:8090" or "8090", where a port alone means the loopback address.
+// Port 0 means any free port. Throws InputError naming `flag`.
 Address web_address(std::string_view text, const std::string& flag);
 
 // "http://127.0.0.1:8090/"
@@ -30,15 +30,16 @@ struct WebHosts {
   bool has(std::string_view host) const;
 };
 
-// The address itself and the `further` names (--web-host). A server on the loopback or on all
-// addresses of this computer is also localhost; one on all addresses accepts every numeric address.
-// A web page can pretend to be this server (DNS rebinding) only by a name, so numeric addresses
-// need not be known. Throws InputError naming --web-host.
+// The names of a server: its address and the `further` names (--web-host). A server on the loopback
+// or on all addresses of this computer also has the name localhost. A server on all addresses
+// accepts every numeric address. For DNS rebinding, a web page needs a name for this server, so
+// numeric addresses need not be checked. Throws InputError naming --web-host.
 WebHosts hosts_of(const Address& address, const std::vector<std::string>& further = {});
 
 using WebRequest = boost::beast::http::request<boost::beast::http::empty_body>;
 
-// ok: send the page. switching_protocols: accept the WebSocket. Otherwise the status of a refusal.
+// The status of the answer. ok: send the page. switching_protocols: accept the WebSocket. Any other
+// status is a refusal.
 //
 // Only GET is allowed, for /, /game and (as a WebSocket) /live. A web page from elsewhere must not
 // read the game: if the request names an origin, it must be this server. A request for a host not

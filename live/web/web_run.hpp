@@ -16,8 +16,8 @@
 
 namespace autoref::live {
 
-// Watchers get the newest message of each kind: their number and size do not grow with the
-// experiment.
+// Watchers get only the newest message of each kind, so the number and size of the messages do not
+// grow with the experiment.
 class WebRun {
  public:
   static constexpr std::size_t kMostEnded = 32;    // games listed after their end
@@ -28,14 +28,14 @@ class WebRun {
   WebRun(const WebOptions& options, const std::string& title,
          std::function<std::optional<std::string>(const std::string& id)> game_page);
 
-  // Also sends the list of games if it has changed. It is sent only here because short games begin
-  // and end far more often than anybody could read.
+  // Sends the progress of the run, and the list of games if it has changed. The list is sent only
+  // here because short games begin and end far more often than anybody could read it.
   void show(const view::RunProgress& progress);
   void show_results(const std::string& html);
   // Lists a game as being played. A restarted game is listed only once.
   void start_game(const view::ListedGame& game);
-  // Lists a started game with its result. Returns the id of the game that this removes from the
-  // list, if any.
+  // Lists a started game with its result. Returns the id of the game that drops out of the list as
+  // a result, if any.
   std::optional<std::string> end_game(const std::string& id, const std::string& text);
   void end(const std::string& text);  // `text` is a sentence that says what has ended
 
@@ -51,8 +51,8 @@ class WebRun {
   WebText progress_;
   WebText results_;
   WebText list_;
-  WebText over_;             // null until the end
-  std::int64_t number_ = 0;  // of messages
+  WebText over_;             // message that the run is over; null until then
+  std::int64_t number_ = 0;  // number of messages so far
   std::vector<view::ListedGame> running_;
   std::deque<view::ListedGame> ended_;  // newest first
   bool is_list_stale_ = false;

@@ -56,8 +56,8 @@ double out_of_box_m(const Field& field, Side side, const RobotObservation& robot
 }  // namespace
 
 double hull_to_area_m(const Field& field, Side side, const RobotObservation& robot) {
-  // The supporting line at the area's nearest point separates the two, so the gap is the centre's
-  // distance minus the hull's reach towards that point.
+  // The supporting line at the area's nearest point separates hull and area, so the gap is the
+  // centre's distance minus the hull's reach towards that point.
   return distance_to_defence_area(field, side, robot.position_m) -
          reach_of_hull_m(robot.heading, direction_to_area(field, side, robot.position_m));
 }

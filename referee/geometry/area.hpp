@@ -7,12 +7,12 @@
 
 namespace autoref::referee {
 
-// Distance in metres from the hull to the defence area of `side`; if the hull is partly inside, the
-// negated depth.
+// Distance in metres from the hull to the defence area of `side`; if the hull is partly inside,
+// minus the depth of the hull in the area.
 double hull_to_area_m(const Field& field, Side side, const RobotObservation& robot);
 
-// How far, in metres, the hull extends from the defence area into the field; negative if it is
-// entirely inside. As in soccer/field.hpp, the area continues behind the goal line.
+// How far, in metres, the hull extends from the defence area into the field; negative if the hull
+// is entirely inside. As in soccer/field.hpp, the area continues behind the goal line.
 double hull_out_of_area_m(const Field& field, Side side, const RobotObservation& robot);
 
 }  // namespace autoref::referee

@@ -46,8 +46,8 @@ std::optional<double> intersection(double along0, double across0, double along1,
 Exit find_exit(const Field& field, const Vec2& before_m, const Vec2& ball_m) {
   const Vec2 l = nearest_corner(field, ball_m);
   if (is_out_of_field(field, before_m)) return exit_of_ball_out_before(l, ball_m);
-  // Deviation D8: the ball cannot have crossed a boundary that it is not beyond, wherever the
-  // extended line of its path meets that boundary.
+  // Deviation D8: if the ball is not beyond a boundary, it has not crossed it, no matter where the
+  // extended line of its path intersects it.
   const bool beyond_touch = beyond_m(ball_m.y(), l.y()) > 0;
   const bool beyond_goal = beyond_m(ball_m.x(), l.x()) > 0;
   const std::optional<double> c_x =

@@ -13,8 +13,8 @@ constexpr double kHullDeviations = 3;
 }  // namespace
 
 double reach_of_hull_m(const Vec2& heading, const Vec2& direction) {
-  // The support function of a disc cut by a flat front. In directions in which the circle was cut
-  // off, a corner of the front reaches farthest.
+  // The support function of a disc cut by a flat front. In the directions in which the front cuts
+  // off the circle, a corner of the front reaches farthest.
   const Vec2 local = to_local(direction, heading);
   if (local.x() * kRobotRadius_m < kFrontDistance_m) return kRobotRadius_m;
   return local.x() * kFrontDistance_m + std::abs(local.y()) * kHalfPlate_m;

@@ -10,8 +10,8 @@ namespace autoref::referee {
 double reach_of_hull_m(const Vec2& heading, const Vec2& direction);
 
 // Uncertainty in metres of a robot's position, or of a distance between robot and ball, from vision
-// noise. If a call is based on a single frame, the violation must exceed this uncertainty. 0 if
-// vision is exact.
+// noise. If a call is based on a single frame, the violation must exceed this uncertainty. The
+// uncertainty is 0 if vision is exact.
 double robot_uncertainty_m(const tracking::VisionNoise& noise);
 double robot_to_ball_uncertainty_m(const tracking::VisionNoise& noise);
 

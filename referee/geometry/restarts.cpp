@@ -6,7 +6,7 @@
 namespace autoref::referee {
 namespace {
 
-// 1 if the touch line at +y is nearer, otherwise -1.
+// The sign of y at the nearer touch line: 1 if the touch line at +y is nearer, otherwise -1.
 double touch_line_sign(double y_m, Side kicker) {
   // The kicker's left is at +y for west, which attacks towards +x, and at -y for east.
   if (y_m == 0) return -goal_sign(kicker);
@@ -59,7 +59,7 @@ Vec2 nearest_clear_of_box(const Field& field, Side side, const Vec2& where_m, do
   const Vec2 beyond_m = Vec2(from_line_m, where_m.y()) - rim_m;
   const double beside_m = std::abs(where_m.y()) - half_m;
   // The points at a given distance from a box form a rectangle with rounded corners. This branch
-  // handles a corner; those below handle a side and the front.
+  // handles a corner; the branches below handle a side and the front.
   if (beyond_m.x() > 0 && beside_m > 0) {
     const Vec2 position_m = rim_m + beyond_m.normalized() * clearance_m;
     return {goal_sign(side) * (field.half_length_m() - position_m.x()), position_m.y()};

@@ -13,26 +13,29 @@
 
 namespace autoref::referee {
 
-// 100 mm inside the touch line where the ball left at `exit_m`.
+// The position 100 mm inside the touch line, level with `exit_m`, where the ball left the field.
 Vec2 throw_in_position(const Field& field, const RuleBook& rules, const Vec2& exit_m);
 
-// 100 mm from the goal line that the ball crossed at `exit_m` and from the nearest touch line.
+// The position 100 mm from the goal line that the ball crossed at `exit_m` and from the nearest
+// touch line.
 Vec2 corner_kick_position(const Field& field, const RuleBook& rules, Side kicker,
                           const Vec2& exit_m);
 
-// 500 mm from the goal line that the ball crossed at `exit_m`, 100 mm from the nearest touch line.
+// The position 500 mm from the goal line that the ball crossed at `exit_m`, and 100 mm from the
+// nearest touch line.
 Vec2 goal_kick_position(const Field& field, const RuleBook& rules, Side kicker, const Vec2& exit_m);
 
 // The position of a free kick by `kicker` for an offence at `where_m`: the position of the offence,
-// moved to at least 100 mm inside the lines. If it is inside the kicker's own defence area, it is
-// moved to 600 mm from the goal line and 100 mm from the touch line; if it is within 700 mm of the
-// opponents' area, it is moved away from their goal line until it is 700 mm from the area. 2026:
-// the closest position at least 0.2 m inside the lines and 1 m from both areas.
+// moved to at least 100 mm inside the lines. If that is inside the kicker's own defence area, the
+// free kick is taken 600 mm from the goal line and 100 mm from the touch line. If it is within 700
+// mm of the opponents' area, it is moved away from their goal line until it is 700 mm from the
+// area. Under the rules of 2026, it is the closest position to the offence that is at least 0.2 m
+// inside the lines and 1 m from both areas.
 Vec2 free_kick_position(const Field& field, const RuleBook& rules, Side kicker,
                         const Vec2& where_m);
 
-// The position nearest to `where_m` along the field that is at least 100 mm inside the lines and
-// 700 mm from both defence areas.
+// The position that is nearest to `where_m` in the direction of the field's long axis and at least
+// 100 mm inside the lines and 700 mm from both defence areas.
 Vec2 neutral_position(const Field& field, const RuleBook& rules, const Vec2& where_m);
 
 }  // namespace autoref::referee

@@ -190,7 +190,7 @@ void end_card(RefereeState& state, const RefereeInput& input, const Finding& fin
   take_card_off(state, input.configuration, finding);
 }
 
-// Deviation D4: the command that is sent only briefly is followed by STOP.
+// Deviation D4: STOP follows the command that is sent only briefly.
 void stop_after_signal(RefereeState& state, const RefereeInput& input, const Finding& /*finding*/) {
   send(state, input, kStop);
   wait_anew(state, input);
@@ -225,7 +225,7 @@ void begin_timeout(RefereeState& state, const RefereeInput& input, const Finding
   state.timeout_side = finding.restart.side;
   ++state.timeouts[state.timeout_side].taken;
   state.timeout_clock.start(input.time_s());
-  // A prepared kick-off or penalty is prepared again, because STOP cancels it.
+  // A prepared kick-off or penalty is prepared again, because STOP cancels the preparation.
   if (state.signal.next_command == kNormalStart) {
     state.signal.next_command = state.prepared;
   }

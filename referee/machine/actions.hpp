@@ -16,7 +16,7 @@ struct Action {
   void (*take)(RefereeState& state, const RefereeInput& input, const Finding& finding);
 };
 
-// Helpers shared by several actions. This one sends a command.
+// Helpers shared by several actions. send() sends a command.
 void send(RefereeState& state, const RefereeInput& input, const Command& command);
 // "When entering the WAIT_STOP state, AutoRef saves the current positions" (paper, section 4.4).
 void wait_anew(RefereeState& state, const RefereeInput& input);
@@ -24,7 +24,7 @@ void place_ball(RefereeState& state, const Vec2& target_m);
 void end_play(RefereeState& state);
 // The side that takes the restart started by `command`; nullopt for a force start.
 std::optional<Side> kicker_of(const RefereeState& state, const Command& command);
-// At a penalty kick: records that the side at fault, or both sides, committed a foul.
+// During a penalty kick, records that the side at fault, or both sides, committed a foul.
 void note_foul_at_kick(RefereeState& state, const Finding& finding);
 
 void begin(RefereeState& state, const RefereeInput& input, const Finding& finding);

@@ -1,4 +1,5 @@
-// Transitions outside play that the paper does not have: cards, timeouts and knockout games.
+// Transitions outside play that the paper's machine does not have: cards, timeouts and knockout
+// games.
 #include <array>
 
 #include "referee/machine/machine.hpp"

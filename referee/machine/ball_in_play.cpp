@@ -58,8 +58,8 @@ void watch_play(PlayState& play, const RefereeInput& input) {
     play.in_play_since_s = input.time_s();
     mark_position(play, input);
   }
-  // The reference position moves only when the ball is `stuck_distance_m` away from it, so neither
-  // noise nor rolling to and fro restarts the timer.
+  // The reference position moves only when the ball is `stuck_distance_m` away from this position,
+  // so neither noise nor rolling to and fro restarts the timer.
   if ((input.ball->position_m - play.stuck_at_m).norm() >= rules.stuck_distance_m) {
     mark_position(play, input);
   }

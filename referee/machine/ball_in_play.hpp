@@ -1,5 +1,5 @@
-// The time from a restart's signal until the ball is in play ("once it has moved 50 mm", Laws 2014,
-// laws 8, 9 and 13), the ball's history since, and retakes of restarts.
+// Decides when the ball is in play after a restart's signal ("once it has moved 50 mm", Laws 2014,
+// laws 8, 9 and 13), records the ball's history from then on, and handles retakes of restarts.
 #pragma once
 
 #include "referee/finding.hpp"
@@ -16,7 +16,7 @@ PlayState play_begun(Command command, std::optional<Side> kicker, const RefereeI
 // touches are unknown.
 PlayState play_joined(const RefereeInput& input);
 
-// Updates the state with one frame of RUN.
+// Updates the state with one frame in the state RUN.
 void watch_play(PlayState& play, const RefereeInput& input);
 
 // How far the ball is from the halfway line towards the goal that the kicker attacks, in metres.
@@ -39,10 +39,11 @@ bool is_straight_from_restart(const PlayState& play);
 // that always breaks the rules cannot hang a game. After that, play continues.
 bool may_be_taken_again(const RefereeState& state);
 
-// Sets the finding's restart to the current one, from the same position.
+// Makes the finding's restart a retake of the current restart, from the same position.
 void take_again(Finding& finding, const PlayState& play);
 
-// The retakes to record after the finding has stopped play; empty if a different restart follows.
+// The number and kind of retakes to record after the finding has stopped play; none if a different
+// restart follows.
 Retakes retakes_after(const Retakes& before, const Finding& finding);
 
 }  // namespace autoref::referee

@@ -54,7 +54,8 @@ bool is_at_rest(const TeamPlacement& placing, const RefereeInput& input) {
                     input.time_s());
 }
 
-// Whether a ball at rest there can stay ("No ball placement is required if ...").
+// Whether a ball that rests at this position can stay there ("No ball placement is required if
+// ...").
 bool is_near_enough(const RefereeState& state, const RefereeInput& input) {
   const Field& field = input.configuration.field;
   const RuleBook& rules = input.configuration.rules;
@@ -94,7 +95,8 @@ PlacementStep next_step(const RefereeState& state, const RefereeInput& input) {
 
 struct RobotGap {
   double any_m = std::numeric_limits<double>::infinity();
-  double own_m = std::numeric_limits<double>::infinity();  // from the placing team
+  // Smallest gap to a robot of the placing team.
+  double own_m = std::numeric_limits<double>::infinity();
 };
 
 // The smallest gaps between the ball and the robots' hulls.
@@ -134,7 +136,8 @@ Finding outcome_of(Event event, const RefereeState& state, const RefereeInput& i
   return finding;
 }
 
-// How far the ball is from its position, either before it is placed or where it was left.
+// How far the ball is from its designated position, either before it is placed or after it has been
+// left.
 Finding step_of(const RefereeState& state, const RefereeInput& input) {
   Finding finding;
   finding.event = Event::kSignalled;

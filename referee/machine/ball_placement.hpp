@@ -13,25 +13,25 @@
 
 namespace autoref::referee {
 
-// Leaves the placement for the finding's restart to a team: the one that takes the restart or, for
-// a force start, one drawn by lot. The restart is the finding's own, unless the team has failed too
-// often in this half and the ball went out: then the opponents get it. No effect for kick-offs and
-// penalty kicks.
+// Leaves the ball placement for the finding's restart to the team that takes the restart or, for a
+// force start, to a team drawn by lot. If the ball went out and the team has failed to place it too
+// often in this half, the opponents get the restart instead. For kick-offs and penalty kicks, this
+// has no effect.
 void leave_to_team(RefereeState& state, const RuleBook& rules, const Finding& finding);
 
-// Whether a team places the ball before this restart: before free kicks and force starts. "The
-// referee has to place the ball for all kickoffs and all penalty kicks."
+// Whether a team places the ball before this restart. Teams place it before free kicks and force
+// starts. "The referee has to place the ball for all kickoffs and all penalty kicks."
 bool is_placed_by_team(CommandKind kind);
 
 // Whether a team has to place the ball but has not yet been ordered to.
 bool is_placement_due(const RefereeState& state);
 
 // In WAIT_STOP, while a placement is pending: decides how the ball gets to its position and reports
-// kSignalled, either a second after the STOP or once the ball has come to rest nearby.
+// kSignalled a second after the STOP, or once the ball has come to rest near its position.
 std::optional<Finding> find_placement_step(RefereeState& state, const RefereeInput& input);
 
-// In PLACEMENT: kPlacementSucceeded, kPlacementFailed, or kSignalled once the ball has come to rest
-// out of the robots' reach.
+// In PLACEMENT: returns kPlacementSucceeded, kPlacementFailed, or kSignalled once the ball has come
+// to rest out of the robots' reach.
 std::optional<Finding> find_placement_outcome(RefereeState& state, const RefereeInput& input);
 
 }  // namespace autoref::referee

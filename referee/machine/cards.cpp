@@ -104,7 +104,7 @@ void take_card_off(RefereeState& state, const Configuration& configuration,
                    const Finding& finding) {
   for (const Side side : kSides) {
     auto& ends_s = state.cards[side].yellow_ends_s;
-    // All yellow cards last equally long, so the first one in the list is the first to end.
+    // All yellow cards have the same duration, so the first one in the list is the first to end.
     if (concerns(finding, side) && !ends_s.empty()) ends_s.erase(ends_s.begin());
   }
   allow_robots(state, configuration);

@@ -10,8 +10,8 @@
 
 namespace autoref::referee {
 
-// The next card for a side with these cards. If the rule book says so, the third active yellow card
-// becomes a red one (2026).
+// The next card for a side that already has these cards. If the rule book says so, the third active
+// yellow card becomes a red one (2026).
 Card next_card(const CardBook& cards, const RuleBook& rules);
 
 // Why a finding brings the card `shown` to the offender, or to both sides: "6th foul (every 3rd
@@ -23,8 +23,8 @@ std::string card_reason(const PerSide<CardBook>& before, const Finding& finding,
 // showing a card.
 void count_foul(RefereeState& state, const RefereeInput& input, const Finding& finding);
 
-// Records, for each side whose number of robots allowed has changed from `before`, that it changed
-// in this frame.
+// Compares the number of robots allowed per side with `before`. For each side where it differs,
+// records that it changed in this frame.
 void note_robots_allowed(RefereeState& state, const RefereeInput& input,
                          const PerSide<int>& before);
 

@@ -38,7 +38,7 @@ double margin_of(const Finding& finding) {
   return std::min(1.0, std::abs(finding.value - finding.threshold) / scale);
 }
 
-// The time of the newest touch by that side.
+// The time of the newest touch by this side.
 std::optional<double> last_touch_s(const TouchHistory& touches, Side side) {
   for (int back = 0; touches.has(back); ++back) {
     if (touches.at(back).side == side) return touches.at(back).ended_s;
@@ -52,7 +52,7 @@ double contest_of(const TouchHistory& touches) {
   return west_s && east_s ? exponential(-std::abs(*west_s - *east_s) / kContest_s) : 0;
 }
 
-// The card actually shown, which may differ from the finding's.
+// The card actually shown, which may differ from the one in the finding.
 Card card_shown(const RefereeSignal& before, const RefereeSignal& after) {
   for (const Side side : kSides) {
     if (after.red_cards[side] > before.red_cards[side]) return Card::kRed;

@@ -60,7 +60,7 @@ bool is_penalty_pending(const RefereeState& state, const RefereeInput& input) {
   return state.play.is_penalty() && !is_penalty_over(state, input);
 }
 
-// GOAL stays in force for a frame, so that everybody sees it.
+// The command GOAL stays in force for a frame, so that every receiver sees it.
 bool is_goal_being_signalled(const RefereeState& state, const RefereeInput& input) {
   return state.signal.command.kind == CommandKind::kGoal &&
          state.signal.command_time_s == input.time_s();
@@ -150,7 +150,7 @@ bool is_extra(const Configuration& configuration, int half) {
 }
 
 double clock_s(const RefereeState& state, const RuleBook& rules, double now_s) {
-  // The clock counts either actual play only, or all time except timeouts.
+  // The game clock counts either actual play only, or all time except timeouts.
   if (rules.clock_stops) return state.play_clock.at_s(now_s);
   return now_s - state.timeout_clock.at_s(now_s);
 }

@@ -10,7 +10,7 @@
 
 namespace autoref::referee {
 
-// A condition and its wording in the figure; the wording is empty if the condition always holds.
+// A condition and its wording in the figure; the wording is empty if the guard always holds.
 struct Guard {
   std::string_view text;
   bool (*holds)(const RefereeState& state, const RefereeInput& input);
@@ -55,13 +55,13 @@ inline constexpr Guard kFoulsAreNoted{"fouls only count", fouls_are_noted};
 // A half's clock starts with the ready command (NORMAL_START) and runs until the half is over
 // (paper, section 4.2, "Time-Related Rules"), except during timeouts. If the rule book says so
 // (2026), it stops whenever play is stopped. "Additional time is allowed for a penalty kick to be
-// taken at the end of each half" (Laws 7 and 14; 2026, Penalty Kick): a half is not over until a
-// penalty kick awarded in it is.
+// taken at the end of each half" (Laws 7 and 14; 2026, Penalty Kick). So a half does not end before
+// a penalty kick awarded in it has been completed.
 
 // The first half of extra time. It follows the game's second half, even if the game has only one.
 inline constexpr int kFirstExtraHalf = 2;
 
-// The stages of half `half`, counted from 0: before its kick-off, while it runs, and the break
+// The stages of half `half`, counted from 0: before its kick-off, during it, and in the break
 // before it (from the second half on).
 Stage stage_before(int half);
 Stage stage_of(int half);
@@ -74,7 +74,8 @@ bool is_before_half(Stage stage);
 // Whether the stage is a break between two halves.
 bool is_break(Stage stage);
 
-// The side that kicks off half `half`: the configured side in the first half, then alternating.
+// The side that kicks off half `half`: the configured side kicks off the first half, and the sides
+// alternate after that.
 Side kickoff_side(const Configuration& configuration, int half);
 
 // The half after `half`, which must not be the last one.
@@ -94,8 +95,8 @@ std::optional<HalfClock> half_clock(const RefereeState& state, const Configurati
 double time_left_s(const RefereeState& state, const Configuration& configuration, double now_s);
 
 // When the running half's time is up and no penalty kick remains to be taken: kHalfOver, or
-// kGameOver after the last half. If a knockout game is level then: kExtraTime, or kShootout after
-// extra time.
+// kGameOver after the last half. If a knockout game is level at the end: kExtraTime, or kShootout
+// after extra time.
 std::optional<Finding> find_time_over(const RefereeState& state, const RefereeInput& input);
 
 }  // namespace autoref::referee

@@ -1,4 +1,4 @@
-// The machine's transitions, and its step.
+// The machine's transitions, and step().
 #include "referee/machine/machine.hpp"
 
 #include <algorithm>
@@ -98,7 +98,8 @@ bool leads_on(const Transition& transition, const RefereeState& state, const Ref
          transition.guard.holds(state, input);
 }
 
-// The clock of actual play runs only in RUN; a transition from RUN to RUN does not affect it.
+// The clock that counts actual play runs only in RUN; a transition from RUN to RUN does not affect
+// it.
 void follow_play(RefereeState& state, State before, double now_s) {
   if (before == state.machine_state) return;
   if (before == State::kRun) state.play_clock.stop(now_s);

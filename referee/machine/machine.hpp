@@ -1,7 +1,7 @@
 // The paper's finite state machine (section 4.3, figure 3) as a table, one row per transition.
 //
-// The machine owns no data. A step is a pure function: the result depends only on the state, the
-// frame and the finding, and the new state is returned. The referee calls it once per finding.
+// The machine owns no data. A step is a pure function that returns the new state: the result
+// depends only on the state, the frame and the finding. The referee calls step() once per finding.
 #pragma once
 
 #include <array>
@@ -20,12 +20,12 @@
 
 namespace autoref::referee {
 
-// Whether a call of this event would stop play, either always or because fouls do under the rule
-// book.
+// Whether a call of this event would stop play, either always or because fouls stop play under the
+// rule book.
 bool stops_play(Event event);
 bool stops_play_by_book(Event event);
 bool counts_in_play(Event event);
-// Whether the event is a foul by one side that can decide a penalty kick.
+// Whether the event is a foul by one side, so that it can decide a penalty kick.
 bool may_decide_penalty(Event event);
 
 // The trigger of a transition: one event, or every event of a kind (event.hpp).
@@ -63,7 +63,8 @@ std::span<const Transition> transitions_in_figure();
 // The transitions of game time, which "operates outside this diagram".
 std::span<const Transition> transitions_outside_figure();
 
-// Transitions for calls that the paper's referee lacks. They differ only in their triggering event.
+// Transitions for calls that the paper's referee lacks. These transitions differ only in the event
+// that triggers them.
 std::span<const Transition> transitions_beyond_paper();
 
 // Transitions for cards, timeouts and knockout games (administration.cpp). They are tried first,
@@ -87,14 +88,14 @@ struct Step {
   std::optional<Command> sent;  // the command sent, if any
 };
 
-// Takes the first transition from the current state that the finding triggers, among
-// all_transitions() or those of other tables.
+// Takes the first transition from the current state that the finding triggers, either from
+// all_transitions() or from the given tables.
 Step step(const RefereeState& state, const RefereeInput& input, const Finding& finding);
 Step step(std::span<const std::span<const Transition>> tables, const RefereeState& state,
           const RefereeInput& input, const Finding& finding);
 
-// Transitions of games that begin in the middle of a half (referee/state.hpp). Tried before all
-// others: without a MidwayStart, none of them applies.
+// Transitions of games that begin in the middle of a half (referee/state.hpp). They are tried
+// before all others; if the game has no MidwayStart, none of them applies.
 std::span<const Transition> transitions_midway();
 
 }  // namespace autoref::referee

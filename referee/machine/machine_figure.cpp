@@ -71,7 +71,7 @@ std::vector<MachineEdge> edges_of(std::span<const Transition> transitions) {
   return edges;
 }
 
-// A line of text in a label, which is HTML.
+// One line of text in a label. Labels are HTML.
 std::string label_row(std::string_view text) {
   std::string row = "<tr><td>";
   for (const char c : text) {
@@ -86,7 +86,7 @@ std::string label_row(std::string_view text) {
   return row + "</td></tr>";
 }
 
-// One line for each assignment, which are separated by "; ".
+// One line for each assignment. In the transition's text, assignments are separated by "; ".
 std::string action_rows(std::string_view text) {
   constexpr std::string_view kBetween = "; ";
   std::string rows;

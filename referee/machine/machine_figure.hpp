@@ -13,7 +13,7 @@ namespace autoref::referee {
 // transitions. Ends with a newline.
 std::string machine_figure();
 
-// The diagram and the table for other transitions.
+// The same diagram and table for the given transitions.
 std::string machine_figure(std::span<const Transition> transitions);
 
 // Parts of a transition as text: its condition ("ready, next is a preparation") and the names of

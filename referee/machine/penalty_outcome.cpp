@@ -14,13 +14,14 @@
 namespace autoref::referee {
 namespace {
 
-// Minimum length of the ball's path before and after a touch for measuring its direction. Over this
-// length, noise of a few millimetres changes the direction by only a few degrees.
+// Minimum length of the ball's path before and after a touch that is needed to measure the path's
+// direction. Over this length, noise of a few millimetres changes the direction by only a few
+// degrees.
 constexpr double kShortest_m = 100_mm;
-// A ball slower than this does not count as moving, because of vision noise.
+// Because of vision noise, a ball slower than this does not count as moving.
 constexpr double kMoves_mps = 0.2_mps;
-// Standard deviations of both positions by which the distance that a ball has moved back must
-// exceed the tolerance.
+// The distance that a ball has moved back must exceed the tolerance by this many standard
+// deviations of both positions.
 constexpr double kSurelyBack = 3;
 
 bool is_by_keeper(const BallTouch& touch, Side side, const RefereeInput& input) {
@@ -49,7 +50,7 @@ PenaltyFailure turned(double turn_deg, const RuleBook& rules) {
 
 PenaltyFailure without_measure(const char* evidence) { return {0, 0, "", evidence}; }
 
-// In a shoot-out, a kick is over once any defender has turned it back.
+// In a shoot-out, a kick is over once any defender has turned the ball back.
 bool is_saved(const RefereeState& state, const RefereeInput& input) {
   const Side defender = opponent_of(*state.play.kicker);
   return input.last_touch.side == defender && input.tracks.ball &&
@@ -66,7 +67,8 @@ bool is_played_again(const RefereeState& state, const RefereeInput& input) {
 }
 
 // "The ball has to only move towards the opponent goal" (2026). The ball may come back by the
-// distance that it has to move to be in play, or off a defender: then the angle decides.
+// distance that it has to move to be in play. It may also come back off a defender; in that case,
+// the angle decides.
 std::optional<PenaltyFailure> moved_back(const RefereeState& state, const RefereeInput& input) {
   if (!input.ball || input.last_touch.side == opponent_of(*state.play.kicker)) return std::nullopt;
   const double back_m = state.play.farthest_m - goalwards_m(state.play, input);
@@ -77,7 +79,7 @@ std::optional<PenaltyFailure> moved_back(const RefereeState& state, const Refere
                         fmt::format("The ball has moved back by {:.0f} mm.", 1e3 * back_m)};
 }
 
-// Failures that only exist under some rule books or in a shoot-out.
+// Reasons for failure that only exist under some rule books or in a shoot-out.
 std::optional<PenaltyFailure> special_failure(const RefereeState& state,
                                               const RefereeInput& input) {
   const bool is_2026 = input.configuration.rules.edition == Edition::kRules2026;
@@ -106,8 +108,9 @@ Side next_kicker(const ShootoutBook& book, const Configuration& configuration) {
 }
 
 bool is_decided(const ShootoutBook& book, int kicks) {
-  // Decided once a side leads by more than the other can still score. After the regular kicks
-  // (sudden death), the only remaining kick is the one that makes the numbers of kicks equal.
+  // A shoot-out is decided once a side leads by more goals than the other can still score. After
+  // the regular kicks (sudden death), the only remaining kick is the one that makes the numbers of
+  // kicks equal.
   const int most = std::max({kicks, book.kicks[Side::kWest], book.kicks[Side::kEast]});
   return std::any_of(kSides.begin(), kSides.end(), [&](Side side) {
     const Side other = opponent_of(side);

@@ -1,4 +1,4 @@
-// How a penalty kick ends, the order of kicks in a shoot-out, and when it ends.
+// How a penalty kick ends, the order of kicks in a shoot-out, and when a shoot-out ends.
 //
 // A penalty kick fails if the ball goes out, if the keeper turns the ball's path by 90 degrees or
 // more, or 10 s after the signal (2026, Penalty Kick; shoot-outs under all rule books). In 2026 it
@@ -25,8 +25,8 @@ namespace autoref::referee {
 
 // The order of a shoot-out's kicks, and when it is decided (Laws 2014, appendix A; 2026).
 //
-// The sides alternate. The side that kicked off the game begins, so lots are drawn only for ends
-// and kick-off.
+// The sides alternate. The side that kicked off the game begins, so only the ends and the kick-off
+// are decided by lot.
 
 // If a shoot-out is still level after this many kicks per side, it is a draw. This is AutoRef's own
 // limit, for teams that cannot score.
@@ -52,17 +52,17 @@ struct PenaltyFailure {
 // Whether the ball is in the goal that the penalty kick is aimed at. Play must be a penalty kick.
 bool is_penalty_goal(const RefereeState& state, const RefereeInput& input);
 
-// Whether a foul by the defenders makes the penalty kick a goal (2026). Play must be a penalty
-// kick.
+// Whether a goal is awarded because the defenders committed a foul during the penalty kick (2026).
+// Play must be a penalty kick.
 bool is_goal_awarded(const RefereeState& state, const RefereeInput& input);
 
 // Why the penalty kick has failed; nullopt if it has not failed yet or is a goal. Play must be a
 // penalty kick.
 std::optional<PenaltyFailure> penalty_failure(const RefereeState& state, const RefereeInput& input);
 
-// Whether the penalty kick is over, though play may continue: it is a goal, it has failed or, under
-// the Laws, a robot other than the keeper has played the ball after the kick. Play must be a
-// penalty kick.
+// Whether the penalty kick is over, though play may continue. It is over if it is a goal, if it has
+// failed or, under the Laws, if a robot other than the keeper has played the ball after the kick.
+// Play must be a penalty kick.
 bool is_penalty_over(const RefereeState& state, const RefereeInput& input);
 
 }  // namespace autoref::referee

@@ -18,10 +18,10 @@ bool is_look_due(const RefereeState& state, const RefereeInput& input) {
   return has_passed(state.checked_s, input.configuration.rules.readiness_period_s, input.time_s());
 }
 
-// Deviation D13: the ball must also rest at its position.
+// Deviation D13: the ball must also be at rest at its designated position.
 //
-// It rests once it has stayed within the tolerance for as long as a ball at the resting speed would
-// need to cross it, regardless of the noise in single frames.
+// The ball counts as at rest once it has stayed within the tolerance for as long as a ball at the
+// resting speed would need to cross the tolerance. Noise in single frames does not matter.
 double rest_time_s(const RuleBook& rules) {
   return 2 * rules.ball_in_position_m / rules.ball_at_rest_mps;
 }
@@ -54,7 +54,8 @@ Finding timeout_finding(Event event, std::string_view rule, double waited_s, dou
   return finding;
 }
 
-// Deviation D5: one robot per team is enough, as section 4.4 says; section 4.3 says "all robots".
+// Deviation D5: one moving robot per team is enough, as section 4.4 says; section 4.3 says "all
+// robots".
 bool is_more_on_both_sides(const LargestMoves& moves, double limit_m) {
   return std::all_of(kSides.begin(), kSides.end(),
                      [&](Side side) { return moves.robot[side] && moves.move_m[side] > limit_m; });

@@ -28,17 +28,18 @@ struct PlayState {
   Command began_with;  // NORMAL_START, a free kick or FORCE_START
   Command restart;     // the command that repeats this restart: either the same one or its PREPARE
                        // command
-  Vec2 position_m{0, 0};            // where the ball was placed for it
+  Vec2 position_m{0, 0};            // where the ball was placed for the restart
   std::optional<Side> kicker;       // the side that takes the restart; nullopt after a force start
   double began_s = 0;               // when the restart was signalled
-  std::optional<Vec2> ball_from_m;  // where the ball was then; nullopt until it is seen
-  bool in_play = false;             // the ball has moved, or does not need to
+  std::optional<Vec2> ball_from_m;  // where the ball was at `began_s`; nullopt until it is seen
+  bool in_play = false;             // the ball has moved, or need not move for this restart
   bool entered_now = false;         // the ball entered play in this frame
   double in_play_since_s = 0;       // meaningless until the ball is in play
-  TouchHistory touches;             // since play began
+  TouchHistory touches;             // touches since play began
   Vec2 stuck_at_m{0, 0};            // the ball has stayed near this position since `stuck_since_s`
   double stuck_since_s = 0;
-  // At penalty kicks: how far the ball has got towards the goal, and the sides whose fouls decide.
+  // Only at penalty kicks: how far the ball has got towards the goal, and the sides that have
+  // committed a foul that can decide the kick.
   double farthest_m = -std::numeric_limits<double>::infinity();
   PerSide<bool> has_fouled;
 
@@ -74,9 +75,9 @@ struct CardBook {
   int fouls = 0;                   // only those that count towards a card
   int cards_for_fouls = 0;         // cards shown for these fouls
   std::optional<double> fouled_s;  // when the last non-stopping foul was called
-  // When the active yellow cards end, by the play clock, oldest first.
+  // When the active yellow cards end, in terms of the play clock, oldest first.
   boost::container::static_vector<double, kMaxRobots> yellow_ends_s;
-  std::optional<double> fewer_since_s;     // when the number allowed last changed
+  std::optional<double> fewer_since_s;     // when the number of robots allowed last changed
   std::optional<double> too_many_since_s;  // when the side began to have too many robots on the
                                            // field
   bool too_many_called = false;            // whether this was called since the number allowed last
@@ -97,10 +98,10 @@ struct ShootoutBook {
 
 // How the ball gets to the next restart's position.
 enum class PlacementStep : std::uint8_t {
-  kNone,       // placed by hand, or already there
+  kNone,       // placed by hand, or already at its position
   kUndecided,  // a team has to place it, but has not yet been ordered to
   kByTeam,     // placed by the team's robots
-  kStays,      // near enough to stay
+  kStays,      // near enough to its position to stay where it is
   kByHand,     // placed by hand: the robots cannot reach it, or may not place it
 };
 
@@ -108,42 +109,43 @@ enum class PlacementStep : std::uint8_t {
 struct TeamPlacement {
   PlacementStep step = PlacementStep::kNone;
   Side side = Side::kWest;   // the side that has to place the ball
-  Command restart;           // as first given, before a failure changed it
-  PerSide<bool> has_failed;  // whether each side has failed to place the ball for this restart
+  Command restart;           // the restart as first given, before a failed placement changed it
+  PerSide<bool> has_failed;  // whether the side has failed to place the ball for this restart
   Vec2 target_m{0, 0};       // the designated position
-  double distance_m = 0;     // from the ball to that position when the side was ordered to place it
-  Vec2 mark_m{0, 0};         // the ball has stayed near this position since `still_since_s`
+  // Distance from the ball to `target_m` when the side was ordered to place it.
+  double distance_m = 0;
+  Vec2 mark_m{0, 0};  // the ball has stayed near this position since `still_since_s`
   double still_since_s = 0;
 };
 
 struct RefereeState {
   State machine_state = State::kInit;
   std::optional<MidwayStart> midway_start;  // nullopt if the game begins with the first kick-off
-  RefereeSignal signal;  // in force; includes score, placement and the paper's `next`
+  RefereeSignal signal;  // the signal in force; includes score, placement and the paper's `next`
 
-  double wait_began_s = 0;  // in WAIT_START and WAIT_STOP: start of the timeout
+  double wait_began_s = 0;  // in WAIT_START and WAIT_STOP: when the wait, and so its timeout, began
   SavedPositions saved;     // reference positions for detecting whether robots move
   double checked_s = 0;     // when the positions were last compared
   std::optional<double> ball_in_position_since_s;
-  double delay_ends_s = 0;  // in DELAY_WAIT
+  double delay_ends_s = 0;  // in DELAY_WAIT: when the delay ends
   PlayState play;
-  RuleWatch watch;          // what the rules have recorded since play last started or stopped
+  RuleWatch watch;          // the rules' records since play last started or stopped
   Stopwatch play_clock;     // time spent in RUN, over all halves
   Stopwatch timeout_clock;  // time spent in timeouts
   PerSide<CardBook> cards;
   std::optional<Command> prepared;  // the kick-off or penalty that NORMAL_START will start
-  Retakes retakes;                  // of the current or next restart
+  Retakes retakes;                  // how often the current or next restart has been retaken
   PerSide<TimeoutBook> timeouts;
-  Side timeout_side = Side::kWest;  // meaningless outside TIMEOUT
+  Side timeout_side = Side::kWest;  // the side that takes the timeout; meaningless outside TIMEOUT
   ShootoutBook shootout;
 
-  int half = 0;             // current or next, counted from 0
+  int half = 0;             // the current or next half, counted from 0
   double half_began_s = 0;  // start of the half, on the clock of clock_s() (guards.hpp)
   int games_finished = 0;
   boost::container::static_vector<PerSide<int>, kMaxHalves> goals_by_half{PerSide<int>{}};
 
   TeamPlacement placing;
-  PerSide<int> placement_failures;  // in this half; successes reduce them
+  PerSide<int> placement_failures;  // failed placements in this half; successful ones reduce it
 };
 
 }  // namespace autoref::referee

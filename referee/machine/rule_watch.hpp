@@ -19,8 +19,8 @@ namespace autoref::referee {
 // Timers for offences that are allowed for a grace period. Each robot is reported once per stop.
 class GraceTimer {
  public:
-  // Records whether the robot is offending in this frame. Returns whether it has offended for
-  // `grace_s` without having been reported.
+  // Records whether the robot is offending in this frame. Returns whether the robot has now been
+  // offending for `grace_s` and has not yet been reported.
   bool is_due(RobotId robot, bool offends, double grace_s, double now_s);
   void mark_reported(RobotId robot) { of(robot).is_reported = true; }
 
@@ -80,15 +80,16 @@ class RobotSet {
 struct Collision {
   RobotId faster;
   RobotId slower;
-  double closing_mps = 0;  // relative velocity just before, along the line of their centres
-  double closing_deviation_mps = 0;  // its standard deviation
-  double lead_mps = 0;               // difference between their speeds
-  double angle_rad = 0;              // between their velocities; 0 if one of them is standing still
-  Vec2 position_m{0, 0};             // midpoint of their centres
-  Vec2 faster_m{0, 0};               // centre of the faster one
+  // Relative velocity just before the collision, along the line between the centres.
+  double closing_mps = 0;
+  double closing_deviation_mps = 0;  // standard deviation of `closing_mps`
+  double lead_mps = 0;               // difference between the robots' speeds
+  double angle_rad = 0;   // angle between the robots' velocities; 0 if one robot is standing still
+  Vec2 position_m{0, 0};  // midpoint between the robots' centres
+  Vec2 faster_m{0, 0};    // centre of the faster robot
 };
 
-// Two opponents that may have collided at `met_s`, by number.
+// The robot numbers of two opponents that may have collided at `met_s`.
 struct PairMeeting {
   int west = 0;
   int east = 0;
@@ -101,7 +102,8 @@ struct CrashWatch {
   // Frame n (FrameHistory) is stored at n modulo the size.
   std::array<PerSide<std::uint32_t>, 64> seen{};
   boost::container::static_vector<PairMeeting, kMaxRobots * kMaxRobots>
-      meetings;  // not yet measured; has room for every pair, so that no pair is favoured
+      meetings;  // possible collisions, not yet measured; can hold every pair, so that no pair is
+                 // favoured
   // When west robot [i] and east robot [j] were last in contact.
   std::array<std::array<double, kMaxRobots>, kMaxRobots> met_s = never_met();
   boost::container::static_vector<Collision, 32> unreported;
@@ -114,17 +116,17 @@ struct CrashWatch {
   }
 };
 
-// Two opponents close to each other, by number.
+// Two opponents close to each other, given by their numbers.
 struct PushContact {
   int west = 0;
   int east = 0;
   bool is_near = true;
-  bool is_followed = false;  // for at least one frame so far
+  bool is_followed = false;  // the contact has lasted for at least one frame
   bool are_in_contact = false;
-  PerSide<Vec2> from_m{{Vec2(0, 0), Vec2(0, 0)}};      // where they were when contact began
-  Vec2 ball_from_m{0, 0};                              // where the ball was then
-  PerSide<Vec2> before_mps{{Vec2(0, 0), Vec2(0, 0)}};  // their velocities just before
-  // Whether a robot that was driven back far enough to count as pushed had driven that way itself.
+  PerSide<Vec2> from_m{{Vec2(0, 0), Vec2(0, 0)}};      // where the robots were when contact began
+  Vec2 ball_from_m{0, 0};                              // where the ball was when contact began
+  PerSide<Vec2> before_mps{{Vec2(0, 0), Vec2(0, 0)}};  // the robots' velocities just before contact
+  // Whether a robot that moved back far enough to count as pushed was driving that way by itself.
   PerSide<bool> drove_itself{{false, false}};
 };
 
@@ -132,7 +134,7 @@ struct PushContact {
 // 60 pairs in contact, plus a few pairs that are close.
 struct PushingWatch {
   boost::container::static_vector<PushContact, 3 * 2 * kMaxRobots> contacts;
-  RobotSet with_ball;  // in contact with the ball
+  RobotSet with_ball;  // robots in contact with the ball
 };
 
 struct DribblingWatch {
@@ -145,15 +147,15 @@ struct KeeperHoldingWatch {
   std::optional<double> last_s;  // when a keeper last had the ball
 };
 
-// Robots in forbidden positions, and the worst measured violation.
+// Robots in forbidden positions, and the value measured for the worst violation.
 struct PositionViolation {
   ConcernedRobots robots;
   RobotId worst;
   double worst_m = 0;
 
   bool any() const { return !robots.empty(); }
-  // Adds the robot, up to the number of robots that a decision can name. If `is_worse`, it becomes
-  // the worst.
+  // Adds the robot, unless the list already has as many robots as a decision can name. If
+  // `is_worse`, this violation becomes the worst.
   void add(RobotId robot, double measured_m, bool is_worse) {
     if (robots.empty() || is_worse) {
       worst = robot;
@@ -165,7 +167,8 @@ struct PositionViolation {
 
 // Fouls during a stop and the free kick that follows it (2026).
 struct AttackerNearAreaWatch {
-  PerSide<std::optional<double>> grace_from_s;  // start of the stop, or the team's first foul
+  // Start of the grace period: the start of the stop, or the team's first foul.
+  PerSide<std::optional<double>> grace_from_s;
   PerSide<int> fouls;
 
   bool is_second() const { return fouls[Side::kWest] > 1 || fouls[Side::kEast] > 1; }
@@ -179,7 +182,7 @@ struct RestartDistanceWatch {
 // The touch for which a non-stopping foul was called (2026).
 struct CalledTouch {
   std::optional<RobotId> robot;  // nullopt if no foul was called
-  double ended_s = 0;            // last known end of the touch
+  double ended_s = 0;            // when the touch ended, as far as is known
   double called_s = 0;
 };
 
@@ -190,27 +193,27 @@ struct StopSpeedWatch {
 };
 
 struct KickoffPositionsWatch {
-  PerSide<PositionViolation> before;  // in the last frame before the ball was in play
+  PerSide<PositionViolation> before;  // violations in the last frame before the ball was in play
 };
 
 struct PenaltyPositionsWatch {
   PerSide<PositionViolation> others;  // robots other than kicker and keeper, in that frame
   PositionViolation keeper;
-  bool is_over = false;  // the outcome is known
+  bool is_over = false;  // whether the outcome of the kick is known
 };
 
-// Top speed of a kick while the ball's height was unknown.
+// The highest speed measured for a kick while the ball's height was unknown.
 struct KickSpeedWatch {
-  std::optional<double> kicked_s;  // when the touch ended; nullopt without a kick
+  std::optional<double> kicked_s;  // when the kicker's touch ended; nullopt if there was no kick
   double speed_mps = 0;
   bool is_in_air = false;
 };
 
-// Which robots of a side were offside at its newest touch, and at the one before.
+// Which robots of a side were offside at its newest touch, and at its previous touch.
 struct OffsideWatch {
   struct Pass {
-    int touch = 0;       // number since play began, from 1; 0 for no touch
-    double ended_s = 0;  // end of that touch
+    int touch = 0;       // touches since play began are counted from 1; 0 means no touch
+    double ended_s = 0;  // when that touch ended
     Side side = Side::kWest;
     RobotSet offside;  // the side's robots in an offside position
   };
@@ -227,8 +230,10 @@ struct RuleWatch {
   StopSpeedWatch bot_too_fast_in_stop;
   GraceTimer stop_distance;
   GraceTimer bot_interfered_placement;
-  bool interference_is_called = false;  // for the current placement
-  bool boundary_is_crossed = false;     // called since the ball was last inside the boundary
+  // Whether interference was called during the current placement.
+  bool interference_is_called = false;
+  // Whether this was called since the ball was last inside the boundary.
+  bool boundary_is_crossed = false;
   AttackerNearAreaWatch attacker_too_close_to_defense_area;
   RestartDistanceWatch defender_too_close_to_kick_point;
   KickoffPositionsWatch kickoff_positions;
@@ -239,7 +244,8 @@ struct RuleWatch {
   OffsideWatch offside;
 };
 
-// The records that are kept when play starts, because a free kick belongs to the preceding stop.
+// The records that are kept when play starts, because the rules for a stop also cover the free kick
+// that follows it.
 inline RuleWatch kept_at_start(const RuleWatch& watch) {
   RuleWatch kept;
   kept.attacker_too_close_to_defense_area = watch.attacker_too_close_to_defense_area;

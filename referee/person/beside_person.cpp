@@ -13,9 +13,10 @@
 namespace autoref::referee {
 namespace {
 
-constexpr double kSlowDown_s = 2_s;              // 2026: robots have 2 s to slow down after a STOP
-constexpr double kGoesOn_s = 1_s;                // our choice
-constexpr double kLongestWait_s = 15_s;          // for the person's answer to a call; our choice
+constexpr double kSlowDown_s = 2_s;  // 2026: robots have 2 s to slow down after a STOP
+constexpr double kGoesOn_s = 1_s;    // our choice
+// Longest wait for the person's answer to a call; our choice.
+constexpr double kLongestWait_s = 15_s;
 constexpr double kCalledFor_s = 1_s;             // our choice: after this time, the event is a new
                                                  // one
 constexpr double kFasterThanStop_mps = 0.3_mps;  // margin for the estimate of a robot's speed
@@ -26,7 +27,7 @@ bool would_stop_play(const RefereeInput& input, Event event) {
          (stops_play_by_book(event) && input.configuration.rules.fouls_stop_play);
 }
 
-// Whether the command differs from the one that AutoRef's call would lead to.
+// Whether the command differs from the one to which AutoRef's call would lead.
 bool contradicts(const Finding& call, const Command& command) {
   const bool decides = starts_play(command.kind) || command.kind == CommandKind::kPrepareKickoff ||
                        command.kind == CommandKind::kPreparePenalty;
@@ -79,7 +80,7 @@ std::optional<Finding> BesidePerson::find_before_rules(const RefereeInput& input
   watch_signs(input);
   const double called_s = state().signal.command_time_s;
   const double now_s = input.time_s();
-  // Without a signal, play was still on when the ball left the field.
+  // Since there was no signal, play was still on when the ball left the field.
   const bool has_left = !is_exit_called_ && is_ball_out(input);
   const bool goes_on =
       has_left || (has_passed(called_s, kSlowDown_s, now_s) && visibly_goes_on(now_s));

@@ -1,8 +1,8 @@
 // AutoRef as an official: holds the machine's state, and passes findings to the machine. The
 // referee calls it in each frame.
 //
-// This class works alone: it commands the game (paper, section 4.3) and keeps its time. If somebody
-// else commands the game, a derived class takes its place (person/).
+// This class is for games without a person: it commands the game (paper, section 4.3) and keeps the
+// time. If somebody else commands the game, a derived class takes its place (person/).
 #pragma once
 
 #include <optional>
@@ -24,20 +24,23 @@ class Official {
   RefereeState& state() { return state_; }
   const RefereeState& state() const { return state_; }
 
-  // Notes a signal from whoever commands the game. Returns a finding if it contains a new command.
+  // Records a signal from whoever commands the game. Returns a finding if it contains a new
+  // command.
   virtual std::optional<Finding> follow(const RefereeSignal& given, const RefereeInput& input);
 
-  // The event that the machine's state waits for. Called before the rules of each frame.
+  // Looks for the event that the machine's current state waits for. Called before the rules of each
+  // frame.
   virtual std::optional<Finding> find_before_rules(const RefereeInput& input);
-  // Called after the rules, if they have changed neither the state nor the command.
+  // Looks for further events. Called after the rules, if the rules have changed neither the state
+  // nor the command.
   virtual std::optional<Finding> find(const RefereeInput& input);
-  // Called at the end of each frame.
+  // Looks for the end of a half or game. Called at the end of each frame.
   virtual std::optional<Finding> find_time_over(const RefereeInput& input);
 
-  // Notes a finding. Returns the step that it leads to from the current state; nullopt if there is
-  // none.
+  // Records a finding. Returns the step to which it leads from the current state; nullopt if it
+  // leads to none.
   virtual std::optional<Step> next(const RefereeInput& input, const Finding& finding);
-  // Takes that step.
+  // Takes the step that next() returned.
   virtual void enter(const RefereeInput& input, const Finding& finding, Step step);
 
   // Shows the remaining time in the signal.
@@ -45,17 +48,17 @@ class Official {
 
   // Whether the ball has stayed outside the field since its exit was called, although play is on.
   virtual bool is_exit_called() const { return false; }
-  // Notes that the ball is back.
+  // Records that the ball is back on the field.
   virtual void note_return() {}
 
-  // Forgets the rules' records, because of a long gap before this frame.
+  // Discards the rules' records. Called if there is a long gap before this frame.
   virtual void forget(const Frame& frame);
 
  private:
   RefereeState state_;
 };
 
-// The step, or nullopt if it has no transition.
+// The given step, or nullopt if no transition applies.
 std::optional<Step> if_taken(Step step);
 
 // A finding without evidence, for the first frame or the end of a briefly sent command.

@@ -47,7 +47,7 @@ void count_goals(RefereeState& state) {
   auto& by_half = state.goals_by_half;
   const int half = half_of(state.signal.stage);
   const bool is_shootout = state.signal.stage >= Stage::kShootoutBreak;
-  if (half < state.half && !is_shootout) by_half.assign(1, {});  // another game
+  if (half < state.half && !is_shootout) by_half.assign(1, {});  // a new game has begun
   if (!is_shootout) state.half = half;
   while (static_cast<int>(by_half.size()) <= state.half) by_half.push_back({});
   for (const Side side : kSides) {
@@ -65,8 +65,8 @@ void count_kick(RefereeState& state) {
 
 void end_followed_play(RefereeState& state, const RefereeInput& input) {
   count_kick(state);
-  // As after AutoRef's own stop (actions.cpp), a second foul near the area and a second attempt at
-  // a restart count.
+  // A second foul near the area and a second attempt at a restart count as they do after AutoRef's
+  // own stop (actions.cpp).
   const PerSide<int> fouls_near_area = state.watch.attacker_too_close_to_defense_area.fouls;
   const Finding* call = input.own_call;
   const Retakes retakes = call == nullptr ? Retakes{} : retakes_after(state.retakes, *call);
@@ -76,8 +76,8 @@ void end_followed_play(RefereeState& state, const RefereeInput& input) {
   if (stays_near_area) state.watch.attacker_too_close_to_defense_area.fouls = fouls_near_area;
 }
 
-// When the command was given. Only a command that was in force when AutoRef joined is older than
-// this frame.
+// The time when the command was given. Only a command that was in force when AutoRef joined is
+// older than this frame.
 double given_s(const RefereeState& state, const RefereeInput& input) {
   const bool is_joining = state.machine_state == State::kInit;
   return is_joining ? std::min(input.time_s(), input.given->command_time_s) : input.time_s();
@@ -246,7 +246,8 @@ void take_values(RefereeState& state, const RefereeInput& input) {
   signal.robots_allowed = given.robots_allowed;
   signal.yellow_cards = given.yellow_cards;
   signal.red_cards = given.red_cards;
-  // It is unknown when the number changed before AutoRef joined, so the time to leave starts now.
+  // If the number of robots allowed changed before AutoRef joined, the time of the change is
+  // unknown, so the time to leave starts now.
   note_robots_allowed(state, input, robots_before);
   count_goals(state);
   // In CALLED, AutoRef's own restart is in force.

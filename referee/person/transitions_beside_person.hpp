@@ -9,7 +9,7 @@ namespace autoref::referee {
 
 std::span<const Transition> transitions_beside_person();
 
-// Whether play can begin after a command.
+// Whether play can begin after this command.
 bool starts_play(CommandKind kind);
 
 // Takes the score, cards, stage, placement and next command from the person's signal.

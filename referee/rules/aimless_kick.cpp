@@ -34,7 +34,8 @@ std::optional<Finding> find_aimless_kick(RefereeState& state, const RefereeInput
   if (kick == nullptr || !kick->side) return std::nullopt;
   const std::optional<Vec2> exit_m = over_goal_line_m(input);
   if (!exit_m) return std::nullopt;
-  // Now that the ball is out, its whole path is known and may reveal another last touch.
+  // Now that the ball is out, its whole path is known and may reveal that another touch was the
+  // last.
   if (input.last_touch.side != kick->side) return std::nullopt;
   const std::optional<RobotId> kicker = input.last_touch.robot;
   const Vec2 from_m = kicker == kick->robot ? kick->ended_m : ball_at(input);

@@ -1,7 +1,7 @@
 // The kicker of a restart must not touch the ball again, once it is in play, before another robot
-// has (Laws 2014, laws 8 and 13 to 17; 2026, Double Touch). "Again" means after ball and robot have
-// separated: several contacts during the kick are one touch. A touch by an unknown robot may have
-// been made by another robot, so it is not penalised.
+// has touched it (Laws 2014, laws 8 and 13 to 17; 2026, Double Touch). "Again" means after ball and
+// robot have separated, so several contacts during the kick count as one touch. A touch by an
+// unknown robot may have been made by another robot, so it is not penalised.
 #include <fmt/format.h>
 
 #include "referee/machine/ball_in_play.hpp"
@@ -31,7 +31,8 @@ std::optional<Finding> find_attacker_double_touched_ball(RefereeState& state,
                                                          const RefereeInput& input) {
   const PlayState& play = state.play;
   if (!play.in_play || !is_straight_from_restart(play)) return std::nullopt;
-  // "Following a kick-off or free kick" (2026); at penalty kicks, only under the Laws.
+  // The rule of 2026 applies "following a kick-off or free kick". At penalty kicks, the rule
+  // applies only under the Laws.
   const bool is_2026 = input.configuration.rules.edition == Edition::kRules2026;
   if (is_2026 && play.is_penalty()) return std::nullopt;
   if (!touches_again(play, input) && !stays_in_contact(play, input)) return std::nullopt;

@@ -1,10 +1,11 @@
 // "When the ball leaves the field without entering a goal, a free kick is awarded to the team which
 // touched the ball less recently" (paper, section 4.2): throw-in, corner kick or goal kick.
 //
-// Deviation D14: if the last touch is unknown, the restart is a goal kick behind a goal line (the
-// paper's "otherwise") and a force start from the throw-in position over a touch line. Other rule
-// books have no "otherwise". Under those, a ball behind a goal line leads to a force start from a
-// neutral position, so that an unseen touch favours neither side.
+// Deviation D14: if the last touch is unknown, a ball that crossed a goal line leads to a goal kick
+// (the paper's "otherwise"), and a ball that crossed a touch line leads to a force start from the
+// throw-in position. Other rule books have no "otherwise". Under those, a ball that crossed a goal
+// line leads to a force start from a neutral position, so that an unseen touch favours neither
+// side.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -53,7 +54,7 @@ std::string touched_by(const LastTouch& touch) {
   return fmt::format("{} touched it last, at {:.3f} s", text_of(*touch.robot), touch.time_s);
 }
 
-// Avoids coordinates, since teams change ends (soccer/referee_signal.hpp).
+// The text does not mention coordinates, since teams change ends (soccer/referee_signal.hpp).
 std::string crossing_text(const Exit& exit) {
   const std::string_view half = colour_of(exit.point_m.x() < 0 ? Side::kWest : Side::kEast);
   if (exit.line == ExitLine::kTouch) {

@@ -1,14 +1,15 @@
 // Two opponents collide: substantial contact (Laws 12), crashing (2026).
 //
-// The measured value is their relative velocity just before, along the line of their centres. The
-// faster robot is at fault. If the speeds differ by less than 0.3 m/s, neither robot is at fault
-// under the Laws of 2014 (play continues without a call), and both are under the 2026 rules.
+// The measured value is their relative velocity just before the collision, along the line of their
+// centres. The faster robot is at fault. If the speeds differ by less than 0.3 m/s, both are at
+// fault under the rules of 2026. Under the Laws of 2014, neither is, and play continues without a
+// call.
 //
-// Robots collide when their 180 mm cylinders do. Between two flat fronts the hulls are then up to
-// 30 mm apart, but robots closing at 1.5 m/s need four times that to brake. The collision is
-// measured a few frames later, from the frames around it (robot_collision.hpp), and called if its
-// speed exceeds the limit by one standard deviation: slower collisions are far more frequent than
-// faster ones.
+// Robots count as colliding when their 180 mm cylinders touch. If two flat fronts face each other,
+// the hulls are still up to 30 mm apart at that time, but robots that approach at 1.5 m/s need four
+// times that distance to brake. The collision is measured a few frames later, from the frames
+// around it (robot_collision.hpp). It is called if its speed exceeds the limit by one standard
+// deviation, because slower collisions are far more frequent than faster ones.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +25,8 @@
 namespace autoref::referee {
 namespace {
 
-constexpr double kTouching_m = 2 * kRobotRadius_m;  // between the centres
+// Distance between the centres of touching robots.
+constexpr double kTouching_m = 2 * kRobotRadius_m;
 // Robots count as separated after being farther apart than this for kApart_s: colliding robots
 // bounce off each other a few times.
 constexpr double kApart_m = kTouching_m + 20_mm;
@@ -36,11 +38,11 @@ constexpr double kMayTouch_m = kTouching_m + 12_mm;
 // kMeasured_s after it.
 constexpr double kBefore_s = 40_ms;
 constexpr double kMeasured_s = 60_ms;
-// Speeds that differ by less than this are equal up to rounding.
+// Speeds that differ by less than this count as equal, since they may differ by rounding only.
 constexpr double kSame_mps = 1e-6;
 constexpr double kBeyondDeviations = 1;
 
-// Time until two robots with constant relative velocity touch; nullopt if they do not within
+// Time until two robots with constant relative velocity touch; nullopt if they do not touch within
 // `duration_s`. `path_m` leads from one centre to the other.
 std::optional<double> time_to_touch_s(const Vec2& path_m, const Vec2& velocity_mps,
                                       double duration_s) {
@@ -56,7 +58,7 @@ std::optional<double> time_to_touch_s(const Vec2& path_m, const Vec2& velocity_m
   return time_s <= duration_s ? std::optional(time_s) : std::nullopt;
 }
 
-// From 0 to pi; 0 if one velocity is zero.
+// The angle between two velocities, from 0 to pi; 0 if one velocity is zero.
 double angle_between_rad(const Vec2& a_mps, const Vec2& b_mps) {
   const double across = a_mps.x() * b_mps.y() - a_mps.y() * b_mps.x();
   return atan2_exact(std::abs(across), a_mps.dot(b_mps));
@@ -145,7 +147,7 @@ bool is_foul(const Collision& collision, const RuleBook& rules) {
   return is_called && surely_mps > rules.crash_mps;
 }
 
-// Measures the collisions for which the following frames have been seen.
+// Measures the collisions after which enough frames have been seen.
 void measure(CrashWatch& watch, const RefereeInput& input) {
   const auto is_due = [&input](const PairMeeting& pair) {
     return has_passed(pair.met_s, kMeasured_s, input.time_s());
@@ -198,16 +200,16 @@ Finding crash_finding(const Collision& crash, const Configuration& configuration
   return finding;
 }
 
-// Of two equally fast collisions, the one nearer to the centre comes first, so that neither side is
-// favoured.
+// Of two equally fast collisions, the one nearer to the field's centre comes first, so that neither
+// side is favoured.
 bool comes_after(const Collision& a, const Collision& b) {
   const double by_mps = b.closing_mps - a.closing_mps;
   if (std::abs(by_mps) > kSame_mps) return by_mps > 0;
   return a.position_m.squaredNorm() > b.position_m.squaredNorm();
 }
 
-// Takes the fastest unreported collision. If each side caused one at the same speed, and only one
-// can stop play, neither is reported.
+// Takes the fastest unreported collision. If each side caused a collision at the same speed, and
+// only one of them can stop play, neither is reported.
 std::optional<Collision> take_worst(CrashWatch& watch, const RuleBook& rules) {
   auto& unreported = watch.unreported;
   const auto worst = std::max_element(unreported.begin(), unreported.end(), comes_after);

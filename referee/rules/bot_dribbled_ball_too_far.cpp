@@ -1,6 +1,6 @@
 // A robot dribbles the ball over more than 500 mm (in later editions, 1 m), "measured linearly from
-// the ball location where the dribbling started" (Laws 12; 2026). Dribbling lasts from the first
-// contact to an observable separation.
+// the ball location where the dribbling started" (Laws 12; 2026). Dribbling begins with the first
+// contact and ends with an observable separation.
 #include <fmt/format.h>
 
 #include "referee/rules/rule.hpp"
@@ -15,7 +15,7 @@ constexpr double kSame_m = 1e-9;
 struct Dribble {
   std::optional<RobotId> robot;
   double path_m = 0;
-  bool is_tied = false;  // with a robot of the other side
+  bool is_tied = false;  // a robot of the other side has dribbled equally far
 };
 
 // Records where the ball was when each robot gained it.
@@ -27,7 +27,7 @@ void watch_side(DribblingWatch& watch, const RefereeInput& input, Side side) {
   for (const TrackedRobot& robot : input.tracks.robots[side]) {
     const auto number = static_cast<std::size_t>(robot.number);
     const bool had = former[number].has_value();
-    // has_ball() has hysteresis: `had` widens its limits, so noise does not end a dribble.
+    // has_ball() has hysteresis: `had` widens its limits, so that noise does not end a dribble.
     if (!has_ball(robot, ball, had, input.configuration.noise)) continue;
     ball_from_m[number] = had ? former[number] : ball.position_m;
   }

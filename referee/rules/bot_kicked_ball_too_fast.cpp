@@ -1,14 +1,14 @@
 // A kick must not be faster than 8 m/s (Laws 2014, law 12), or 6.5 m/s in space (2026). The limit
 // applies to the speed at the kick. On the carpet, a constant-deceleration fit to the ball's free
-// path after a robot's touch is extrapolated back to the touch. It is evaluated after seven frames,
-// when the next touch ends the path, or once it exceeds the limit by three standard deviations, but
-// not before the fourth frame. In the air, three successive speeds must be above the limit (2016),
-// and their mean must exceed it by more than the noise.
+// path after a robot's touch is extrapolated back to the touch. The fit is evaluated after seven
+// frames, when the next touch ends the path, or once the speed exceeds the limit by three standard
+// deviations, but not before the fourth frame. In the air, three successive speeds must be above
+// the limit (2016), and their mean must exceed it by more than the noise.
 //
 // Until it is known whether a kicked ball flies, its speed is also unknown: a chip seems faster
 // than it is. The call waits until this is known, or until the ball is out. In the latter case, the
-// ball counts as having stayed on the ground, as in most kicks. No foul is called if the kicker is
-// unknown.
+// ball counts as having stayed on the ground, as it does after most kicks. No foul is called if the
+// kicker is unknown.
 #include <fmt/format.h>
 #include <boost/container/static_vector.hpp>
 
@@ -26,19 +26,19 @@ namespace autoref::referee {
 namespace {
 
 constexpr std::size_t kIntervals = 3;
-// The speed is evaluated after this many detections of the free path, whatever its uncertainty, or
-// earlier once it exceeds the limit by kSure standard deviations.
+// The speed is evaluated after this many detections of the free path, whatever the uncertainty of
+// the speed. It is evaluated earlier if it exceeds the limit by kSure standard deviations.
 constexpr std::size_t kKickDetections = 7;
 constexpr double kSure = 3;
-// If the next touch ends the path early, this many detections suffice for a speed that exceeds the
-// limit so clearly.
+// If the next touch ends the path early, this many detections suffice if the speed exceeds the
+// limit by kSure standard deviations.
 constexpr std::size_t kFewestAtEnd = 3;
 // Standard deviations by which the mean speed in the air must exceed the limit.
 constexpr double kBeyondNoise = 2;
 // An error in an estimated height moves the position along the camera's ray, which is within 45
 // degrees of the vertical, so the horizontal position changes by at most the same amount.
 constexpr double kFlightDeviation = 1.4;
-constexpr double kTouchTime_s = 8_ms;  // error in a touch's time: half a frame
+constexpr double kTouchTime_s = 8_ms;  // error in the time of a touch: half a frame
 // Deceleration of a kicked ball, which slides at first: 3.0 to 3.9 m/s2 on the league's carpets.
 constexpr double kCarpet_mps2 = 3.4;
 constexpr double kCarpetDeviation_mps2 = 0.4;
@@ -65,8 +65,8 @@ Speed mean_speed(const BallDetection& from, const BallDetection& to, const Confi
   return speed;
 }
 
-// The ball's detections from `from_s` to `to_s`, newest first; if there are more than seven, the
-// oldest seven.
+// The ball's detections from `from_s` to `to_s`, newest first; if there are more than seven, only
+// the oldest seven.
 using Detections = boost::container::static_vector<const BallDetection*, FrameHistory::kRecent>;
 
 Detections detections_of(const FrameHistory& frames, double from_s, double to_s) {
@@ -83,7 +83,8 @@ Detections detections_of(const FrameHistory& frames, double from_s, double to_s)
 Speed speed_on_carpet(const Detections& seen, double kicked_s, const Configuration& c) {
   const Vec2 direction =
       direction_of(seen.front()->position_m - seen.back()->position_m, Vec2(1, 0));
-  // The carpet's deceleration is a prior of the fit: a few frames alone do not determine it.
+  // The fit uses the carpet's deceleration as a prior, because a few frames alone do not determine
+  // it.
   ConstantAccelerationFit fit(-kCarpet_mps2 * direction, kCarpetDeviation_mps2);
   for (const BallDetection* ball : seen) {
     fit.add(ball->time_s - kicked_s, ball->position_m, std::max(c.noise.ball_m, kKickRounding_m));
@@ -93,8 +94,9 @@ Speed speed_on_carpet(const Detections& seen, double kicked_s, const Configurati
 }
 
 // The speed of a kick whose flight the tracker estimates, once it exceeds the limit by two standard
-// deviations. The ball's height and the time since the kick give the vertical speed; positions of
-// successive frames belong to different estimates, so their differences are not speeds.
+// deviations. The vertical speed follows from the ball's height and the time since the kick. The
+// positions in successive frames come from different estimates of the flight, so their differences
+// are not speeds.
 std::optional<double> speeding_in_flight_mps(double kicked_s, const RefereeInput& input) {
   const Configuration& c = input.configuration;
   const TrackedBall& ball = *input.tracks.ball;
@@ -110,8 +112,8 @@ std::optional<double> speeding_in_flight_mps(double kicked_s, const RefereeInput
   return is_fast ? std::optional(speed_mps) : std::nullopt;
 }
 
-// The ball's mean speed in the air over the last three frames, if each of their speeds may exceed
-// the limit, given the noise, and the mean certainly does.
+// The ball's mean speed in the air over the last three frames, if each of the three speeds may
+// exceed the limit, given the noise, and their mean certainly does.
 std::optional<double> speeding_in_air_mps(const FrameHistory& frames, double kicked_s,
                                           const Configuration& c) {
   const BallDetection* oldest = frames.ball(kIntervals);
@@ -127,9 +129,9 @@ std::optional<double> speeding_in_air_mps(const FrameHistory& frames, double kic
   return mean.mps;
 }
 
-// If the ball was as fast before the touch, another robot made it fast. If its earlier path is no
-// longer known, this cannot be ruled out. Touches may be reported a frame late, so the ball must
-// have been as fast in both preceding intervals.
+// If the ball was already this fast before the touch, another robot made it fast. If the ball's
+// earlier path is no longer known, this cannot be ruled out. Touches may be reported a frame late,
+// so the ball must have been this fast in both preceding intervals.
 bool was_as_fast(const FrameHistory& frames, double kicked_s, double speed_mps,
                  const Configuration& c) {
   const BallDetection* before = frames.ball_before(kicked_s);
@@ -142,8 +144,8 @@ bool was_as_fast(const FrameHistory& frames, double kicked_s, double speed_mps,
 }
 
 // The speed of a kick, once it is certain, measured on the ball's free path until `until_s`.
-// `is_over` means that no more detections will follow. Returns nullopt if the ball was already as
-// fast before.
+// `is_over` means that no more detections will follow. Returns nullopt if the ball was already this
+// fast before the touch.
 std::optional<double> reported_speed_mps(const BallTouch& kick, const FrameHistory& frames,
                                          double until_s, bool is_over, const Configuration& c) {
   const Detections seen = detections_of(frames, kick.ended_s, until_s);
@@ -156,12 +158,12 @@ std::optional<double> reported_speed_mps(const BallTouch& kick, const FrameHisto
   return speed.mps;
 }
 
-// Measures the newest kick, and keeps its speed while the ball's height is unknown.
+// Measures the newest kick, and stores its speed while the ball's height is unknown.
 void watch(KickSpeedWatch& kick, const BallTouch& touch, const FrameHistory& frames,
            const RefereeInput& input) {
   if (kick.kicked_s && *kick.kicked_s != touch.ended_s) kick = {};
   const BallDetection& newest = *frames.ball(0);
-  // If the ball turns out to be a chip, the speed measured on the carpet is discarded.
+  // If the kick turns out to be a chip, the speed measured on the carpet is discarded.
   if (newest.height_known && newest.height_m > 0 && !kick.is_in_air) {
     kick = {};
     kick.is_in_air = true;
@@ -207,7 +209,7 @@ ReportedKick reported_kick(KickSpeedWatch& kick, const TouchHistory& touches,
   return {touches.newest(), kick.speed_mps};
 }
 
-// nullopt while it is unknown whether the ball is in the air.
+// Whether the ball is in the air; nullopt while that is unknown.
 std::optional<bool> is_chipped(const KickSpeedWatch& watch, const ReportedKick& kick,
                                const RefereeInput& input) {
   const bool is_newest = kick.touch->ended_s == watch.kicked_s;

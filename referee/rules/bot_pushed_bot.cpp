@@ -1,10 +1,11 @@
 // A robot drives an opponent back: holding (Laws 12), pushing (2026).
 //
 // Both must travel in the pushed robot's direction for more than 200 mm while in contact with each
-// other or, in 2026, both with the ball. A robot that was already driving that way itself was not
-// pushed. This is decided once per contact, when the 200 mm are complete, because the line between
-// robots that slide along each other turns. The free kick is taken from where the offence occurred
-// (Laws), or from where the ball was when it began (2026).
+// other or, in 2026, while both are in contact with the ball. A robot that was already driving in
+// that direction by itself was not pushed. This is decided once per contact, when both have
+// travelled 200 mm, because the line between robots that slide along each other turns. The free
+// kick is taken from where the offence occurred (Laws), or from where the ball was when the push
+// began (2026).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,8 +19,8 @@
 namespace autoref::referee {
 namespace {
 
-// Distances between the centres of robots in contact, and of robots that may soon be. Real robots
-// do not overlap, but noisy detections may.
+// Distances between the centres of robots that are in contact, and of robots that may soon be in
+// contact. Real robots do not overlap, but noisy detections may.
 constexpr double kInContact_m = 2 * kRobotRadius_m + 5_mm;
 constexpr double kNear_m = 2 * kRobotRadius_m + 60_mm;
 // Largest gap between the ball's surface and each hull when the ball comes between the robots. The
@@ -27,7 +28,8 @@ constexpr double kNear_m = 2 * kRobotRadius_m + 60_mm;
 constexpr double kAtBall_m = 5_mm;
 // A robot that was already driving away from the pusher faster than this was not pushed.
 constexpr double kOwnSpeed_mps = 0.1_mps;
-// Pushes that differ by less than this count as equally long (rounding).
+// Pushes that differ by less than this count as equally long , since they may differ by rounding
+// only.
 constexpr double kPushSame_m = 1e-9;
 
 struct Push {
@@ -73,7 +75,8 @@ std::optional<Push> push_by(Side side, PushContact& contact, const TrackedRobot&
                             const TrackedRobot& pushed, double limit_m) {
   const Side other = opponent_of(side);
   const Vec2 line = direction_of(pushed.position_m - pusher.position_m, Vec2(1, 0));
-  // The shorter of the two paths, because a push moves both robots along the line of their centres.
+  // Uses the shorter of the two paths, because a push moves both robots along the line of their
+  // centres.
   const double path_m = std::min((pusher.position_m - contact.from_m[side]).dot(line),
                                  (pushed.position_m - contact.from_m[other]).dot(line));
   if (!(path_m > limit_m)) return std::nullopt;
@@ -111,7 +114,7 @@ bool are_in_contact(const TrackedRobot& west, const TrackedRobot& east, const Ro
   return with_ball.has({Side::kWest, west.number}) && with_ball.has({Side::kEast, east.number});
 }
 
-// The robots in contact with the ball; `had_ball` are those of the previous frame.
+// The robots in contact with the ball; `had_ball` contains those in the previous frame.
 RobotSet robots_with_ball(const RobotSet& had_ball, const RefereeInput& input) {
   RobotSet with_ball;
   if (!input.tracks.ball) return with_ball;

@@ -1,6 +1,6 @@
 // While play is stopped, robots must drive slowly: at most 1 m/s (Laws 2014, single size), or 1.5
-// m/s after 2 s of grace. A robot that is faster than that for 0.1 s is called, once per stop. If
-// several robots of a team are too fast within 2 s, only the first one counts. During ball
+// m/s after 2 s of grace. A foul is called, once per stop, if a robot exceeds this speed for 0.1 s.
+// If several robots of a team are too fast within 2 s, only the first one counts. During ball
 // placement, no robot counts (2026, Fouls While Ball Out Of Play).
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 namespace autoref::referee {
 namespace {
 
-// Longer than 0.1 s, because the tracked velocity of a braking robot lags by a frame.
+// This time is longer than 0.1 s, because the tracked velocity of a braking robot lags by a frame.
 constexpr double kTooFastFor_s = 120_ms;
 // Standard deviation of tracked velocities per standard deviation of detected positions: 0.05 m/s
 // for 1.3 mm.

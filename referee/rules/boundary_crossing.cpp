@@ -1,7 +1,7 @@
 // A kick must not take the ball over the field's boundary, the wall around the run-off (2026). The
 // opponents get a free kick from where the ball was kicked. The ball has crossed a line before, so
-// the rule also applies in the stop that follows; in a stop, a ball that somebody carries away does
-// not count. No foul is called if the last touch is unknown.
+// the rule also applies in the stop that follows; a ball that somebody carries away during a stop
+// does not count. No foul is called if the last touch is unknown.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,16 +18,16 @@ namespace {
 constexpr double kFlight_s = 4_s;
 // Our choice: the ball must be this far beyond the boundary.
 constexpr double kBeyondBoundary_m = 150_mm;
-// Our choice: and farther by this many standard deviations of a flying ball's height. To a camera,
-// a ball that is higher than assumed appears farther out; at 45 degrees from the vertical, by the
-// same amount.
+// Our choice: a flying ball must be farther out by this many standard deviations of its height. To
+// a camera, a ball that is higher than assumed appears farther out, at 45 degrees from the vertical
+// by the height error itself.
 constexpr double kDeviations = 3;
 
 double beyond_boundary_m(const Field& field, const Vec2& ball_m) {
   return std::max(std::abs(ball_m.x()) - field.wall_x_m(), std::abs(ball_m.y()) - field.wall_y_m());
 }
 
-// Where the ball was at that touch, if the history goes back that far.
+// Where the ball was at the touch, if the history goes back that far.
 std::optional<Vec2> kicked_from_m(const FrameHistory& frames, double touched_s) {
   const std::int64_t number = frames.first_detection(touched_s);
   if (number > frames.newest()) return std::nullopt;

@@ -1,4 +1,4 @@
-// Touches of the ball in play, as judged by the rules on defence areas, and those for which
+// Touches of the ball in play for the rules on defence areas to check, and touches for which
 // non-stopping fouls were called (2026, Non Stopping Fouls).
 #pragma once
 
@@ -12,17 +12,17 @@
 
 namespace autoref::referee {
 
-// A rule's verdict on a touch by a known robot whose position was known at that time. `check` is
-// called for newly confirmed touches, oldest first.
+// A rule's verdict on a touch by a known robot whose position at the time of the touch was known.
+// `check` is called for newly confirmed touches, oldest first.
 using TouchCheck = std::optional<Finding> (*)(RefereeState& state, const BallTouch& touch,
                                               const RefereeInput& input);
 std::optional<Finding> find_in_touches(RefereeState& state, const RefereeInput& input,
                                        TouchCheck check);
 
-// Whether `touch` is the called one, or continues it.
+// Whether `touch` is the touch that was called, or its continuation.
 bool is_called(const CalledTouch& called, const BallTouch& touch);
 
-// Records that `touch` was called at `now_s`.
+// The record that a foul was called for `touch` at `now_s`.
 CalledTouch called_at(const BallTouch& touch, double now_s);
 
 }  // namespace autoref::referee

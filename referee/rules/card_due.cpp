@@ -2,7 +2,7 @@
 // yellow card"; a third active yellow card becomes a red one (2026). A yellow card lasts for a
 // fixed time of play (Laws 12).
 //
-// If both sides are due in one frame, one finding without an offender covers both.
+// If both sides are due a card in one frame, one finding without an offender covers both.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace autoref::referee {
 namespace {
 
-// The side concerned; nullopt if both are.
+// The side concerned; nullopt if both sides are.
 std::optional<Side> one_of(const PerSide<bool>& sides) {
   if (sides[Side::kWest] && sides[Side::kEast]) return std::nullopt;
   return sides[Side::kWest] ? Side::kWest : Side::kEast;
@@ -27,7 +27,7 @@ std::string name_or_both(const std::optional<Side>& side) {
 
 bool is_due(const CardBook& cards, const RuleBook& rules, Card card) {
   if (rules.fouls_per_card == 0) return false;
-  // Integer division: cards earned so far, compared with cards shown.
+  // The integer division gives the cards earned so far, which are compared with the cards shown.
   if (cards.fouls / rules.fouls_per_card <= cards.cards_for_fouls) return false;
   return next_card(cards, rules) == card;
 }

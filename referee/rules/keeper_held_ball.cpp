@@ -2,8 +2,7 @@
 // Under the 2026 rules the ball must not stay inside a defence area for longer than 10 s (Division
 // A: 5 s), whether or not the keeper has it, because nobody else may play it there.
 //
-// Under all rule books, this time does not count towards that of a ball without progress
-// (lack_of_progress.cpp).
+// Under all rule books, this time does not count as time without progress (lack_of_progress.cpp).
 #include <fmt/format.h>
 
 #include "referee/rules/rule.hpp"

@@ -1,4 +1,4 @@
-// The ball makes no progress for some time, although both teams may play it.
+// The rules on a ball that makes no progress for some time although both teams may play it.
 #include <fmt/format.h>
 #include <algorithm>
 #include <optional>
@@ -13,7 +13,7 @@ namespace {
 
 // The time since which the ball has moved less than `RuleBook::stuck_distance_m`, if that is at
 // least `RuleBook::stuck_time_s` ago. Time in which the keeper may hold the ball in its defence
-// area does not count here, since it has its own limit (rule keeper_held_ball).
+// area does not count here, since that time has its own limit (rule keeper_held_ball).
 std::optional<double> without_progress_since_s(const RefereeState& state,
                                                const RefereeInput& input) {
   const PlayState& play = state.play;

@@ -1,5 +1,5 @@
-// Offside, for experiments. It is not part of any of the league's rule books. referee/README.md has
-// AutoRef's definition.
+// The offside rule, for experiments. It is not part of any of the league's rule books.
+// referee/README.md contains AutoRef's definition.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 constexpr double kOffsideBeyondNoise = 3;
 
 // The second-largest distance of a side's robots from the halfway line towards their own goal;
-// nullopt if fewer than two are seen.
+// nullopt if vision sees fewer than two robots.
 std::optional<double> second_last_m(const SeenRobots& robots, double end) {
   if (robots.size() < 2) return std::nullopt;
   boost::container::static_vector<double, kMaxRobots> depths_m;
@@ -48,7 +48,7 @@ void watch(OffsideWatch& watch, const TouchHistory& touches, const RefereeInput&
   OffsideWatch::Pass& newest = watch.newest;
   if (newest.touch == touches.count() && newest.ended_s == touch.ended_s) return;
   // A pass is judged when it is received, which is the next touch. So the newest touch and the one
-  // before are kept.
+  // before it are kept.
   if (newest.touch < touches.count()) watch.before = newest;
   newest = {touches.count(), touch.ended_s, Side::kWest, {}};
   if (!touch.side) return;

@@ -1,6 +1,7 @@
 // Deviation D10: if the ball of a restart is not in play 10 s after the signal, play continues with
-// a force start (Laws 2014, laws 8 and 9; 2016). In 2026 the opponents get a free kick from there
-// (in Division A after 5 s for free kicks); for penalty kicks see rule penalty_kick_failed.
+// a force start (Laws 2014, laws 8 and 9; 2016). In 2026 the opponents get a free kick from the
+// ball's position; in Division A, free kicks must be taken within 5 s. For penalty kicks, see rule
+// penalty_kick_failed.
 #include <fmt/format.h>
 
 #include <algorithm>

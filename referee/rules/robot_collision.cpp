@@ -10,13 +10,14 @@
 namespace autoref::referee {
 namespace {
 
-constexpr double kCylinders_m = 2 * kRobotRadius_m;  // between the centres of robots in contact
+// Distance between the centres of robots in contact.
+constexpr double kCylinders_m = 2 * kRobotRadius_m;
 
 constexpr double kFittedFor_s = 200_ms;
 constexpr int kFewestDetections = 4;
 constexpr double kFasterThanAnyRobot_mps = 15;  // at higher speeds the robot was relocated
 constexpr double kUnknownJerk_mps3 = 30;
-// Prior of the acceleration: robots mostly brake before they run into something.
+// Prior for the acceleration: robots mostly brake before they run into something.
 constexpr double kBraking_mps2 = 2;
 constexpr double kBrakingDeviation_mps2 = 2;
 constexpr double kFullBraking_mps = 0.5;          // slower robots have less speed to lose
@@ -25,8 +26,8 @@ constexpr int kContactSteps = 16;                 // samples of the path between
 
 // Frames after the contact whose distances are extrapolated back to it.
 constexpr std::size_t kFramesAfter = 3;
-// Largest extrapolated distance between robots in contact, in excess of that of their cylinders,
-// and the number of standard deviations of a robot's position to be added.
+// Largest extrapolated distance between robots in contact, in excess of the distance at which their
+// cylinders touch, and the number of standard deviations of a robot's position to be added to it.
 constexpr double kContactError_m = 1_mm;
 constexpr double kContactDeviations = 2.5;
 
@@ -48,7 +49,7 @@ std::size_t first_sample(std::span<const PairSample> path, std::size_t last, Sid
   return first;
 }
 
-// The robot's motion at the time of path[last]; nullopt if it was rarely seen.
+// The robot's motion at the time of path[last]; nullopt if vision saw it in too few frames.
 std::optional<ConstantAcceleration> motion_before(std::span<const PairSample> path,
                                                   std::size_t last, Side side,
                                                   const tracking::VisionNoise& noise) {
@@ -82,7 +83,7 @@ Vec2 between_m(const PairMotion& motion, double after_s) {
   return motion[Side::kEast].position_after(after_s) - motion[Side::kWest].position_after(after_s);
 }
 
-// Time until the cylinders touch; nullopt if they do not within `duration_s`.
+// Time until the cylinders touch; nullopt if they do not touch within `duration_s`.
 std::optional<double> contact_after_s(const PairMotion& motion, double duration_s) {
   double former_m = between_m(motion, 0).norm();
   if (former_m <= kCylinders_m) return 0.0;

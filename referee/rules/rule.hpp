@@ -1,4 +1,4 @@
-// A rule: the states in which it is active, and its searches for breaches or events.
+// A rule: the states in which it is active, and its searches for offences and other events.
 #pragma once
 
 #include <array>
@@ -48,7 +48,8 @@ class Rule {
 #include "soccer/rules/rules.def"
 #undef AUTOREF_RULE
 
-// The kicks of a shoot-out. Applies whatever rules are in force, and is called after the others.
+// The rule on the kicks of a shoot-out. It applies whatever rules are in force, and is called after
+// the other rules.
 extern const Rule kShootoutRule;
 
 struct ListedRule {

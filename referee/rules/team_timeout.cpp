@@ -3,10 +3,10 @@
 // kick-off, when the match has not begun.
 //
 // A timeout lasts until its team withdraws the request or has used up its time. If both teams
-// request a timeout at the same time, the side that takes the restart comes first; if neither takes
-// it, the side that has used less time does. If those times are equal, the side that has taken
-// fewer timeouts comes first; if these numbers are also equal, it is the side that did not kick off
-// this half.
+// request a timeout at the same time, the side that takes the restart comes first. If neither takes
+// it, the side that has used less timeout time does. If those times are equal, the side that has
+// taken fewer timeouts comes first. If these numbers are also equal, the side that did not kick off
+// this half does.
 #include <fmt/format.h>
 
 #include "referee/machine/guards.hpp"

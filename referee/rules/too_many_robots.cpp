@@ -19,14 +19,14 @@
 namespace autoref::referee {
 namespace {
 
-// Whether any part of the circle around the robot is within the lines.
+// Whether any part of the circle that encloses the robot is within the lines.
 bool reaches_field(const Field& field, const Vec2& position_m) {
   return std::abs(position_m.x()) < field.half_length_m() + kRobotRadius_m &&
          std::abs(position_m.y()) < field.half_width_m() + kRobotRadius_m;
 }
 
-// Vision sometimes detects robots that are not there, but not for this long. A robot that vision no
-// longer sees is still tracked for half a second.
+// Vision sometimes detects robots that are not there, but not for as long as this. A robot that
+// vision no longer sees is still tracked for half a second.
 constexpr double kPatternLasts_s = 1_s;
 // Time to remove surplus robots after a start without a card (2026).
 constexpr double kAfterStart_s = 2_s;

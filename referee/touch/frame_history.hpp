@@ -21,11 +21,12 @@ namespace autoref::referee {
 struct BallDetection {
   double time_s = 0;
   Vec2 position_m{0, 0};
-  double height_m = 0;            // of the lowest point
-  double height_deviation_m = 0;  // standard deviation; 0 if vision reports heights
+  double height_m = 0;            // height of the ball's lowest point
+  double height_deviation_m = 0;  // standard deviation of `height_m`; 0 if vision reports heights
   bool height_known = true;
-  bool jumps = false;       // the tracker has just begun or stopped tracking the ball as flying
-  double duration_s = 0;    // since the previous detection; 0 if it jumps or is the first
+  bool jumps = false;  // the tracker has just begun or stopped tracking the ball as flying
+  // Time since the previous detection; 0 if the ball jumps or this is the first detection.
+  double duration_s = 0;
   Vec2 velocity_mps{0, 0};  // mean over `duration_s`
 };
 
@@ -37,17 +38,19 @@ struct StoredFrame {
 };
 
 // Whether the robot is within a metre of the ball's last detection. Touches by robots farther away
-// are neglected: at 60 Hz, a ball at 6 m/s would have to go undetected for ten frames to get there.
+// are neglected: at 60 Hz, a ball at 6 m/s would have to go undetected for ten frames to cover that
+// distance.
 bool is_near_ball(const StoredFrame& frame, const RobotObservation& robot);
 
 // A ring buffer; nothing is allocated. Frame 0 is the one in which play started; the frames of play
 // are counted from 1.
 class FrameHistory {
  public:
-  static constexpr int kKept = 256;       // 4 s at 60 Hz, 2.5 s at 100 Hz
-  static constexpr int kDetections = 16;  // detections that can be looked up by their order
+  static constexpr int kKept = 256;  // 4 s at 60 Hz, 2.5 s at 100 Hz
+  // Number of detections that can be looked up by their order.
+  static constexpr int kDetections = 16;
   // How many frames and detections back the touch history and the rules can look: 0.15 s at 60 Hz.
-  // Touches are reported within 0.1 s.
+  // This suffices because touches are reported within 0.1 s.
   static constexpr int kRecent = 10;
 
   FrameHistory();
@@ -56,7 +59,7 @@ class FrameHistory {
   // never been seen.
   void restart(const Frame& frame, const std::optional<Vec2>& ball_m);
 
-  // Sets `jumps` of the next detection.
+  // Makes the next detection a jump (`jumps`).
   void lose_sight() { jumps_ = true; }
 
   // Appends a frame of play, dropping the oldest one. Skips frames that are not later than the
@@ -81,13 +84,13 @@ class FrameHistory {
   // this play, not counting the ball at rest.
   const BallDetection* ball(std::size_t back) const;
 
-  // The newest of those detections that is not after `time_s`, or the oldest if all are later; null
-  // if there are none. Positions between detections are not interpolated, since a touch bends the
-  // path.
+  // Of the detections that ball() can return, the newest one that is not after `time_s`, or the
+  // oldest one if all are later; null if there are none. Positions between detections are not
+  // interpolated, since a touch bends the path.
   const BallDetection* ball_before(double time_s) const;
 
-  // The robots at that time, linearly interpolated between the last kRecent frames; outside that
-  // range, those of the nearest frame.
+  // The robots at `time_s`, interpolated linearly between the last kRecent frames. Outside that
+  // range, it returns the robots in the nearest frame.
   PerSide<SeenRobots> robots_at(double time_s) const;
 
  private:

@@ -27,13 +27,13 @@ double natural_log(double x) {
 }
 
 constexpr double kPathNear_m = 0.3;  // robots farther from the path are skipped
-constexpr int kPathSamples = 16;     // between two frames
+constexpr int kPathSamples = 16;     // number of samples between two frames
 constexpr int kSamplesUnseen = 6;
 
 struct Sample {
   Vec2 ball_m{0, 0};
   double time_s = 0;
-  double variance_m2 = 0;  // of the gap to a hull
+  double variance_m2 = 0;  // variance of the gap to a hull
 };
 
 struct PathPose {
@@ -69,7 +69,7 @@ class Walker {
   }
 
   // A robot that is near the ball in the frame `from`, and the same robot in the frame `to`, or
-  // null if it is not near there.
+  // null if it is not near the ball in that frame.
   struct NearRobot {
     RobotId id;
     const RobotObservation* from;
@@ -97,7 +97,7 @@ class Walker {
     walk_.through_deviance = through_deviance;
   }
 
-  // Weighs a touch of that robot; returns the deviance of passing through its hull.
+  // Weighs a touch by the robot, and returns the deviance of passing through its hull.
   double weigh(RobotId id, const PathPose& pose, const Sample& sample) {
     const double gap_m =
         distance_to_hull(sample.ball_m, pose.position_m, pose.heading) - kBallRadius_m;

@@ -32,8 +32,8 @@ struct BallMotionParameters {
   double rolls_off_mps2 = 0.2;
   double rolls_change_m2ps5 = 0.005;
   double begins_to_roll_mps = 0.02;  // velocity change caused by sliding for part of the frame
-  // Velocity change caused by a touch: a kick or bounce, or a brush after which a rolling ball
-  // keeps rolling.
+  // Standard deviations of the velocity change caused by a touch: one for a kick or bounce, one for
+  // a brush after which a rolling ball keeps rolling.
   double hard_mps = 1.5;
   double soft_mps = 0.12;
   double jump_m = 10_mm;  // position error of a ball that takes off or lands
@@ -41,10 +41,10 @@ struct BallMotionParameters {
 
 class BallMotionFilter {
  public:
-  // Starts at a detection, with unknown velocity.
+  // Starts the filter at a detection, with unknown velocity.
   void start(const Vec2& seen_m, const BallMotionParameters& parameters);
 
-  // Starts at the estimated position of a ball that takes off or lands.
+  // Restarts the filter at the estimated position of a ball that takes off or lands.
   void jump(const Vec2& seen_m, const BallMotionParameters& parameters);
 
   // Predicts the state `duration_s` ahead, or back in time if `duration_s` is negative.
@@ -65,7 +65,7 @@ class BallMotionFilter {
   const Vec2& velocity_mps() const { return velocity_mps_; }
   double velocity_variance_m2ps2() const { return vv_; }
   Vec2 position_after(double duration_s) const;
-  // Position variance in m2, per coordinate; neglects the uncertainty of the acceleration.
+  // Position variance in m2, per coordinate; it neglects the uncertainty of the acceleration.
   double position_variance_after(double duration_s) const;
 
  private:
@@ -85,7 +85,8 @@ class BallMotionFilter {
 // Deviances are normalised squared distances: minus twice the log-likelihood of a Gaussian.
 struct HullIntersectionParameters {
   double contact_m = 1_mm;  // standard deviation of the gap between bodies that touch
-  double slack_m = 1_mm;    // physics leaves gaps of 0.5 mm and overlaps of 1.5 mm
+  double slack_m = 1_mm;    // tolerance for the gaps of 0.5 mm and overlaps of 1.5 mm that the
+                            // physics engine leaves
   double reach_m = 15_mm;   // reach of the kicker beyond the plate
   double kick_rad = 0.08;   // standard deviation of a kick's direction from the robot's heading
   double robot_m = 0;       // vision noise of robot poses, set by the detector
@@ -110,11 +111,10 @@ struct Walk {
   double through_deviance = 0;  // deviance of passing through hulls, along the whole path
 };
 
-// Samples the path that starts at frame `from` up to frame `to`, which may be earlier. A touch's
-// deviance is that of the gap between ball and hull at that time, plus the deviance of the hulls
-// that the ball has passed through until then. If `to` is earlier than `from`, the path began with
-// a touch, so the deviance of a kick also depends on the angle between the robot's heading and the
-// path.
+// Samples the path from frame `from` to frame `to`, which may be earlier. The deviance of a touch
+// is the deviance of the gap between ball and hull at that time, plus the deviance of passing
+// through other hulls until then. If `to` is earlier than `from`, the path began with a touch, so
+// the deviance of a kick also depends on the angle between the robot's heading and the path.
 Walk walk(const BallMotionFilter& motion, const FrameHistory& frame_history, std::int64_t from,
           std::int64_t to, const HullIntersectionParameters& parameters);
 

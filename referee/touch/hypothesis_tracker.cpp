@@ -83,7 +83,7 @@ const TouchHypothesis* HypothesisTracker::cheapest_sliding() const {
 }
 
 // A solid sphere rolls once sliding has removed 2/7 (here 0.3) of the difference between its speed
-// and its spin; the spin is at most that of rolling before the touch.
+// and its spin; the spin is at most that of a ball rolling before the touch.
 bool HypothesisTracker::slides_still(const TouchHypothesis& hypothesis) const {
   const double former_mps = hypothesis.before_mps.norm();
   const double at_first_mps = 1.5 * hypothesis.motion.velocity_mps().norm();
@@ -142,8 +142,8 @@ void HypothesisTracker::follow() {
   }
   for (TouchHypothesis& hypothesis : hypotheses_) {
     follow(hypothesis);
-    // Hypotheses with the same start share the touch, whether the ball then slid or rolled, so the
-    // touch is weighed only once.
+    // Hypotheses with the same start share the same touch, whether the ball slid or rolled
+    // afterwards, so that touch is weighed only once.
     const auto twin = std::find_if(
         hypotheses_.begin(), hypotheses_.end(),
         [&hypothesis](const TouchHypothesis& other) { return other.start == hypothesis.start; });
@@ -168,7 +168,7 @@ void HypothesisTracker::follow(TouchHypothesis& hypothesis) const {
   const TouchHypothesisParameters& p = basis_.parameters;
   const bool is_new = hypothesis.start == now_;
   if (!is_new && now_ - former_ > 1) {
-    // An unseen ball cannot pass through robots either.
+    // A ball that vision does not see cannot pass through robots either.
     const Walk unseen =
         walk(hypothesis.motion, basis_.frame_history, former_, now_, p.intersection);
     hypothesis.motion_deviance += std::min(unseen.through_deviance, p.unlikely_deviance);

@@ -15,7 +15,7 @@ namespace autoref::referee {
 
 class HypothesisTracker {
  public:
-  // Keeps the references in the context.
+  // Keeps the context's references, so what they refer to must outlive the tracker.
   explicit HypothesisTracker(const HypothesisContext& basis) : basis_(basis) {}
 
   // Processes the frames from `first`, a detection of the ball, to the newest one. The ball's
@@ -24,7 +24,8 @@ class HypothesisTracker {
   SideMinima track(std::int64_t first, const SideMinima& before);
 
  private:
-  // With fewer hypotheses, some calls change; with more, no calls change.
+  // Largest number of hypotheses kept. With fewer, some of the referee's calls change; with more,
+  // none change.
   static constexpr std::size_t kMostHypotheses = 10;
   // Each detection adds one hypothesis for rolling and two for a touch.
   using TouchHypotheses = boost::container::static_vector<TouchHypothesis, kMostHypotheses + 4>;

@@ -11,15 +11,16 @@ namespace autoref::referee {
 namespace {
 
 constexpr double kAtRobot_m = 20_mm;
-constexpr double kAlone_m = 400_mm;  // from the ball to the centre of the nearest opponent
+constexpr double kAlone_m = 400_mm;  // distance from the ball to the centre of the nearest opponent
 constexpr double kSurelyApartDeviations = 3;
 // A ball slower than this shows neither where it is going nor where it comes from.
 constexpr double kMoves_mps = 0.5_mps;
 constexpr double kMovedOn_m = 150_mm;
-constexpr double kBesidePath_m = 150_mm;  // from the ball before the gap to its path after it
-constexpr double kStraight = 0.1;         // change of direction, in radians
-constexpr double kFaster = 1.05;          // carpets slow a ball down; the rest is noise
-// How the percentages in the header fall towards 50; conservative fits.
+// Distance from the ball before the gap to its path after the gap.
+constexpr double kBesidePath_m = 150_mm;
+constexpr double kStraight = 0.1;  // change of direction, in radians
+constexpr double kFaster = 1.05;   // carpets slow a ball down; the rest is noise
+// Conservative fits of how the percentages in the header fall towards 50.
 constexpr double kStraightLasts_s = 10;
 constexpr double kHolderLasts_s = 2;
 
@@ -99,14 +100,15 @@ std::optional<LastTouch> kept_touch(const BeforeGap& before, const FrameHistory&
     touch.kept = kept_over(gap_s, kHolderLasts_s);
     return touch;
   }
-  // A ball that only rolls is slower at the end, so it takes longer than its last speed suggests.
+  // A ball that only rolls is slower at the end, so it takes longer for its path than its last
+  // speed suggests.
   const double unbraked_s = since_s * before.velocity_mps.norm() / std::max(now_mps.norm(), 1e-9);
   if (!before.last.side || !goes_straight_on(before, now_mps) ||
       !leads_from(before.position_m, now.position_m, now_mps, unbraked_s)) {
     return std::nullopt;
   }
   LastTouch touch = before.last;
-  // The teams may change places in either gap, or in both.
+  // Possession may pass to the other team in either gap, or in both.
   touch.kept = 0.5 + 2 * (touch.kept - 0.5) * (kept_over(gap_s, kStraightLasts_s) - 0.5);
   return touch;
 }

@@ -61,8 +61,8 @@ void OnlineTouchDetector::look_back_over_gap() {
   gap_.reset();
 }
 
-// Handles a ball that was unseen for a while: unless it moved on as before, a robot touched it.
-// That robot is unknown until more of the ball has been seen.
+// Handles a ball that was unseen for a while: unless the ball moved on as before, a robot touched
+// it. That robot is unknown until more of the ball's path has been seen.
 void OnlineTouchDetector::resume_after_gap() {
   const BallDetection& now = ball(0);
   const BallDetection& before = frames_[frames_.newest() - 1].ball;
@@ -87,14 +87,14 @@ bool OnlineTouchDetector::is_sudden_change() const {
   const BallDetection& before = ball(1);
   const double between_s = (now.duration_s + before.duration_s) / 2;
   // The second difference weights the positions by 1, -2 and 1, so its standard deviation is
-  // sqrt(6) times theirs.
+  // sqrt(6) times that of the positions.
   const double noise_mps =
       kCertainDeviations * 2.45 * parameters_.position_noise_m / now.duration_s;
   const double explained_mps = parameters_.carpet_mps2 * between_s + parameters_.jump_mps;
   return change_mps(1, 0).norm() > explained_mps + noise_mps && !is_landing();
 }
 
-// A landing ball keeps its direction but loses speed: a quarter of it at the first hop.
+// A landing ball keeps its direction but loses speed, a quarter of it at the first hop.
 bool OnlineTouchDetector::is_landing() const {
   const bool in_air =
       ball(0).height_m > 0 || ball(1).height_m > 0 || (known_ > 2 && ball(2).height_m > 0);
@@ -178,11 +178,12 @@ void OnlineTouchDetector::apply(const Verdict& verdict, double time_s, double sp
   last_ = {verdict.side, verdict.robot, time_s, verdict.gap_m, speed_change_mps, verdict.runner_up};
 }
 
-// A hull that merely passes the ball touches it for a moment; one that pushes or carries it stays
-// at the ball in all detections used.
+// A hull that merely passes the ball touches it for a moment; a hull that pushes or carries the
+// ball stays at it in all detections used.
 bool OnlineTouchDetector::carries_ball(RobotId id) const {
   if (ball(0).velocity_mps.norm() < parameters_.carried_mps) return false;
-  // The standard deviation of the difference of two positions is sqrt(2) times theirs.
+  // The standard deviation of the difference of two positions is sqrt(2) times that of each
+  // position.
   const double moved_m = (ball(0).position_m - ball(kUsed - 1).position_m).norm();
   if (moved_m < kCertainDeviations * 1.41 * parameters_.position_noise_m) return false;
   for (int back = 0; back < kUsed; ++back) {
@@ -195,16 +196,16 @@ bool OnlineTouchDetector::carries_ball(RobotId id) const {
 
 // Whether the robot pushed the ball so softly that its velocity did not change suddenly. The hull
 // must have touched the ball, and the ball must have accelerated away from the hull. The
-// acceleration must be large enough under both possible assumptions about friction: that it stayed
-// the same as just before, and that it ceased because the ball began to roll.
+// acceleration must be large enough under both possible assumptions about friction. Either friction
+// stayed the same as just before, or it ceased because the ball began to roll.
 bool OnlineTouchDetector::pushed_softly(const RobotObservation& robot) const {
   if (!(gap_to_robot_m(robot, ball(1).position_m) <= touching_m())) return false;
   const double duration_s = ball(0).duration_s;
   const Vec2 carpet_mps = 2 * clamp_norm(change_mps(3, 2), parameters_.carpet_mps2 * duration_s);
   const Vec2 push = push_direction(robot, ball(1).position_m);
   const double push_mps = change_mps(2, 0).dot(push);
-  // Positions are weighted by up to 5, so the standard deviation of the sum is about 8 times
-  // theirs.
+  // Positions are weighted by up to 5, so the standard deviation of the sum is about 8 times that
+  // of each position.
   const double noise_mps = kCertainDeviations * 8 * parameters_.position_noise_m / duration_s;
   return std::min(push_mps, push_mps - carpet_mps.dot(push)) >=
          parameters_.soft_push_mps + noise_mps;

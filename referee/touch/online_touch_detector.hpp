@@ -5,11 +5,11 @@
 //
 // docs/touch-detection.md describes two detectors; this is the online touch detector. It judges
 // each frame from the most recent detections of the ball. A touch is visible in the ball's motion:
-// its velocity or position changes by more than carpet and noise can explain while a robot's hull
-// is at the ball, or the ball stays at a moving hull and moves along with it. A robot that is
-// merely nearby did not touch the ball, and a velocity change with no robot nearby (from a post or
-// a wall) is not a touch. If robots of both sides explain a velocity change about equally well, the
-// last touch is unknown.
+// either its velocity or position changes by more than carpet and noise can explain while a robot's
+// hull is at the ball, or the ball stays at a moving hull and moves along with it. Being near the
+// ball is not enough for a touch. A velocity change with no robot nearby is not a touch either, but
+// comes from a post or a wall. If robots of both sides explain a velocity change about equally
+// well, the last touch is unknown.
 //
 // The referee restarts the detector when play starts and updates it after each frame of play.
 #pragma once
@@ -30,7 +30,7 @@ namespace autoref::referee {
 
 class OnlineTouchDetector {
  public:
-  // Keeps a reference to the history. `noise` is the vision noise.
+  // Keeps a reference to `frames`. `noise` is the vision noise.
   OnlineTouchDetector(const FrameHistory& frames, const Field& field,
                       const TouchParameters& parameters, const tracking::VisionNoise& noise = {})
       : frames_(frames),
@@ -48,7 +48,7 @@ class OnlineTouchDetector {
   // has not been seen in this play.
   std::optional<BeforeGap> before_gap() const;
 
-  // Continues after that gap. Call after restart().
+  // Continues after a gap in vision. Call after restart().
   void resume(const BeforeGap& before) { gap_ = before; }
 
   // Judges the newest frame of the history, if it has a ball.
@@ -91,10 +91,11 @@ class OnlineTouchDetector {
   std::int64_t judged_ = 0;  // number of detections in the history
   int known_ = 0;            // detections since play started or the ball was lost, up to kUsed
   bool is_open_ = false;     // the next frame may revise the newest velocity change
-  LastTouch settled_;        // the last touch before that velocity change
+  LastTouch settled_;        // the last touch before the newest velocity change
   VelocityChangeDetector velocity_changes_;
   double changed_s_ = 0;          // time of the last velocity change seen from frame to frame
-  std::optional<BeforeGap> gap_;  // until the ball has been seen often enough since the newest gap
+  std::optional<BeforeGap> gap_;  // what was known before the newest gap; set until the ball has
+                                  // been seen often enough since
   LastTouch last_;
 };
 

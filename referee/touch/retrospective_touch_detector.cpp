@@ -25,7 +25,7 @@ LastTouch unknown_touch(const LastTouch& west, const LastTouch& east) {
 }
 
 // Distance from the ball's centre to the hull of the robot that made the touch, at the first
-// detection not before `since_s`; kNever if there is none, or if the robot is unknown.
+// detection not before `since_s`; kNever if there is no such detection, or if the robot is unknown.
 double distance_after_m(const FrameHistory& frames, const LastTouch& touch, double since_s) {
   const std::int64_t number = frames.first_detection(since_s);
   if (!touch.robot || number > frames.newest()) return kNever;

@@ -26,7 +26,7 @@ namespace autoref::referee {
 
 class RetrospectiveTouchDetector {
  public:
-  // Keeps a reference to the history. `noise` is the vision noise.
+  // Keeps a reference to `frames`. `noise` is the vision noise.
   RetrospectiveTouchDetector(const FrameHistory& frames, const Field& field,
                              const TouchHypothesisParameters& parameters,
                              const tracking::VisionNoise& noise);
@@ -34,8 +34,9 @@ class RetrospectiveTouchDetector {
   RetrospectiveTouchDetector& operator=(const RetrospectiveTouchDetector&) = delete;
 
   // The last touch; its side is empty if either side may have made it. `reported` is the online
-  // detector's last touch. It is also the answer if nobody touched the ball within the window of
-  // TouchHypothesisParameters, or within the stored frames if there is no earlier touch.
+  // detector's last touch. If nobody touched the ball within the window
+  // (TouchHypothesisParameters), or within the stored frames if there is no earlier touch, detect()
+  // returns `reported`.
   LastTouch detect(const LastTouch& reported) const;
 
  private:

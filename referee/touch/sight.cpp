@@ -7,7 +7,7 @@
 namespace autoref::referee {
 namespace {
 
-// No ball is faster than this.
+// No ball in the league is faster than this.
 constexpr double kFastest_mps = 15;
 constexpr double kSlack_m = 0.2;
 // Two cameras can project a high ball to points that are this far apart.
@@ -50,7 +50,8 @@ void BallJumpFilter::filter(Frame& frame) {
   pending_.clear();
 }
 
-// Whether the ball is where the pending detections lead rather than the accepted ones.
+// Whether the ball is where the pending detections predict it, rather than where the accepted
+// detections do.
 bool BallJumpFilter::follows_pending(const Detection& now) const {
   if (pending_.empty()) return false;
   const Detection before = detection_in(pending_.back());
@@ -126,8 +127,8 @@ void Sight::lift_ball() {
     frame_.ball->position_m = tracks_.ball->position_m;
     frame_.ball->height_m = tracks_.ball->height_m;
   }
-  // The source of the positions changes here, so a velocity computed across the change would be
-  // wrong.
+  // The positions come from another source from here on, so a velocity computed across the change
+  // would be wrong.
   if (flies != was_lifted_) history_.lose_sight();
   was_lifted_ = flies;
 }

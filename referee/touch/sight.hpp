@@ -16,15 +16,16 @@
 namespace autoref::referee {
 
 // Detects that the ball of a recorded or live game has been replaced: it is suddenly farther away
-// than any ball can fly. A false detection does not last; a ball that somebody has moved stays
-// there.
+// than any ball can fly. A false detection disappears again, but a ball that somebody has moved
+// stays at its new position.
 class BallJumpFilter {
  public:
   static constexpr std::size_t kConfirmed = 3;  // consecutive detections at the new position
   using Frames = boost::container::static_vector<Frame, kConfirmed>;
 
-  // Removes the ball from a frame if it is too far from the last accepted one. Once kConfirmed
-  // consecutive detections agree, the newest is kept; jumped() then returns all of their frames.
+  // Removes the ball from a frame if it is too far from the last accepted detection. Once
+  // kConfirmed consecutive detections agree, the ball stays in the newest frame, and jumped()
+  // returns the frames of all of them.
   void filter(Frame& frame);
 
   // The frames since the ball's jump, if this frame has confirmed it; otherwise empty.
@@ -42,7 +43,7 @@ class BallJumpFilter {
   static bool is_possible(const Detection& from, const Detection& to);
   bool follows_pending(const Detection& now) const;
 
-  std::optional<Detection> last_;  // the last one accepted
+  std::optional<Detection> last_;  // the last accepted detection
   Frames pending_;
   Frames jumped_;
 };
@@ -50,18 +51,18 @@ class BallJumpFilter {
 class Sight {
  public:
   // If `ball_may_jump` (recorded and live games), a ball that is suddenly farther away than any
-  // ball can fly is ignored until it has been seen there several times.
+  // ball can fly is ignored until it has been seen at its new position several times.
   Sight(const Configuration& configuration, bool ball_may_jump);
   Sight(const Sight&) = delete;
   Sight& operator=(const Sight&) = delete;
 
   // Adds the next frame, without objects that have non-finite numbers or a ball that jumps. Returns
-  // true after a long gap, when the earlier frames are forgotten. While play is stopped (`is_play`
-  // is false), a ball may jump, since people move it.
+  // true if there was a long gap before this frame, in which case earlier frames are forgotten.
+  // While play is stopped (`is_play` is false), a ball may jump, since people move it.
   bool add(const Frame& frame, bool is_play);
 
-  // Adds the tracks' estimates of unseen robots and of a flying ball to that frame. Must be called
-  // exactly once for each frame (asserted).
+  // Adds the tracks' estimates of unseen robots and of a flying ball to the frame added last. Must
+  // be called exactly once for each frame (asserted).
   void complete(const Tracks& tracks);
 
   // Whether a frame has been completed.
@@ -77,14 +78,15 @@ class Sight {
     return retrospective_touch_.detect(online_touch_.last());
   }
 
-  // Begins a play in this frame, with the ball at rest at `ball_from_m`; nullopt if its beginning
-  // was not seen.
+  // Begins a new period of play in this frame, with the ball at rest at `ball_from_m`; nullopt if
+  // its beginning was not seen.
   void begin_play(const Frame& frame, const std::optional<Vec2>& ball_from_m);
-  // Forgets how the current play began, so it has to be joined in this frame.
+  // Forgets how the current play began, so the referee has to join play in this frame.
   void rejoin_play() { joins_ = true; }
-  // The frame in which the current play has to be joined; null if it is followed already.
+  // The frame in which the current play has to be joined; null if the play is already being
+  // followed.
   const Frame* frame_to_join() const;
-  // Starts following play in that frame, which must not be null.
+  // Starts following play in frame_to_join(), which must not be null.
   void join_play();
 
   // Follows the ball and its touches through this frame, unless the play has to be joined in it.

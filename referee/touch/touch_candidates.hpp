@@ -26,7 +26,7 @@ struct BallSegment {
 };
 
 // The effect of a touch on the ball: the velocity change to be explained and, once known, the
-// velocity after it.
+// velocity after the change.
 struct Impulse {
   Vec2 change_mps{0, 0};
   std::optional<Vec2> after_mps;
@@ -34,8 +34,9 @@ struct Impulse {
 
 struct Candidate {
   RobotId robot;
-  double gap_m = 0;       // gap from the ball's surface to the hull, at the closest approach
-  double share = 0;       // time of the closest approach, as a fraction
+  double gap_m = 0;  // gap from the ball's surface to the hull, at the closest approach
+  // Time of the closest approach, as a fraction of the time between the detections.
+  double share = 0;
   bool explains = false;  // whether a push or kick by the robot explains the velocity change
 };
 using Candidates = boost::container::static_vector<Candidate, 2 * kMaxRobots>;
@@ -47,10 +48,11 @@ Candidates candidates_on(const BallSegment& segment, const StoredFrame& before,
                          const TouchParameters& parameters);
 
 // Minimum distance in metres between the ball's surface and the posts and side walls of the goals
-// on that segment.
+// along the segment.
 double gap_to_goals_m(const Field& field, const BallSegment& segment);
 
-// Distance in metres from the ball's surface to the robot's hull; negative inside.
+// Distance in metres from the ball's surface to the robot's hull; negative if the ball is inside
+// the hull.
 double gap_to_robot_m(const RobotObservation& robot, const Vec2& ball_m);
 
 // The outward normal of the hull at the ball: the direction of a push.
@@ -62,7 +64,8 @@ const RobotObservation* find_robot(const SeenRobots& robots, int number);
 // Whether the robot is in contact with the ball. Contact begins when the gap between hull and ball
 // is below 1 mm plus one standard deviation of `noise`, and ends with "an observable separation
 // between the ball and the robot" (Laws 12; 2026, Dribbling), taken to be 20 mm. `had` says whether
-// it was in contact in the previous frame. A ball above the robot is not in contact.
+// the robot was in contact with the ball in the previous frame. A ball above the robot is not in
+// contact.
 bool has_ball(const TrackedRobot& robot, const TrackedBall& ball, bool had,
               const tracking::VisionNoise& noise);
 

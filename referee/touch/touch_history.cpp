@@ -13,11 +13,12 @@ namespace {
 // Ball and hull are apart if the gap exceeds this distance plus three standard deviations.
 constexpr double kHistoryApart_m = 20_mm;
 constexpr double kSureDeviations = 3;
-// Touches by unknown robots count as one unless they are this far apart in time: three frames.
+// Touches by unknown robots count as one touch unless they are at least three frames apart in time.
 constexpr double kPause_s = 60_ms;
 // A touch may be revised in the next two frames of a 60 Hz camera.
 constexpr double kSettles_s = 30_ms;
-// A ball on the carpet for this long is rolling; a hopping ball leaves it sooner.
+// A ball that has been on the carpet for this long is rolling; a hopping ball leaves the carpet
+// sooner.
 constexpr double kRolls_s = 100_ms;
 constexpr double kOnCarpet_m = 5_mm;
 constexpr double kNoTime_s = 1e-6;  // less than the frame period of any camera

@@ -1,8 +1,9 @@
 // The touches of the ball since play started, in order, and the ball's motion between them.
 //
-// Built from the last touch that the online detector reports in each frame. Repeated touches by one
-// robot count as one until the ball has separated from its hull. If the detector changes a touch's
-// robot or time shortly afterwards, or withdraws the touch, the history follows.
+// The history is built from the last touch that the online detector reports in each frame. Repeated
+// touches by one robot count as one touch until the ball has separated from the robot's hull. If
+// the detector changes a touch's robot or time shortly afterwards, or withdraws the touch, the
+// history follows.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -27,8 +28,9 @@ struct BallTouch {
       toucher;                    // the robot at the end of the touch; nullopt if not seen
   std::optional<double> apart_s;  // when the ball separated from that robot
   double highest_m = 0;           // greatest height of the ball's lowest point until the next touch
-  bool height_known = true;       // whether the height was known throughout that time
-  bool rolled = false;            // the ball has been on the carpet for the last 0.1 s
+  // Whether the height was known throughout the time until the next touch.
+  bool height_known = true;
+  bool rolled = false;  // whether the ball has been on the carpet for the last 0.1 s
 };
 
 class TouchHistory {
@@ -36,7 +38,7 @@ class TouchHistory {
   // Updates the history with one frame of the play that started at `began_s`.
   void update(const RefereeInput& input, double began_s);
 
-  // Number of touches so far; only the newest are kept.
+  // Number of touches so far; only the newest touches are stored.
   int count() const { return count_; }
   int kept() const { return static_cast<int>(kept_.size()); }
   bool has(int back) const { return back < kept(); }
@@ -45,7 +47,7 @@ class TouchHistory {
     return kept_[kept_.size() - 1 - static_cast<std::size_t>(back)];
   }
   const BallTouch* newest() const { return kept_.empty() ? nullptr : &kept_.back(); }
-  // Whether at most one robot has touched the ball; an unknown robot counts as a second one.
+  // Whether at most one robot has touched the ball; an unknown robot counts as a second robot.
   bool is_one_robots() const;
 
  private:
@@ -62,7 +64,7 @@ class TouchHistory {
   std::optional<double> on_carpet_since_s_;  // since the newest touch
 };
 
-// Whether the detector will no longer revise the touch, except in rare cases.
+// Whether the detector will no longer revise the touch, which holds with rare exceptions.
 bool is_settled(const BallTouch& touch, double now_s);
 
 }  // namespace autoref::referee

@@ -21,7 +21,8 @@ constexpr int kTellingDetections = 8;
 constexpr double kLandedAlong = 0.4;
 constexpr double kLandedAcross = 0.1;
 
-// Gap from the ball's surface to the robot in that frame; kNever if the robot was not near.
+// Gap from the ball's surface to the robot in that frame; kNever if the robot was not near the
+// ball.
 double seen_gap_m(const StoredFrame& frame, RobotId id) {
   const RobotObservation* robot = find_robot(frame.robots[id.side], id.number);
   if (robot == nullptr || !is_near_ball(frame, *robot)) return kNever;
@@ -81,8 +82,8 @@ const HullIntersection* intersection_with(const HullIntersections& intersections
 }
 
 // Deviance of a touch by that robot, given the paths before and after. Either it was the only touch
-// between the two frames, or there was another one; in that case, the path after need not fit this
-// robot.
+// between the two frames, or another touch followed. In that case, the path after the touches need
+// not fit this robot.
 double deviance_of(const TouchSource& source, const HullIntersection* after, double goal_deviance,
                    const TouchHypothesisParameters& p) {
   double deviance = std::min(source.bounce_deviance, source.kick_deviance) +

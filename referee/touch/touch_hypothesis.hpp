@@ -19,9 +19,9 @@
 namespace autoref::referee {
 
 // Parameters of the retrospective touch detector (retrospective_touch_detector.hpp). Deviances are
-// minus twice log-likelihoods. Those below are priors of events, or upper limits that make the
-// likelihoods robust against outliers. The values were tuned on games between two `basic` teams,
-// seeds 5001 to 5020.
+// minus twice log-likelihoods. The deviances below are priors for events, or upper limits that make
+// the likelihoods robust against outliers. The values were tuned on games between two `basic`
+// teams, seeds 5001 to 5020.
 struct TouchHypothesisParameters {
   // The window starts `window_s` before the ball left the field, or `before_reported_s` before the
   // online detector's last touch, whichever is earlier.
@@ -39,7 +39,7 @@ struct TouchHypothesisParameters {
   double off_hull_deviance = 50;  // upper limit for a whole touch if the ball was not at the hull
   double nobody_deviance = 25;    // a velocity change with no robot nearby
   double jump_deviance = 10;      // a jump of a ball that takes off or lands
-  double landing_deviance = 4;    // a flying ball that loses speed
+  double landing_deviance = 4;    // a flying ball loses speed on landing
   double roll_deviance = 4;       // the ball begins to roll in this frame
   double post_off_m = 3_mm;       // standard deviation of the gap at a bounce off a goal
   // If the deviances of the two sides differ by less than this, the nearer robot touched the ball
@@ -73,7 +73,7 @@ struct TouchSource {
   double seen_gap_m = 1;       // gap at the first detection after the touch
   double bounce_deviance = 0;  // deviances of the path before a bounce or kick
   double kick_deviance = 0;
-  double time_s = 0;  // time of the likeliest touch
+  double time_s = 0;  // time at which this touch is likeliest
   double gap_m = 0;
 };
 
@@ -81,12 +81,12 @@ struct TouchHypothesis {
   BallMotionFilter motion;
   std::int64_t start = 0;      // the first frame after the last touch
   std::int64_t before = 0;     // the detection before that frame; equals `start` if there is none
-  int detections = 0;          // since the last touch
+  int detections = 0;          // number of detections since the last touch
   bool is_soft = false;        // whether the last touch was a brush
   bool jumps = false;          // it begins with a jump of the ball's position, not with a touch
   double motion_deviance = 0;  // deviance of the detections since the last touch
   Vec2 before_mps{0, 0};       // velocity before the touch
-  double goal_deviance = kNever;    // deviance of a bounce off a goal, given the path before
+  double goal_deviance = kNever;    // deviance of a bounce off a goal, given the path before it
   double deviance_until_touch = 0;  // deviance of everything before, including the touch's prior
   SideMinima untouched;             // deviance if no robot made the last touch
   boost::container::static_vector<TouchSource, 2 * kMaxRobots> sources;
@@ -99,8 +99,8 @@ struct TouchHypothesis {
 // nothing.
 //
 // The path before the touch must lead to the robot's hull, and the path after it must start there
-// (hull_intersections.hpp). The path before is known when the hypothesis begins; the path after is
-// estimated from the detections that follow.
+// (hull_intersections.hpp). The path before the touch is known when the hypothesis begins. The path
+// after it is estimated from the detections that follow.
 
 // Whether a robot or a goal may have been on the ball's path from the frame `former` to the frame
 // `now`; `onwards_m` is the predicted position of an untouched ball.
@@ -116,8 +116,8 @@ double goal_deviance_of(const HypothesisContext& basis, std::int64_t former, std
 // hypothesis. The hypothesis must still contain the motion before the touch.
 void find_touch_sources(TouchHypothesis& hypothesis, const HypothesisContext& basis);
 
-// Updates the per-side minima of the hypothesis with its detections until the frame `now`. They are
-// final after eight detections.
+// Updates the per-side minima of the hypothesis with its detections until the frame `now`. The
+// minima are final after eight detections.
 void weigh_sources(TouchHypothesis& hypothesis, std::int64_t now, const HypothesisContext& basis);
 
 }  // namespace autoref::referee

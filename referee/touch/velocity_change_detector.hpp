@@ -1,10 +1,10 @@
 // Detects changes of the ball's velocity that noise hides between two frames but not over several,
-// and attributes the touches.
+// and decides which robot caused them.
 //
 // A two-window change detector (Gustafsson 2000; docs/touch-detection.md): least-squares lines are
 // fitted to the five detections that end with each detection and to the five that begin with it. If
 // their velocities differ by more than friction and noise explain, and the difference is at its
-// peak, the ball hit something there. The delay is five detections.
+// peak, the ball hit something there. The change is reported five detections later.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ struct VelocityChange {
   // The detections on either side of the change; valid until the next frame.
   const StoredFrame* before = nullptr;
   const StoredFrame* after = nullptr;
-  double since_s = 0;  // time of the oldest detection used
+  double since_s = 0;  // time of the oldest detection that the change was computed from
   BallSegment segment;
   Impulse impulse;
 };
@@ -34,7 +34,8 @@ class VelocityChangeDetector {
   // Forgets all detections.
   void restart() { known_ = 0; }
 
-  // Processes the newest detection of the history; returns the velocity change that it completes.
+  // Processes the newest detection in the history. Returns the velocity change that this detection
+  // confirms, if any.
   std::optional<VelocityChange> update();
 
  private:
@@ -61,7 +62,7 @@ class VelocityChangeDetector {
   VelocityChange former_;     // the change one detection ago, without its frames
 };
 
-// Decides which of several candidates touched the ball, if that can be decided.
+// Which of several candidates touched the ball, as far as that can be decided.
 struct Verdict {
   bool is_touch = false;         // whether a robot touched the ball at all
   std::optional<Side> side;      // nullopt if unknown
@@ -73,10 +74,10 @@ struct Verdict {
 };
 
 // Candidates that explain the velocity change come before those that do not, unless the ball is
-// pinned against one of the latter. If several are equally good, the side that is nearer by
-// `lead_m` touched the ball; if neither is, the side is unknown. If a goal is about as near as the
-// best robot, the touch is unknown, unless that robot's side touched the ball before (`had_it`); if
-// a goal is clearly nearer, there was no touch.
+// pinned against one of the latter. If several are equally good, the side that is nearer to the
+// ball by `lead_m` touched it; if neither side is, the toucher's side is unknown. If a goal is
+// about as near as the best robot, the touch is unknown, unless that robot's side touched the ball
+// before (`had_it`); if a goal is clearly nearer, there was no touch.
 Verdict attribute_touch(const Candidates& candidates, double gap_to_goals_m,
                         std::optional<Side> had_it, const TouchParameters& parameters);
 

@@ -1,5 +1,5 @@
-// The league's game events as plain values: those that an automatic referee reports to the league's
-// game controller, and those that the controller decided on.
+// The league's game events as plain values: both those that an automatic referee reports to the
+// league's game controller, and those on which the controller decided.
 #pragma once
 
 #include <cstdint>
@@ -38,14 +38,14 @@ struct GameEvent {
 
   std::optional<Side> by_team;       // nullopt if unknown
   std::optional<Side> kicking_team;  // for a goal
-  // Robot numbers.
+  // Numbers that identify robots.
   std::optional<int> by_bot;
   std::optional<int> kicking_bot;
   std::optional<int> violator;
   std::optional<int> victim;
   std::optional<int> bot_yellow;
   std::optional<int> bot_blue;
-  // Numbers of robots, as counts.
+  // Counts of robots.
   std::optional<int> num_robots_by_team;
   std::optional<int> num_robots_allowed;
   std::optional<int> num_robots_on_field;
@@ -82,8 +82,8 @@ struct GameEvent {
   bool operator==(const GameEvent&) const = default;
 };
 
-// Calls `visit(name, member)` for each member that depends on the type, with its name in the
-// league's messages.
+// Calls `visit(name, member)` for each member that depends on the type. `name` is the member's name
+// in the league's messages.
 template <typename Event, typename Visitor>
 void visit_fields(Event& event, Visitor&& visit) {
   visit("by_team", event.by_team);

@@ -12,8 +12,8 @@ struct Book {
   GameSetup setup;
 };
 
-// Robots like real ones, rather than those of the paper's simulator. Teams tune their latency by
-// hand; two values in one team's public code differ by 12 ms (MinuteBots 2018).
+// The defaults resemble real robots rather than those of the paper's simulator. Teams tune their
+// latency by hand; two values in one team's public code differ by 12 ms (MinuteBots 2018).
 void set_real_robots(GameSetup& setup) {
   setup.kickers_and_dribblers = "rc2026";
   setup.latency_error_s = 10_ms;

@@ -18,7 +18,7 @@
 
 namespace autoref {
 
-// In the order in which the referee checks them.
+// The rules, in the order in which the referee checks them.
 enum class RuleId : std::uint8_t {
 #define AUTOREF_RULE(id, ...) id,
 #include "soccer/rules/rules.def"
@@ -54,20 +54,20 @@ class RuleSet {
 
 // The rules in force and their parameters, each with its source.
 
-// Which edition a rule book follows. The divisions of an edition differ only in numbers.
+// Which edition a rule book follows. The divisions of an edition differ only in their values.
 enum class Edition : std::uint8_t { kPaper, kLaws2014, kRules2026 };
 
-// The rules of an edition, from rules.def. For the paper: the rules it describes (section 4.2) and
-// those needed for games to end.
+// The rules of an edition, from rules.def. For the paper, these are the rules that it describes
+// (section 4.2) and those that games need in order to end.
 RuleSet rules_of(Edition edition);
 
-// The rules in force and their numbers. The defaults are those of the paper.
+// The rules in force and their values. The defaults are those of the paper.
 struct RuleBook {
   std::string name = "paper";
   Edition edition = Edition::kPaper;
   RuleSet in_force = rules_of(Edition::kPaper);
 
-  // The numbers of rule_numbers.def, each with its default.
+  // The values in rule_numbers.def, each with its default.
 #define AUTOREF_NUMBER(type, name, value, ...) type name = value;
 #include "soccer/rules/rule_numbers.def"
 #undef AUTOREF_NUMBER
@@ -84,12 +84,12 @@ struct RuleBook {
   bool operator==(const RuleBook&) const = default;
 };
 
-// Defaults for games under a rule book.
+// The default settings for games under a rule book.
 struct GameSetup {
   Field field;
-  int robots = 6;  // per team
+  int robots = 6;  // robots per team
   double half_s = 600;
-  // Kickers and dribblers: a preset of sim/presets.hpp.
+  // The preset for kickers and dribblers (sim/presets.hpp).
   std::string kickers_and_dribblers = "default";
   double latency_error_s = 0;  // sim/sim_configuration.hpp
 };
@@ -101,7 +101,7 @@ std::vector<std::string> rule_book_names();
 // The setup for the rule book of that name; nullopt if the name is unknown.
 std::optional<GameSetup> find_game_setup(std::string_view name);
 
-// Every rule in one sentence, its section in each edition, and its threshold: rules.def as a table.
+// One row of rules.def: a rule in one sentence, its section in each edition, and its threshold.
 struct RuleEntry {
   RuleId rule{};
   std::string_view name{};   // in snake_case
@@ -111,17 +111,18 @@ struct RuleEntry {
   std::string_view paper{};
   std::string_view laws_2014{};
   std::string_view rules_2026{};
-  double RuleBook::*threshold = nullptr;  // nullptr for rules without a single number
-  // Whether a team can obey it by what its robots do. The other rules say how a game proceeds: what
-  // scores, which restart follows, and when the game ends.
+  // The threshold; nullptr for rules that do not have exactly one.
+  double RuleBook::*threshold = nullptr;
+  // Whether a team's robots can obey or break the rule by what they do. The other rules say how a
+  // game proceeds: what scores, which restart follows, and when the game ends.
   bool of_conduct = false;
-  // Whether it also applies in a shoot-out. True for rules on fouls, on robots during a stop, and
-  // on penalty kicks, but not for rules that lead to a restart other than a penalty kick.
+  // Whether the rule also applies in a shoot-out. This is so for rules on fouls, on robots during a
+  // stop, and on penalty kicks, but not for rules that lead to a restart other than a penalty kick.
   bool in_shootout = false;
 
   // Its section in the given edition.
   std::string_view section(Edition edition) const;
-  // The threshold's unit; empty without a threshold.
+  // The threshold's unit; empty if the rule has no threshold.
   std::string_view unit() const;
 };
 
@@ -134,9 +135,9 @@ const RuleEntry& entry_of(RuleId rule);
 std::string_view section_of(const RuleBook& rules, RuleId rule);
 
 // The rules that a team obeys: those of `match`, plus any rules of conduct in `laws` (the rules
-// that its members know) that the match does not enforce. The thresholds of these are those of
-// `laws`, unless the match enforces another rule with the same threshold. All else comes from the
-// match: the edition, restarts, penalty kicks and cards.
+// that its members know) that the match does not enforce. The thresholds of the latter come from
+// `laws`, unless the match enforces another rule with the same threshold. Everything else comes
+// from the match: the edition, restarts, penalty kicks and cards.
 RuleBook obeyed_rules(const RuleBook& match, const RuleBook& laws);
 
 }  // namespace autoref

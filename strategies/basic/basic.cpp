@@ -13,7 +13,7 @@
 namespace autoref::strategies::basic {
 namespace {
 
-constexpr double kTakerWaits_m = 0.5;  // from the ball: within this distance, a restart's taker
+constexpr double kTakerWaits_m = 0.5;  // distance from the ball within which a restart's taker
                                        // stands still
 constexpr int kSidesteps = 12;         // maximum number of sidesteps from the ball's path to the
                                        // goal
@@ -36,8 +36,8 @@ Basic::Basic(const TeamContext& context)
       style_(within_the_rules(tuned(Style{}, context.params), context.rules, context.kicks)),
       look_ahead_(context.robots, context.frame_rate_hz) {}
 
-// The distance from a hull to the ball's centre required at restarts. If the rule is in force,
-// referees measure to the ball's surface.
+// The distance from a hull to the ball's centre required at restarts. If the rule is in force, this
+// distance is larger, because referees measure to the ball's surface.
 double Basic::room_at_ball_m() const {
   const bool is_judged = context_.rules.has(RuleId::kDefenderTooCloseToKickPoint);
   return context_.rules.opponents_to_ball_m + (is_judged ? kBallRadius_m : 0.0) +
@@ -57,8 +57,8 @@ Limits Basic::limits_for(bool is_keeper) const {
   return limits;
 }
 
-// Called once per decision. Robots need not exclude themselves, since a robot is at no distance
-// along its own path.
+// Lists the obstacles, once per decision. Robots need not exclude themselves, since a robot is at
+// no distance along its own path.
 void Basic::find_obstacles() {
   const double clearance_m = 2 * kRobotRadius_m + style_.robot_gap_m;
   robots_.clear();
@@ -94,13 +94,14 @@ bool Basic::is_pressed() const {
   });
 }
 
-// Kick speed of a pass that arrives slowly enough to be received.
+// Kick speed for a pass that arrives slowly enough to be received.
 double Basic::pass_speed_mps(double distance_m) const {
   return std::min(style_.pass_mps,
                   style_.slowest_pass_mps + style_.pass_per_metre_per_s * distance_m);
 }
 
-// The team-mate with the safest pass, excluding those behind the ball; nullopt if there is none.
+// The team-mate with the safest pass, excluding those behind the ball; nullopt if no team-mate can
+// receive a pass.
 std::optional<Aim> Basic::best_pass(int passer) const {
   std::optional<Aim> best;
   for (const TrackedRobot& mate : now_.own) {
@@ -115,8 +116,8 @@ std::optional<Aim> Basic::best_pass(int passer) const {
   return best;
 }
 
-// A shot if the goal is open, otherwise a pass, otherwise a push towards the goal that stays in
-// play.
+// The kick to choose: a shot if the goal is open, otherwise a pass, otherwise a push towards the
+// goal that stays in play.
 Intent Basic::attack_intent(const TrackedRobot& attacker) const {
   const Vec2& ball_m = now_.ball.position_m;
   TrackedRobots others = now_.opponents;  // team-mates also block shots
@@ -222,8 +223,8 @@ void Basic::play(TeamCommands& commands) {
   }
 }
 
-// A separate position for each robot that depends only on the ball's position, so that all robots
-// come to rest and play can continue.
+// Positions, a different one for each robot, that depend only on the ball's position, so that all
+// robots come to rest and play can continue.
 Waypoint Basic::formation_of(int index) const {
   const Field& field = context_.field;
   const bool alone = now_.own.size() == 1;
@@ -256,8 +257,8 @@ Vec2 Basic::allowed(const Vec2& wanted_m, const Vec2& ball_m, const Limits& limi
   return position_m;
 }
 
-// The position to which a robot that is too close to the ball in a stop drives first; nullopt if
-// the robot is far enough away, or if the rule book does not require a distance.
+// The position to which a robot that is too close to the ball during a stop drives first; nullopt
+// if the robot is far enough away, or if the rule book does not require a distance.
 std::optional<Vec2> Basic::position_off_ball(const Vec2& from_m) const {
   const double keep_m = room_at_ball_m() + kRobotRadius_m + 10_mm;
   const Vec2 off_m = from_m - ball_target_m_;

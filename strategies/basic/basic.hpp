@@ -1,6 +1,6 @@
 // A simple, fair team: a keeper, a wall, markers, a supporter, and an attacker that gets behind the
-// ball and shoots at the open side of the goal. It takes every restart and keeps the required
-// distances.
+// ball and shoots at the open side of the goal. The team can take every kind of restart and keeps
+// the required distances.
 #pragma once
 
 #include <optional>

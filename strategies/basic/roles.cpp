@@ -21,7 +21,8 @@ double time_behind_ball_s(const TrackedRobot& robot, const Interception& interce
                           const Vec2& goal_m, double go_round_s) {
   const Vec2 aim = direction_of(goal_m - interception.point_m, Vec2(1, 0));
   const Vec2 approach = direction_of(interception.point_m - robot.position_m, aim);
-  // With c the cosine between approach and aim, (1 - c) / 2 is 0 behind the ball and 1 in front.
+  // With c as the cosine of the angle between approach and aim, (1 - c) / 2 is 0 behind the ball
+  // and 1 in front.
   return interception.time_s + go_round_s * (1 - approach.dot(aim)) / 2;
 }
 
@@ -58,8 +59,8 @@ int nearest_free(const TeamView& view, const Taken& taken, const Vec2& point_m) 
   return best;
 }
 
-// The unmarked opponent in the team's own half nearest to the team's own goal, excluding the one at
-// the ball; -1 if there is none.
+// The unmarked opponent in the team's own half nearest to the team's own goal, excluding the
+// opponent at the ball; -1 if there is no such opponent.
 int most_dangerous(const TeamView& view, const Style& style, const Taken& marked,
                    const Vec2& goal_m) {
   int best = -1;
@@ -141,7 +142,7 @@ Waypoint reserve_position(const Field& field, const Vec2& ball_m, int index) {
   return facing_ball({x, side * (0.35 + 0.1 * row) * field.half_width_m()}, ball_m);
 }
 
-// Greedy assignment: roles in order of importance, each to the robot that suits it best.
+// Greedy assignment: in order of importance, each role goes to the robot that suits it best.
 RoleAssignment assign_roles(const TeamView& view, const Field& field, const Style& style,
                             int former_attacker, int barred) {
   RoleAssignment assignment;

@@ -1,4 +1,4 @@
-// The robots of `basic`: its tunables, the roles, and the positions of robots that do not play the
+// Tunables of `basic`, the roles of its robots, and the positions of robots that do not play the
 // ball.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace autoref::strategies::basic {
 
-// The tunables of `basic`: the numbers of basic_style.def, each with its default.
+// The tunables of `basic`: the parameters in basic_style.def, each with its default.
 struct Style {
 #define AUTOREF_TUNABLE(type, name, value, ...) type name = value;
 #include "strategies/basic/basic_style.def"
@@ -43,20 +43,20 @@ Waypoint marker_position(const Field& field, const Style& style, const TrackedRo
 // side away from the ball; the others are spread along and across the field. `order` counts from 0.
 Waypoint supporter_position(const Field& field, const Style& style, const Vec2& ball_m, int order);
 
-// A separate position in the team's own half for each robot beyond the first four, while play is
-// stopped. `index` counts from 0.
+// A position in the team's own half for a robot beyond the first four while play is stopped. Each
+// of these robots has a different position. `index` counts from 0.
 Waypoint reserve_position(const Field& field, const Vec2& ball_m, int index);
 
 enum class Role : std::uint8_t { kKeeper, kAttacker, kWall, kSupporter, kMarker };
 
-// One robot's role and, for markers, the opponent (index in the view).
+// One robot's role and, for markers, the opponent to mark (index in the view).
 struct AssignedRole {
   Role role = Role::kSupporter;
   int marks = -1;
   int rank = 0;  // number among the supporters, from 0
 };
 
-// Roles by index in the view's own robots.
+// The roles of the team's own robots, by their index in the view.
 struct RoleAssignment {
   std::array<AssignedRole, kMaxRobots> roles;
   int attacker = -1;          // index in the view; -1 if there is none
@@ -64,11 +64,11 @@ struct RoleAssignment {
 };
 
 // Assigns the roles. The robot with the lowest number keeps the goal, unless it is the only robot.
-// The robot that meets the ball first attacks; `former_attacker`, a robot number, remains attacker
-// unless another robot is clearly faster. The robot nearest to the team's own goal forms the wall;
-// with five or more robots, the second-nearest joins it. One robot supports. Each of the others
-// marks an opponent in the team's own half, or supports if no opponent is left. The robot with the
-// number `barred` does not attack; -1 bars no robot.
+// The robot that can reach the ball first attacks. If `former_attacker`, a robot number, attacked
+// before, it remains the attacker unless another robot is clearly faster. The robot nearest to the
+// team's own goal forms the wall; with five or more robots, the second-nearest joins it. One robot
+// supports. Each of the remaining robots marks an opponent in the team's own half, or supports if
+// no opponent is left. The robot with the number `barred` does not attack; -1 bars no robot.
 RoleAssignment assign_roles(const TeamView& view, const Field& field, const Style& style,
                             int former_attacker, int barred = -1);
 

@@ -13,7 +13,8 @@ class Roster {
   Roster(PlayContext& book, const RoleAssignment& assignment, const FormationSpots& spots)
       : predicted_(book.predicted), assignment_(assignment), spots_(spots), keys_(book.spots) {}
 
-  // Keeps each spot's current owner if `may_keep` allows it, and clears all other owners.
+  // Keeps each spot's current owner if `may_keep` allows it, and leaves all other spots without an
+  // owner.
   template <typename MayKeep>
   void forget(MayKeep may_keep) {
     std::array<int, kMaxRobots> kept{};

@@ -10,12 +10,13 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kClearsAlone_s = 0.4;  // how much earlier than an opponent the robot gets there
+// How much earlier than an opponent the robot must reach the ball.
+constexpr double kClearsAlone_s = 0.4;
 
 int count_of(double wanted) { return static_cast<int>(std::lround(wanted)); }
 
-// Whether a robot without team-mates can clear a ball near its goal well before an opponent gets
-// there.
+// Whether a robot without team-mates can clear a ball near its goal well before an opponent reaches
+// it.
 bool can_clear_alone(const PredictedState& predicted) {
   const BallInterception& own = predicted.interception(0);
   return own.point_m.x() < 0 && own.time_s + kClearsAlone_s < predicted.theirs().time_s;
@@ -62,8 +63,8 @@ int choose_for_ball(const PlayContext& book, const RoleAssignment& assignment) {
 
 namespace {
 
-// The style's numbers of robots per role, for `left` free robots. They are meant for six robots; a
-// large team shares out the others.
+// The style's numbers of robots per role, for `left` free robots. These numbers are meant for teams
+// of six; a large team shares out its additional robots.
 struct Shares {
   int wall;
   int markers;
@@ -73,7 +74,7 @@ struct Shares {
 Shares shares_of(const Style& style, int left) {
   Shares shares{count_of(style.wall), count_of(style.markers), count_of(style.forwards),
                 count_of(style.receivers)};
-  constexpr int kUsual = 4;  // six robots minus the keeper and the one at the ball
+  constexpr int kUsual = 4;  // six robots minus the keeper and the robot at the ball
   const int more = style.large_team ? std::max(0, left - kUsual) : 0;
   shares.wall += more / 4;
   shares.markers += (more + 1) / 2;
@@ -146,7 +147,7 @@ void open_play(PlayContext& book, RoleAssignment& assignment) {
   give_goal_and_ball(book, assignment);
   const int left = assignment.free_robots();
   const Shares shares = shares_of(predicted.style(), left);
-  // Opponents that may come to shoot: all except one, which keeps their goal.
+  // Opponents that may come to shoot: all except one, which is taken for their goalkeeper.
   const int threats = std::max(0, static_cast<int>(predicted.now().opponents.size()) - 1);
   if (predicted.is_ours()) {
     const int backs = predicted.path().now_m().x() < 0 || is_contested(predicted) ? 2 : 1;

@@ -39,7 +39,7 @@ int RoleAssignment::nearest_free(const Vec2& position_m) const {
 }
 
 // Robots with a lower index keep their positions. Each later robot moves away from the first
-// position that it overlaps, and tries again a few times, since it may then overlap another one.
+// position that it overlaps, and tries again a few times, since it may then overlap another robot.
 void RoleAssignment::spread() {
   const Limits limits = predicted_->limits();
   boost::container::static_vector<Vec2, kMaxRobots> taken_m;

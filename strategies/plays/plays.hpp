@@ -1,4 +1,4 @@
-// The plays, which decide the robots' roles in each situation. Each play fills an assignment.
+// The plays, which decide the robots' roles in each situation. Each play fills in a RoleAssignment.
 #pragma once
 
 #include <array>
@@ -54,7 +54,8 @@ struct PlayContext {
   int stuck = -1;           // number of the robot that failed to take this restart
   double waited_s = 0;      // time since play last changed
   double taker_from_s = 0;  // waited_s when the restart's taker was chosen
-  bool is_settled = false;  // play has been stopped long enough for positions to be kept
+  // Whether play has been stopped for so long that robots now keep their positions.
+  bool is_settled = false;
   // The key of each robot's formation spot, by robot number; 0 for no spot (formation_spots.hpp).
   std::array<int, kMaxRobots> spots{};
 };
@@ -86,7 +87,8 @@ void penalty(PlayContext& book, RoleAssignment& assignment);
 // The start of every play while the ball is in play: assigns the keeper and the robot at the ball.
 void give_goal_and_ball(PlayContext& book, RoleAssignment& assignment);
 
-// The same while play is stopped: assigns the keeper, and a robot to take or block the restart.
+// The start of every play while play is stopped: assigns the keeper, and a robot to take or block
+// the restart.
 void give_goal_and_restart(PlayContext& book, RoleAssignment& assignment);
 
 // Assigns defenders: a wall of up to `wall` robots, then markers for up to `markers` opponents.

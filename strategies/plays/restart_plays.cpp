@@ -36,8 +36,9 @@ void give_keeper(const PredictedState& predicted, RoleAssignment& assignment) {
   if (predicted.robots() > 1) assignment.give(0, Role::kKeeper);
 }
 
-// The nearest robot except the keeper. Robots that are stuck or behind a goal are avoided. The
-// previous taker gets a bonus, so that the role does not alternate between two robots.
+// The taker: the nearest robot to the ball, except the keeper. Robots that are stuck or behind a
+// goal are avoided. The previous taker gets a bonus, so that the role does not alternate between
+// two robots.
 int choose_taker(const PlayContext& book) {
   const PredictedState& predicted = book.predicted;
   int taker = -1;
@@ -57,7 +58,7 @@ int choose_taker(const PlayContext& book) {
   return taker;
 }
 
-// The taker's position: behind the ball, as seen from the target.
+// The taker's position: behind the ball, as seen from the kick's target.
 Waypoint taker_position(const PredictedState& predicted, const Vec2& target_m) {
   const Vec2 aim = direction_of(target_m - predicted.position_m(), Vec2(1, 0));
   return {predicted.position_m() - aim * predicted.style().taker_back_m, aim};

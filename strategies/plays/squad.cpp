@@ -96,7 +96,7 @@ void Squad::note_stop() {
   former_placing_ = now.placing_is_ours;
   former_robots_ = predicted_.robots();
   const double waited_s = now.time_s - since_s_;
-  // Once this time is over, positions are kept so that the robots come to rest.
+  // Once this time is over, robots keep their positions so that they come to rest.
   const bool chooses = waited_s < predicted_.style().choosing_s;
   book_.waited_s = waited_s;
   book_.is_settled = predicted_.is_waiting() && !chooses;
@@ -128,7 +128,7 @@ void Squad::choose_play(RoleAssignment& assignment) {
   }
 }
 
-// One robot places the ball if it is this team's turn; the others keep clear.
+// One robot places the ball if it is this team's turn; the other robots keep clear of the ball.
 RobotCommand Squad::command_in_placement(int index, const Task& task) {
   if (index == placer_.index()) return placer_.play();
   const TrackedRobot& robot = predicted_.robot(index);

@@ -8,7 +8,7 @@
 
 namespace autoref::strategies {
 
-// The differences between teams of this kind: their style and any plays of their own.
+// The differences between teams of this kind: their style, and any plays that only one team has.
 struct TeamPlaybook {
   Style style;
   void (*open_play)(PlayContext& book, RoleAssignment& assignment) = strategies::open_play;
@@ -17,7 +17,7 @@ struct TeamPlaybook {
 
 class Squad final : public Strategy {
  public:
-  // The style's numbers can be overridden by `context.params`.
+  // `context.params` can override the style's values.
   Squad(const TeamContext& context, const TeamPlaybook& playbook);
   Squad(const Squad&) = delete;
   Squad& operator=(const Squad&) = delete;
@@ -47,7 +47,7 @@ class Squad final : public Strategy {
   Play former_play_ = Play::kHalt;
   std::optional<bool> former_placing_;
   int former_robots_ = 0;
-  double since_s_ = 0;  // view time when play last changed
+  double since_s_ = 0;  // view time at which the state of play last changed
   TeamRequests requests_;
 };
 

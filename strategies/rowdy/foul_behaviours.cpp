@@ -14,7 +14,8 @@ constexpr double kSceneClearance_m = 2 * kRobotRadius_m + 20_mm;
 constexpr double kSceneLane_m = 250_mm;  // half the width of a cleared path
 constexpr double kSceneTouch_m = kFrontDistance_m + kBallRadius_m;
 
-// The robot nearest to a point and within `reach_m`, excluding number `except`.
+// The robot nearest to a point, if it is within `reach_m`; the robot with the number `except` is
+// excluded.
 const TrackedRobot* nearest(const TrackedRobots& robots, int except, const Vec2& point_m,
                             double reach_m) {
   const TrackedRobot* best = nullptr;

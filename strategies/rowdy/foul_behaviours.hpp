@@ -28,7 +28,7 @@ const TrackedRobot* find(const TrackedRobots& robots, int number);
 // `reach_m`.
 const TrackedRobot* nearest_mate(const RowdyView& view, const Vec2& point_m, double reach_m);
 
-// The same for opponents.
+// The opponent nearest to a point; nullptr if none is within `reach_m`.
 const TrackedRobot* nearest_opponent(const RowdyView& view, const Vec2& point_m, double reach_m);
 
 // Whether the robot has the ball at its front plate, within about 15 mm.
@@ -64,12 +64,14 @@ void clear_lane(const RowdyView& view, int number, const Vec2& from_m, const Vec
 
 // A foul behaviour under way.
 struct ActiveFoul {
-  int robot = -1;      // number of the offending robot; -1: the whole team
-  int other = -1;      // number of the opponent that is fouled
-  double amount = 0;   // random in [0, 1): distance or duration, depending on the kind
-  double begun_s = 0;  // view time
-  Vec2 from_m{0, 0};  // position of the ball when it began, or another point, depending on the kind
-  bool is_halfway = false;  // for kinds with two parts
+  int robot = -1;  // number of the offending robot; -1 if the whole team offends
+  int other = -1;  // number of the opponent that is fouled
+  // Random value in [0, 1) that sets a distance or duration, depending on the kind.
+  double amount = 0;
+  double begun_s = 0;  // view time at which the foul began
+  // Position of the ball when the foul began, or another point, depending on the kind.
+  Vec2 from_m{0, 0};
+  bool is_halfway = false;  // whether the first of two parts is done, for kinds with two parts
 };
 
 // The commands and requests that the team is about to send.
@@ -100,18 +102,18 @@ inline const TrackedRobot* victim_of(const ActiveFoul& foul, const RowdyView& vi
   return is_running(view) ? find(view.now.opponents, foul.other) : nullptr;
 }
 
-// A way of breaking a rule, the opportunities for it, and what the team then does. Each is a file
-// in kinds/.
+// A way of breaking a rule: how the team finds an opportunity for it, and what it then does. Each
+// way has its own file in kinds/.
 struct FoulBehaviour {
   std::string_view name;  // name of the parameter that sets `share`
   std::string_view about;
   double share;      // default fraction of opportunities taken
   double longest_s;  // after this time, the foul is abandoned
-  // The foul that is possible now, without `amount` and `begun_s`; nullopt if there is no
+  // The foul that is possible now, with `amount` and `begun_s` not yet set; nullopt if there is no
   // opportunity.
   std::optional<ActiveFoul> (*find_chance)(const RowdyView& view);
-  // Changes the team's output. Returns false once the foul is over. If the foul has a robot, that
-  // robot must be on the field.
+  // Changes the team's output. Returns false once the foul is over. If the foul names an offending
+  // robot, that robot must be on the field.
   bool (*go_on)(const RowdyView& view, ActiveFoul& foul, TeamOutput& output);
 };
 
@@ -141,7 +143,8 @@ extern const FoulBehaviour kTimeout;
 
 inline constexpr int kKindCount = 23;
 
-// All kinds, in the order in which opportunities in the same frame are considered.
+// All kinds, in the order in which they are considered if several have an opportunity in the same
+// frame.
 std::span<const FoulBehaviour* const, kKindCount> all_kinds();
 
 }  // namespace autoref::strategies::rowdy

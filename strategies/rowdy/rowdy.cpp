@@ -7,7 +7,8 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-// After this time without an opportunity, the next one is new and gets a new random draw.
+// After this time without an opportunity, the next opportunity counts as new and gets a new random
+// draw.
 constexpr double kBetweenChances_s = 1.0;
 
 double share_of(const FoulBehaviour& kind, const std::map<std::string, double>& params) {
@@ -41,8 +42,8 @@ void Rowdy::look_for_chances(const RowdyView& view) {
   for (Habit& habit : habits_) consider(habit, view);
 }
 
-// Draws once per opportunity, however many frames it lasts. An opportunity during another foul
-// behaviour is missed.
+// Draws once per opportunity, however many frames the opportunity lasts. An opportunity during
+// another foul behaviour is missed.
 void Rowdy::consider(Habit& habit, const RowdyView& view) {
   const std::optional<ActiveFoul> chance = habit.kind->find_chance(view);
   if (!chance) return;

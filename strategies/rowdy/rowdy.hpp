@@ -1,9 +1,9 @@
 // Plays like `basic`, but occasionally breaks rules on purpose, so that a referee can be evaluated.
 //
-// Each foul behaviour (foul_behaviours.hpp) has a parameter with its name: the fraction of
-// opportunities that the team takes, from 0 (never) to 1 (always). `otherwise` sets this fraction
-// for all other kinds; without it they use their defaults. Only one foul behaviour is active at a
-// time.
+// Each foul behaviour (foul_behaviours.hpp) has a parameter with its name. It is the fraction of
+// opportunities that the team takes, from 0 (never) to 1 (always). The parameter `otherwise` sets
+// this fraction for all behaviours that have no value of their own; without `otherwise`, they use
+// their defaults. Only one foul behaviour is active at a time.
 #pragma once
 
 #include <array>

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSlide_mps2 = 3.4;
 constexpr double kRoll_mps2 = 0.30;
-constexpr double kRollsFrom = 0.67;  // fraction of the kick speed
+constexpr double kRollsFrom = 0.67;  // fraction of the kick speed at which the ball begins to roll
 constexpr double kPathStill_mps = 0.03;
 constexpr double kPeak_mps = 0.15;  // speed gain per frame that indicates a kick
 constexpr double kNever_s = 10;
@@ -42,14 +42,15 @@ double speed_after_mps(double speed_mps, double rolling_mps, const Phase& slide,
   return std::max(0.0, rolling_mps - kRoll_mps2 * (time_s - slide.time_s));
 }
 
-constexpr double kUsableBraking = 0.75;  // fraction of the robot's braking; the wheels do not allow
-                                         // more
+constexpr double kUsableBraking = 0.75;  // usable fraction of the robot's braking; the wheels do
+                                         // not allow more
 constexpr double kReachTouch_m = kFrontDistance_m + kBallRadius_m;
 constexpr double kReachMargin_m = 2e-6;  // far above rounding errors
-constexpr double kBeyond_m = 100_mm;     // outside the field, where a robot can still save a ball
+// Distance outside the field at which a robot can still save a ball.
+constexpr double kBeyond_m = 100_mm;
 
-// Time in seconds for `distance_m` along a line, from the speed `along_mps` to rest: a trapezoidal
-// velocity profile.
+// Time in seconds to travel `distance_m` along a line and stop, starting at the speed `along_mps`,
+// with a trapezoidal velocity profile.
 double line_time_s(double distance_m, double along_mps, const Abilities& a) {
   const double brake_mps2 = kUsableBraking * a.braking_mps2;
   if (along_mps < 0) {  // the robot must stop first and then drive farther
@@ -61,7 +62,8 @@ double line_time_s(double distance_m, double along_mps, const Abilities& a) {
   // braking b.
   const double peak2 =
       (2 * distance_m + speed2 / a.acceleration_mps2) / (1 / a.acceleration_mps2 + 1 / brake_mps2);
-  if (peak2 <= speed2) return 2 * distance_m / std::max(0.1, along_mps);  // overshoots a little
+  if (peak2 <= speed2)
+    return 2 * distance_m / std::max(0.1, along_mps);  // the robot overshoots a little
   const double top_mps = std::max(a.speed_mps, along_mps);
   if (peak2 <= top_mps * top_mps) {
     const double peak_mps = std::sqrt(peak2);
@@ -73,8 +75,8 @@ double line_time_s(double distance_m, double along_mps, const Abilities& a) {
          (distance_m - ramps_m) / top_mps;
 }
 
-// The farthest that a robot can get along a line within a given time, in any direction: the inverse
-// of line_time_s, starting at the robot's full speed.
+// The longest distance that a robot can travel along a line within a given time, in any direction.
+// This is the inverse of line_time_s(), starting at the robot's full speed.
 class FarthestReach {
  public:
   FarthestReach(double speed_mps, const Abilities& a)
@@ -100,7 +102,7 @@ class FarthestReach {
   double start_m_;    // path on which the robot accelerates to its speed
 };
 
-// Time until the robot touches the ball at that step of the ball's path.
+// Time until the robot can touch the ball at the given step of the ball's path.
 double time_to_touch_s(const TrackedRobot& robot, const BallPath& path, int step,
                        const Abilities& abilities) {
   const Vec2& ball_m = path.at_step(step);
@@ -115,7 +117,7 @@ void BallPath::follow(const TrackedBall& ball, double latency_s) {
   // The kick speed determines when sliding ends. A jump in speed means a new kick. Once the ball
   // rolls, kick_mps_ shrinks with the ball's speed, so that a softer kick is also detected.
   if (seen_mps > last_mps_ + kPeak_mps || seen_mps > kick_mps_) kick_mps_ = seen_mps;
-  if (seen_mps < kRollsFrom * kick_mps_) kick_mps_ = seen_mps / kRollsFrom;  // it is rolling
+  if (seen_mps < kRollsFrom * kick_mps_) kick_mps_ = seen_mps / kRollsFrom;  // the ball is rolling
   last_mps_ = seen_mps;
   direction_ = direction_of(ball.velocity_mps, direction_);
   const double rolling_mps = std::min(seen_mps, kRollsFrom * kick_mps_);
@@ -135,7 +137,8 @@ double kick_for_mps(double distance_m, double arrival_mps) {
   constexpr double kShare = kRollsFrom * kRollsFrom + 2 * kRoll_mps2 * kSlidePerSpeed2;
   const double kick2 = (arrival_mps * arrival_mps + 2 * kRoll_mps2 * distance_m) / kShare;
   if (kSlidePerSpeed2 * kick2 <= distance_m) return std::sqrt(kick2);
-  return std::sqrt(arrival_mps * arrival_mps + 2 * kSlide_mps2 * distance_m);  // still sliding
+  // The ball arrives sliding.
+  return std::sqrt(arrival_mps * arrival_mps + 2 * kSlide_mps2 * distance_m);
 }
 
 KickedBall::KickedBall(double kick_mps) : kick_mps_(kick_mps), rolls_mps_(kRollsFrom * kick_mps) {
@@ -181,7 +184,7 @@ BallInterception intercept(const TrackedRobot& robot, const BallPath& path,
     if (step > 0 && (std::abs(ball_m.x()) > x_m || std::abs(ball_m.y()) > y_m)) break;
     last = step;
     const double ball_s = step * BallPath::kStep_s;
-    // Out of reach even if the robot were already moving towards this point.
+    // The point is out of reach even if the robot were already moving towards it.
     const double touch_m = reach.within_m(ball_s) + kReachTouch_m + kReachMargin_m;
     if ((robot.position_m - ball_m).squaredNorm() > touch_m * touch_m) continue;
     const double late_s = time_to_touch_s(robot, path, step, abilities) - ball_s;

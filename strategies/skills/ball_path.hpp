@@ -1,4 +1,4 @@
-// Two-phase prediction of the ball's path: after a kick it slides, then it rolls. Also
+// Two-phase prediction of the ball's path: after a kick the ball slides, then it rolls. Also
 // estimates when robots reach points and the moving ball.
 #pragma once
 
@@ -18,7 +18,7 @@ class BallPath {
   static constexpr double kStep_s = 0.1;
   static constexpr double kLongest_s = kSteps * kStep_s;
 
-  // Updates the path from the ball in the next frame, extrapolated by `latency_s` to when commands
+  // Updates the path with the ball in the next frame, extrapolated by `latency_s` to when commands
   // take effect. Call it for every frame, because kicks are detected from jumps in speed.
   void follow(const TrackedBall& ball, double latency_s);
 
@@ -42,12 +42,12 @@ class BallPath {
 // Kick speed at which the ball still moves at `arrival_mps` after `distance_m`.
 double kick_for_mps(double distance_m, double arrival_mps);
 
-// A ball kicked at one speed, for queries about several distances.
+// A ball kicked at a given speed. It answers queries about several distances.
 class KickedBall {
  public:
   explicit KickedBall(double kick_mps);
 
-  // Time in seconds that the ball takes to travel `distance_m`; 10 if it never gets there.
+  // Time in seconds that the ball takes to travel `distance_m`; 10 if the ball never gets that far.
   double roll_time_s(double distance_m) const;
 
  private:
@@ -64,11 +64,11 @@ double time_to_s(const TrackedRobot& robot, const Vec2& point_m, const Abilities
 // Where and when a robot can first reach the ball.
 struct BallInterception {
   Vec2 point_m{0, 0};
-  double time_s = 0;  // time from now until both robot and ball are there
+  double time_s = 0;  // time from now until both robot and ball are at the point
 };
 
 // The first point of the ball's path that `robot` reaches no later than the ball; the end of the
-// path if it cannot catch up. Points outside the field do not count.
+// path if the robot cannot catch up with the ball. Points outside the field do not count.
 BallInterception intercept(const TrackedRobot& robot, const BallPath& path,
                            const Abilities& abilities, const Field& field);
 

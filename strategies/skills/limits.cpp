@@ -12,22 +12,24 @@
 namespace autoref::strategies {
 namespace {
 
-// Robots this near to each other are in contact, or both in contact with a ball between them.
+// Robots this near to each other count as being in contact, directly or through a ball between
+// them.
 constexpr double kContact_m = 35_mm;
 
 constexpr double kLimitMargin_m =
     30_mm;  // added to the distances in the rules to allow for the robots' own errors
-constexpr double kFarMargin_m = 1e-6;     // far above rounding errors
-constexpr double kWideRunOff_m = 600_mm;  // the Laws' 500 mm from the ball, and a hull
+constexpr double kFarMargin_m = 1e-6;  // far above rounding errors
+// The 500 mm from the ball that the Laws require, and a hull.
+constexpr double kWideRunOff_m = 600_mm;
 constexpr int kTurns = 36;  // directions tried on each side of a position inside the ball's circle
 
 // Moves `p` to the nearest point at `distance_m` from the area of `side`.
 //
-// Both shapes are the set of points within a radius of a strip that continues behind the goal; for
-// a box the radius is zero.
+// A defence area of either shape is the set of points within a radius of a strip that continues
+// behind the goal. For a box, the radius is zero.
 Vec2 pushed_out_of_area(const Field& field, Side side, const Vec2& p, double distance_m,
                         bool may_stay_behind_goal) {
-  // In front of the area's front line by more than the distance.
+  // The point is in front of the area's front line by more than the distance.
   const double ahead_m = field.half_length_m() - goal_sign(side) * p.x();
   if (ahead_m > field.defence_area.depth_m + distance_m + kFarMargin_m) return p;
   const double missing_m = distance_m - distance_to_defence_area(field, side, p);
@@ -63,7 +65,8 @@ Vec2 pushed_off_ball(const Field& field, const Vec2& p, const Vec2& ball_m, cons
   return ball_m + bent * (limits.keep_from_ball_m + kLimitMargin_m);
 }
 
-// Applies the limits that do not depend on the ball: own half, areas, field.
+// Applies the limits that do not depend on the ball: those from the own half, the areas and the
+// field.
 Vec2 pushed_into_bounds(const Field& field, Vec2 p, const Limits& limits) {
   if (limits.own_half_only) p.x() = std::min(p.x(), -kRobotRadius_m - kLimitMargin_m);
   if (!limits.may_enter_own_area) {

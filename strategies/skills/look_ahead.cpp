@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kWholeFrame = 1e-6;  // a smaller part of a frame is a rounding error
 
-// Moves the robot for `duration_s` towards the command's velocity, with the accelerations of which
-// it is capable (sim/drive.hpp).
+// Moves the robot for `duration_s` towards the command's velocity, with the accelerations that it
+// is capable of (sim/drive.hpp).
 void obey(const RobotCommand& command, const Abilities& abilities, double duration_s,
           TrackedRobot& robot) {
   const Vec2 wanted_mps = clamp_norm(command.velocity_mps, abilities.speed_mps);
@@ -51,7 +51,7 @@ const TeamCommands* LookAhead::sent_for(std::int64_t frame) const {
 }
 
 // The commands of a frame take effect `delay` frames later and last for one frame. So the commands
-// of the last `delay` frames have yet to take effect, the first of them in part.
+// of the last `delay` frames have not yet taken effect, or only in part for the first of them.
 LookAhead::Pending LookAhead::pending(const TeamView& view) const {
   Pending all;
   const double delay = view.latency_s / frame_s_;
@@ -65,7 +65,7 @@ LookAhead::Pending LookAhead::pending(const TeamView& view) const {
 
 void LookAhead::follow(const Pending& pending, TrackedRobot& robot) const {
   const auto number = static_cast<std::size_t>(robot.number);
-  RobotCommand command;  // continues its current motion
+  RobotCommand command;  // the robot continues its current motion
   command.velocity_mps = to_local(robot.velocity_mps, robot.heading);
   command.angular_velocity_radps = robot.angular_velocity_radps;
   for (const auto& [sent, duration_s] : pending) {

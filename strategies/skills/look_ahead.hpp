@@ -1,4 +1,5 @@
-// Prediction over the latency: a team's own robots follow the commands that are still on their way.
+// Prediction over the latency: a team's own robots follow the commands that have been sent but have
+// not yet taken effect.
 #pragma once
 
 #include <array>
@@ -17,16 +18,16 @@ class LookAhead {
   LookAhead(const TeamAbilities& abilities, double frame_rate_hz);
 
   // Extrapolates `view` by its latency, to when commands given now take effect. The team's own
-  // robots follow the commands noted so far, within their acceleration limits; a ball at a robot's
-  // dribbler moves with that robot. Opponents, and a ball that is not held, keep their motion.
-  // Returns whether the ball is held.
+  // robots follow the commands recorded so far, within their acceleration limits; a ball at a
+  // robot's dribbler moves with that robot. Opponents, and a ball that is not held, keep their
+  // motion. Returns whether the ball is held.
   bool look(const TeamView& view, TeamView& ahead) const;
 
-  // Notes the commands that the team gives for the view of this frame.
+  // Records the commands that the team gives for the view of this frame.
   void note(std::int64_t frame, const TeamCommands& commands);
 
  private:
-  // The number of latest commands kept. If there are more frames between view and motion, the
+  // How many of the latest commands are kept. If there are more frames between view and motion, the
   // oldest commands are missing.
   static constexpr int kKept = 32;
   struct Sent {
@@ -34,7 +35,8 @@ class LookAhead {
     TeamCommands commands{};
   };
 
-  // Commands on their way, if the team gave any, and for how long they will apply.
+  // Commands that have not yet taken effect, if the team gave any, and for how long they will
+  // apply.
   struct PendingCommands {
     const TeamCommands* sent;
     double duration_s;

@@ -9,7 +9,7 @@ namespace {
 constexpr double kMotionLookAhead_m = 1.5;  // obstacles farther along the path are ignored
 constexpr double kBetween = 0.7;            // minimum cosine between a wall's and a robot's
                                             // direction
-constexpr double kGoalClearance_m = 30_mm;  // between a goal's wall and a passing robot
+constexpr double kGoalClearance_m = 30_mm;  // gap between a goal's wall and a passing robot
 
 // The first obstacle on the path from `from_m` along the unit vector `direction`; nullptr if there
 // is none.
@@ -30,11 +30,11 @@ const Obstacle* first_on_path(const Vec2& from_m, const Vec2& direction, double 
 
 constexpr double kAvoidanceLookAhead_m = 1.6;  // obstacles farther along the path are ignored
 constexpr double kMovesOn_s = 0.25;            // other robots are extrapolated by this time
-constexpr double kRoom_m = 30_mm;              // between hulls
+constexpr double kRoom_m = 30_mm;              // gap between hulls
 constexpr double kAvoidanceBeside_m = 20_mm;   // additional clearance of the detour point
 constexpr double kBlockedLeg_m = 0.5;          // length added to a detour if an obstacle is on it
-constexpr double kBehindWall_m = 20;           // the same if a wall is on it
-constexpr double kTurning_s = 0.15;            // weight of the current velocity: length per speed
+constexpr double kBehindWall_m = 20;           // length added to a detour if a wall is on it
+constexpr double kTurning_s = 0.15;  // weight of the current velocity, as path length per speed
 
 // The first obstacle on the segment; nullptr if there is none.
 const Obstacle* first_on(const Vec2& from_m, const Vec2& to_m, const Obstacles& obstacles) {
@@ -99,8 +99,8 @@ RobotCommand drive_with(const TrackedRobot& robot, const Vec2& velocity_mps, con
   RobotCommand command;
   command.velocity_mps = to_local(velocity_mps, robot.heading);
   const double error_rad = angle_between(robot.heading, heading);
-  // Time-optimal braking curve, sqrt(2 a e) for an error e, replaced near the target by a
-  // proportional controller, because the curve's slope is unbounded there.
+  // The time-optimal braking curve is sqrt(2 a e) for an error e. Near the target, a proportional
+  // controller replaces it, because the curve's slope is unbounded there.
   const double rate_radps =
       std::min({style.turn_per_s * std::abs(error_rad), style.turn_limit_radps,
                 std::sqrt(2 * style.turn_braking_radps2 * std::abs(error_rad))});
@@ -113,8 +113,8 @@ RobotCommand drive_via(const TrackedRobot& robot, const Vec2& steer_m, const Way
   const double left_m = (goal.position_m - robot.position_m).norm();
   if (left_m < style.arrived_m) return drive_with(robot, Vec2(0, 0), goal.heading, style);
   const Vec2 direction = direction_of(steer_m - robot.position_m, goal.heading);
-  // Along the path, the same braking curve is used, with the same proportional controller near the
-  // target.
+  // Along the path, the speed follows the same braking curve, with the same proportional controller
+  // near the target.
   const double speed_mps = std::min(
       {style.speed_mps, style.approach_per_s * left_m, std::sqrt(2 * style.braking_mps2 * left_m)});
   return drive_with(robot, direction * speed_mps, goal.heading, style);

@@ -17,8 +17,8 @@ constexpr double kPush_m = 1.0;
 constexpr double kFarAway_m = 10.0;    // clearance if no robot is near
 constexpr double kScoreMargin = 1e-9;  // far above rounding errors
 
-// Like lane_clearance_m if that is at least `needed_m`; otherwise some value between that and
-// `needed_m`.
+// Like lane_clearance_m if that is at least `needed_m`; otherwise any value between the clearance
+// and `needed_m`.
 double clearance_if_m(double needed_m, const Vec2& from_m, const Vec2& to_m,
                       const TrackedRobots& robots) {
   const double needed2 = square(std::max(0.0, needed_m));
@@ -50,11 +50,11 @@ std::array<PushDirection, 2 * kPushSteps + 1> push_directions() {
 
 constexpr double kHeadingError_rad = 0.015;  // adds to the kicker's error
 constexpr double kReaction_s = 0.08;         // delay before a robot reacts to a kick
-constexpr double kReach_mps2 = 3.0;          // the robot's acceleration after that
+constexpr double kReach_mps2 = 3.0;          // the robot's acceleration after its reaction
 constexpr double kLongestReach_m = 0.5;
 constexpr double kBlock_m = kRobotRadius_m + kBallRadius_m;
 constexpr double kNarrowest_m = 20_mm;  // robots closer to the ball are ignored
-constexpr double kSafe_m = 150_mm;      // a lane with this much spare width is safe
+constexpr double kSafe_m = 150_mm;      // a pass along a lane with this much spare width is safe
 
 double reach_m(double time_s) {
   const double t = std::max(0.0, time_s - kReaction_s);
@@ -128,7 +128,8 @@ Aim best_shot(const Field& field, const Vec2& ball_m, const TrackedRobots& oppon
   for (int i = 0; i < kAimPoints; ++i) {
     const double share = 2.0 * i / (kAimPoints - 1) - 1.0;
     const Vec2 target_m(field.half_length_m(), share * reach_m);
-    // More space than the radii of a robot and a ball helps little; then the middle is safer.
+    // More space than the radii of a robot and a ball helps little, so in a wider gap the middle is
+    // safer.
     const double aside_cost = 0.02 * std::abs(share);
     const double needed_m = best_score + aside_cost - kScoreMargin;
     const double clearance_m = clearance_if_m(needed_m, ball_m, target_m, opponents);

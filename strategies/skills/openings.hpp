@@ -19,10 +19,12 @@ struct Aim {
 // Distance in metres between the segment from `from_m` to `to_m` and the nearest robot's centre.
 double lane_clearance_m(const Vec2& from_m, const Vec2& to_m, const TrackedRobots& robots);
 
-// The point of the opponents' goal with the most clearance from opponents, as seen from `ball_m`.
+// The point of the opponents' goal to which a kick from `ball_m` has the most clearance from
+// opponents.
 Aim best_shot(const Field& field, const Vec2& ball_m, const TrackedRobots& opponents);
 
-// A point 1 m from the ball, ahead or to a side but not behind, with the most clearance on the way.
+// A point 1 m from the ball, ahead or to a side but not behind, to which a kick has the most
+// clearance from opponents.
 Aim best_push(const Field& field, const Vec2& ball_m, const TrackedRobots& opponents);
 
 // The segment along which a ball is kicked, for queries about many robots.
@@ -32,8 +34,8 @@ class Lane {
       : from_m_(from_m), to_m_(to_m), offset_(to_m - from_m), length2_(offset_.squaredNorm()) {}
 
   // Whether the squared distance of the point from the line through both ends exceeds `distance2`
-  // by far more than rounding errors. This is a cheap test: if it is true, the distance from the
-  // lane is also larger.
+  // by far more than rounding errors. This is a cheap test that implies that the point is also
+  // farther than that from the lane.
   bool is_beyond(const Vec2& point_m, double distance2) const {
     return square(cross(offset_, point_m - from_m_)) >
            (distance2 * (1 + kMargin) + kMargin_m2) * length2_;
@@ -58,10 +60,10 @@ struct Opening {
   double chance = 0;  // probability that a shot at it scores
 };
 
-// The kick, and the robot that does not count as a blocker.
+// The kick of a shot, and the robot that does not count as a blocker.
 struct ShotTerms {
   double kick_mps = kUsualAbilities.kick_mps;
-  int but_mate = -1;  // number of the team's robot that shoots
+  int but_mate = -1;  // number of the team's robot that shoots, which does not block the shot
   double kick_error_rad = KickScatter{}.direction_rad;
 };
 
@@ -74,8 +76,8 @@ Opening widest_opening(const Field& field, const Vec2& from_m, const TrackedRobo
 // stays below the limit in 98 of 100 cases (two standard deviations).
 constexpr double share_below_limit(double speed_error) { return 1 / (1 + 2 * speed_error); }
 
-// How safely a ball kicked along the ground gets from one point to the other, from 0 to 1, given
-// the opponents in its path and those that can reach it in time.
+// How safe a pass along the ground from one point to the other is, from 0 to 1, given the opponents
+// in the ball's path and those that can reach the path in time.
 double pass_safety(const Vec2& from_m, const Vec2& to_m, double kick_mps,
                    const TrackedRobots& opponents);
 

@@ -19,7 +19,8 @@ constexpr double kPlayLane_m = 35_mm;      // lateral error allowed for the run 
 constexpr double kFastBall_mps = 1.2_mps;  // slower balls are played without being stopped
 constexpr double kReachAside_m =
     600_mm;  // largest distance from the ball's path at which a robot can still intercept the ball
-constexpr double kThrough_mps = 1.0_mps;  // speed above the ball's during the run
+// How much faster than the ball the robot is during the run.
+constexpr double kThrough_mps = 1.0_mps;
 
 }  // namespace
 
@@ -47,8 +48,8 @@ RobotCommand play_ball(const TrackedRobot& robot, const TrackedBall& ball,
   const Vec2 run_up_m = interception_m - aim * (kPlayTouch_m + kPlayRunUp_m);
 
   if (behind_m < kPlayTouch_m * 0.6) {
-    // The robot is in front of the ball or level with it, so it drives around it on the nearer
-    // side.
+    // The robot is in front of the ball or level with it, so it drives around the ball on the
+    // nearer side.
     const double side = beside_m > 0 ? -1.0 : 1.0;
     const Vec2 round_m =
         interception_m - aim * kPlayTouch_m + left_of(aim) * (side * kPlayBeside_m);
@@ -59,8 +60,8 @@ RobotCommand play_ball(const TrackedRobot& robot, const TrackedBall& ball,
   const bool in_lane = std::abs(beside_m) < kPlayLane_m && robot.heading.dot(heading) > 0.9;
   if (!in_lane) return drive_to(robot, {run_up_m, heading}, obstacles, style);
 
-  // Follows the ball sideways, runs through it along the aim, and closes the lateral error in
-  // proportion to its size.
+  // The robot follows the ball sideways, runs through it along the aim, and closes the lateral
+  // error in proportion to its size.
   const double along_mps = std::clamp(ball.velocity_mps.dot(aim), 0.0, 1.5) + kThrough_mps;
   const Vec2 velocity_mps = ball.velocity_mps - aim * ball.velocity_mps.dot(aim) + aim * along_mps +
                             left_of(aim) * (style.approach_per_s * beside_m);
@@ -89,7 +90,8 @@ RobotCommand receive_ball(const TrackedRobot& robot, const TrackedBall& ball,
                           const Vec2& interception_m, const Obstacles& obstacles,
                           const DrivingStyle& style) {
   const Vec2 direction = direction_of(ball.velocity_mps, -robot.heading);
-  // Stays short of the robot's own position; beyond it, the robot would drive away from the ball.
+  // The target stays short of the robot's own position, because otherwise the robot would drive
+  // away from the ball.
   const double along_m = std::min((interception_m - ball.position_m).dot(direction),
                                   (robot.position_m - ball.position_m).dot(direction));
   const Vec2 stand_m = ball.position_m + direction * std::max(along_m, kPlayTouch_m);

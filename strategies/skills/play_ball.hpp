@@ -9,11 +9,12 @@
 namespace autoref::strategies {
 
 // The taker of a restart, which must not touch the ball again before another robot has touched it.
-// Remembers the number of the robot that took the team's restart until another robot has the ball.
+// This class stores the number of the robot that took the team's restart until another robot has
+// the ball.
 class RestartTaker {
  public:
-  // `taker` is the number of the robot that goes for the ball; -1 for no robot. Call it for every
-  // view.
+  // Call update() for every view. `taker` is the number of the robot that goes for the ball; -1 for
+  // no robot.
   void update(const TeamView& now, int taker);
 
   int number() const { return number_; }  // -1 for no robot
@@ -33,12 +34,13 @@ struct Intent {
 };
 
 // Commands for `robot` to reach the ball and kick it at the intent's target. `interception_m` is
-// where it can meet the ball. `obstacles` must contain only robots; the ball is avoided here.
+// where the robot can meet the ball. `obstacles` must contain only robots; the ball is avoided
+// here.
 RobotCommand play_ball(const TrackedRobot& robot, const TrackedBall& ball,
                        const Vec2& interception_m, const Intent& intent, const Obstacles& obstacles,
                        const DrivingStyle& style);
 
-// Whether the ball approaches `robot` so fast that it should be stopped first.
+// Whether the ball approaches `robot` so fast that the robot should stop it before it kicks.
 bool comes_at(const TrackedRobot& robot, const TrackedBall& ball);
 
 // Commands for `robot` to stand in the ball's path at `interception_m` and stop it with the

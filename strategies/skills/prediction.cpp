@@ -45,8 +45,8 @@ void look_ahead(const TeamView& view, TeamView& ahead) {
 double travel_time_s(const TrackedRobot& robot, const Vec2& point_m) {
   const Vec2 offset = point_m - robot.position_m;
   const double distance_m = offset.norm();
-  // Assumes cruising speed all the way, plus a start-up time that is shorter if the robot is
-  // already moving in that direction.
+  // The estimate assumes cruising speed all the way, plus a start-up time that is shorter if the
+  // robot is already moving in that direction.
   const double closing_mps = distance_m < 1e-6 ? 0.0 : robot.velocity_mps.dot(offset) / distance_m;
   return std::max(0.0, distance_m / kCruise_mps + kStartUp_s * (1.0 - closing_mps / kCruise_mps));
 }
@@ -65,7 +65,7 @@ Interception intercept(const TrackedRobot& robot, const BallSamples& ball) {
   const double head_start_m = kStartUp_s * robot.velocity_mps.norm() + kPredictedMargin_m;
   for (int i = 0; i < BallSamples::kSteps; ++i) {
     const double t = BallSamples::time_s(i);
-    // Out of reach even if the robot were already moving towards this point.
+    // The point is out of reach even if the robot were already moving towards it.
     if ((robot.position_m - ball.at(i)).squaredNorm() > square(kCruise_mps * t + head_start_m))
       continue;
     const double travel_s = travel_time_s(robot, ball.at(i));

@@ -20,11 +20,11 @@ double travel_time_s(const TrackedRobot& robot, const Vec2& point_m);
 
 struct Interception {
   Vec2 point_m{0, 0};
-  double time_s = 0;  // until the robot arrives
+  double time_s = 0;  // time until the robot arrives
 };
 
 // The rolling ball's position now and at each step of the next 2 s, computed once for all robots.
-// For a ball at rest, only the position now.
+// For a ball at rest, only the current position.
 class BallSamples {
  public:
   static constexpr int kSteps = 20;
@@ -32,7 +32,7 @@ class BallSamples {
 
   explicit BallSamples(const TrackedBall& ball);
 
-  bool lies_still() const { return lies_still_; }  // slower than 0.1 m/s
+  bool lies_still() const { return lies_still_; }  // whether the ball is slower than 0.1 m/s
   const Vec2& at(int step) const { return points_m_[static_cast<std::size_t>(step)]; }
 
  private:
@@ -40,7 +40,8 @@ class BallSamples {
   std::array<Vec2, kSteps + 1> points_m_;
 };
 
-// Where `robot` can first meet the rolling ball; if it cannot catch up, the ball's position in 2 s.
+// Where `robot` can first meet the rolling ball; if it cannot catch up with the ball, the ball's
+// position in 2 s.
 Interception intercept(const TrackedRobot& robot, const BallSamples& ball);
 Interception intercept(const TrackedRobot& robot, const TrackedBall& ball);
 

@@ -13,7 +13,8 @@ constexpr double kStrikeTouch_m = kFrontDistance_m + kBallRadius_m;
 constexpr double kInDribblerZone_m =
     18_mm;  // largest gap between the plate and a ball that the robot still holds
 constexpr double kIncoming_mps = 1.8;
-constexpr double kBesideLine_m = 0.7;  // largest distance from the ball's line to step onto it
+// Largest distance from the ball's path at which the robot steps onto it.
+constexpr double kBesideLine_m = 0.7;
 constexpr double kFrame_s = 1.0 / 60;
 
 constexpr double kPress_mps = 0.25;  // forward speed that keeps the ball at the plate
@@ -23,25 +24,27 @@ constexpr double kNear_m = 0.35;          // within this distance, the robot mov
 constexpr double kStrikeRunUp_m = 50_mm;  // gap between plate and ball before the final run
 constexpr double kExact_m = 30_mm;        // allowed lateral offset at a restart
 constexpr double kClearOfBall_m = 25_mm;
-constexpr double kCommits_m = 20_mm;     // gap from which the robot can hardly avoid the ball
-constexpr double kCarefulFrom_m = 0.35;  // slow down near a ball that must not be moved
+constexpr double kCommits_m = 20_mm;  // gap from which the robot can hardly avoid the ball
+// The robot slows down within this distance of a ball that must not be moved.
+constexpr double kCarefulFrom_m = 0.35;
 constexpr double kCareful_mps = 1.2;
-constexpr double kRun_mps = 0.7;  // speed into the ball
+constexpr double kRun_mps = 0.7;  // speed at which the robot runs into the ball
 constexpr double kRunBraking_mps2 = 3.0;
 
-// Follows a time-optimal braking curve, limited near the target and by the rate at which the
-// dribbler can hold the ball.
+// The angular velocity follows a time-optimal braking curve. It is limited near the target, and to
+// the rate at which the dribbler can hold the ball.
 double turn_rate_radps(double error_rad, const Strike& strike) {
   const double rate = std::sqrt(2 * strike.turn_braking_radps2 * std::abs(error_rad));
   return std::copysign(std::min({rate, 12 * std::abs(error_rad), strike.turn_radps}), error_rad);
 }
 
-// The kick's speed over ground; a chip at 45 degrees loses part of it to its height.
+// The kick's speed over ground; a chip at 45 degrees uses part of the speed to gain height.
 double ground_mps(const Strike& strike) {
   return strike.chip ? strike.kick_mps * std::sqrt(0.5) : strike.kick_mps;
 }
 
-// Kicks if the ball would go in the direction of `aim`, allowing for the turn within this frame.
+// The robot kicks if the ball would go in the direction of `aim`, allowing for the turn within this
+// frame.
 void kick_if_aligned(const TrackedRobot& robot, const Vec2& ball_mps, const Vec2& aim,
                      const Strike& strike, RobotCommand& command) {
   if (strike.kick_mps <= 0) return;
@@ -63,7 +66,8 @@ RobotCommand turn_and_kick(const TrackedRobot& robot, const Vec2& aim, const Str
   return command;
 }
 
-// Stands in the ball's path. Kicks it first-time if the angle allows, otherwise stops it.
+// The robot stands in the ball's path. It kicks the ball first-time if the angle allows this;
+// otherwise, it stops the ball.
 RobotCommand intercept_pass(const TrackedRobot& robot, const BallPath& path,
                             const BallInterception& interception, const Strike& strike,
                             const Vec2& aim, const Obstacles& obstacles,
@@ -135,10 +139,10 @@ Vec2 kicked_mps(const Vec2& heading, double along_mps, const Vec2& ball_mps) {
   return heading * along_mps + across * ball_mps.dot(across);
 }
 
-// With t the tangent of the angle between heading and aim, a the ball's speed along the aim, c its
-// speed across it and v the kick's speed, the ball has no motion across the aim if v t sqrt(1 +
-// t^2) = c + a t. This is solved by fixed-point iteration, for headings at most 45 degrees off the
-// aim.
+// Let t be the tangent of the angle between heading and aim, a the ball's speed along the aim, c
+// its speed across it and v the kick's speed. Then the ball has no motion across the aim if v t
+// sqrt(1 + t^2) = c + a t. This is solved by fixed-point iteration, for headings at most 45 degrees
+// off the aim.
 Vec2 kick_heading(const Vec2& aim, double along_mps, const Vec2& ball_mps) {
   if (along_mps <= 0) return aim;
   const double along = ball_mps.dot(aim);
@@ -164,7 +168,7 @@ RobotCommand take_kick(const TrackedRobot& robot, const Vec2& ball_m, const Stri
         is_at_ball ? std::max(strike.tolerance_rad, strike.commit_rad) : strike.tolerance_rad;
     const bool is_aligned =
         std::abs(angle_between(robot.heading, aim)) < tolerance_rad && std::abs(aside_m) < kExact_m;
-    // Drives up to the ball, and into it once the robot is aligned.
+    // The robot drives up to the ball, and into it once it is aligned.
     const double left_m = ahead_m - (is_aligned ? 0.0 : kClearOfBall_m);
     const double run_mps = (is_aligned ? kRun_mps : 0.0) + style.approach_per_s * left_m;
     RobotCommand command = drive_with(

@@ -10,9 +10,10 @@ namespace {
 
 constexpr double kBesideBox_m = 10_mm;
 constexpr double kGradientStep_m = 1_mm;
-constexpr double kInTheWay_m = 0.35;  // along the field, from a robot in the goal to an opponent in
-                                      // front of it
-constexpr double kPast_m = 2 * kRobotRadius_m + 10_mm;  // across the field
+constexpr double kInTheWay_m = 0.35;  // distance along the field from a robot in the goal to an
+                                      // opponent in front of it
+// Distance across the field at which a robot passes an opponent.
+constexpr double kPast_m = 2 * kRobotRadius_m + 10_mm;
 constexpr double kGoalBraking_mps2 = 2.5;
 constexpr double kSlowsWithin_m = 1.5;  // at most 3 m/s^2 are needed to stop from full speed
 

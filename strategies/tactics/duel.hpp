@@ -6,7 +6,7 @@
 
 namespace autoref::strategies {
 
-// Whether the opponent that reaches the ball first has it in its dribbler zone.
+// Whether the opponent that reaches the ball first already has it in its dribbler zone.
 bool opponent_has_ball(const PredictedState& predicted);
 
 // Commands for the robot with that index to get between an opponent's ball and the team's own goal,

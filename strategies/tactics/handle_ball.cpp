@@ -10,12 +10,12 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kTouches_m = 5_mm;  // gap to a ball in contact
+constexpr double kTouches_m = 5_mm;  // largest gap to a ball in contact
 constexpr double kBackwards = -0.3;  // x of a heading below which a kick goes backwards
 constexpr double kLetGo_mps = 1.5;
-constexpr double kCommitted_m = 125_mm;  // from the taker's centre to the ball
+constexpr double kCommitted_m = 125_mm;  // distance from the taker's centre to the ball
 constexpr double kMoves_mps = 0.3;       // a ball faster than this is moving
-constexpr double kLong_s = 10;           // as good as unlimited
+constexpr double kLong_s = 10;           // practically unlimited time
 
 // A unit vector out of the field if the ball is so close to a line that a push could move it out;
 // otherwise zero.
@@ -88,7 +88,7 @@ Choice BallHandler::choose(int index, const Vec2& from_m) const {
       predicted_.style().shot_threshold * (is_shooting ? predicted_.style().still_shoots : 1.0))
     return best;
   best = less_turning(best);
-  // Turning can only cost, apart from rounding errors.
+  // Having to turn can only lower the value, apart from rounding errors.
   constexpr double kTurnGain = 1e-9;
   const auto consider = [&](Choice option) {
     if (option.kind == choice_.kind && option.receiver == choice_.receiver)
@@ -117,7 +117,8 @@ Choice BallHandler::choose(int index, const Vec2& from_m) const {
 }
 
 // How the robot holds the ball or will meet it: head-on if the ball comes towards it, otherwise
-// from a side that needs little turning (strike_ball()). Empty if the robot has time.
+// from a side that needs little turning (strike_ball()). It is empty if the robot has enough time
+// to turn.
 std::optional<Hold> BallHandler::hold_of(int index, const Vec2& from_m) const {
   const Style& style = predicted_.style();
   if (style.late_cost <= 0 || predicted_.now().play != Play::kRunning) return std::nullopt;
@@ -138,7 +139,7 @@ std::optional<Hold> BallHandler::hold_of(int index, const Vec2& from_m) const {
   return hold;
 }
 
-// How long the robot can turn with the ball until it has dribbled it nearly too far.
+// How long the robot can turn with the ball before it has dribbled the ball nearly too far.
 double BallHandler::dribble_left_s(const TrackedRobot& robot, bool holds) const {
   const Style& style = predicted_.style();
   if (!predicted_.rules().has(RuleId::kBotDribbledBallTooFar)) return kLong_s;
@@ -197,7 +198,8 @@ void BallHandler::note_contacts() {
   }
 }
 
-// Whether the robot is about to touch the ball at a restart, so a new choice would come too late.
+// Whether the robot is about to touch the ball at a restart, so that a new choice would come too
+// late.
 bool BallHandler::is_committed(const TrackedRobot& robot) const {
   return predicted_.style().restart_commit_rad > 0 && is_restart(predicted_.now().play) &&
          restart_taker_ == robot.number &&
@@ -239,7 +241,7 @@ RobotCommand BallHandler::strike(int index) const {
   const BallPath& path = predicted_.path();
   const BallInterception& interception = predicted_.interception(index);
   Obstacles obstacles;
-  // Close to the ball, the robot fights for it instead of driving around others.
+  // Close to the ball, the robot fights for it instead of driving around other robots.
   if ((interception.point_m - robot.position_m).norm() > predicted_.style().fight_m)
     robots_around(predicted_, index, interception.point_m, obstacles);
   const DrivingStyle style = predicted_.driving(index);
@@ -256,19 +258,19 @@ RobotCommand BallHandler::strike(int index) const {
   return strike_ball(robot, path, interception, now, obstacles, style);
 }
 
-// Whether an opponent will be at the ball soon after this robot, or before it.
+// Whether an opponent will reach the ball before this robot or soon after it.
 bool BallHandler::is_hurried(int index) const {
   return predicted_.theirs().time_s <
          predicted_.interception(index).time_s + predicted_.style().hurry_s;
 }
 
-// Whether a goal straight from the kick would count.
+// Whether a goal scored straight from this kick would count.
 bool BallHandler::may_score() const {
   return predicted_.now().play != Play::kIndirectFree ||
          !predicted_.rules().has(RuleId::kIndirectGoal) || predicted_.style().indirect_shots;
 }
 
-// Whether the taker of this restart may touch the ball again, so it can take the ball along.
+// Whether the taker of this restart may touch the ball again, so that it can take the ball along.
 bool BallHandler::may_dribble_restart() const {
   return predicted_.style().dribbled_restart > 0 && is_restart(predicted_.now().play) &&
          predicted_.now().play != Play::kPenalty &&
@@ -287,7 +289,7 @@ bool BallHandler::must_let_go(int index) const {
          robot.heading.x() < kBackwards;
 }
 
-// Drives away from the ball, and out of its path.
+// The robot drives away from the ball, and out of its path.
 RobotCommand BallHandler::let_go(int index) const {
   const TrackedRobot& robot = predicted_.robot(index);
   const BallPath& path = predicted_.path();
@@ -300,17 +302,18 @@ RobotCommand BallHandler::let_go(int index) const {
   return command;
 }
 
-// The fraction of the allowed distance after which the ball must be passed on immediately.
+// The fraction of the allowed dribbling distance after which the ball must be passed on
+// immediately.
 double BallHandler::hasty_share() const {
   return std::max(predicted_.style().dribbling_share, predicted_.style().hasty_share);
 }
 
-// Whether the ball has been dribbled so far that it must be passed on now, or immediately in any
-// direction.
+// Whether the ball has been dribbled so far that it must be passed on now, or even kicked
+// immediately in any direction.
 bool BallHandler::must_release() const { return has_dribbled(predicted_.style().dribbling_share); }
 bool BallHandler::is_hasty() const { return has_dribbled(hasty_share()); }
 
-// Whether the ball has been dribbled over this fraction of the allowed distance.
+// Whether the ball has been dribbled over the given fraction of the allowed dribbling distance.
 bool BallHandler::has_dribbled(double share) const {
   if (!predicted_.rules().has(RuleId::kBotDribbledBallTooFar)) return false;
   Vec2 from_m = taken_from_m_;

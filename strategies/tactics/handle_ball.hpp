@@ -10,7 +10,8 @@
 
 namespace autoref::strategies {
 
-// Controls the robot at the ball. Stores its last choice and the receiver of a pass under way.
+// Controls the robot at the ball. Stores the robot's last choice, and the receiver of a pass under
+// way.
 class BallHandler {
  public:
   explicit BallHandler(const PredictedState& predicted);
@@ -21,8 +22,9 @@ class BallHandler {
   // Commands for the robot with that index to go for the ball and play it.
   RobotCommand play(int index);
 
-  // Whether the robot with that index must leave the ball because it has dribbled it nearly too far
-  // and no kick helps; and the commands to do so.
+  // must_let_go() says whether the robot with that index must leave the ball because it has
+  // dribbled it nearly too far and no kick helps. The other function returns the commands to leave
+  // it.
   bool must_let_go(int index) const;
   RobotCommand let_go(int index) const;
 
@@ -60,8 +62,8 @@ class BallHandler {
   std::array<std::optional<Vec2>, kMaxRobots> contact_from_m_;
   std::optional<int> receiver_;
   double receiver_until_s_ = 0;
-  std::array<double, kMaxRobots>
-      chances_{};  // scoring chance of each mate's shot from its position, by number
+  std::array<double, kMaxRobots> chances_{};  // probability that each team-mate scores with a shot
+                                              // from its position, by number
 };
 
 }  // namespace autoref::strategies

@@ -13,13 +13,14 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr int kGoalLinePoints = 17;  // points of the goal line
+constexpr int kGoalLinePoints = 17;  // number of sample points on the goal line
 constexpr double kBlockedBy_m = kRobotRadius_m + kBallRadius_m;
-constexpr double kNearest_m = 50_mm;    // robots nearer to the ball, along the field, are ignored
-constexpr double kFarthest = 0.62;      // of the field's length: shots from farther away are rare
+constexpr double kNearest_m = 50_mm;  // robots nearer to the ball, along the field, are ignored
+// Fraction of the field's length; shots from farther away are rare.
+constexpr double kFarthest = 0.62;
 constexpr double kStrayCost_per_m = 1;  // in samples covered, per metre from the usual point
 constexpr double kAimWidth_m = 0.15;    // points of the goal this near to the aim count more
-constexpr double kAimWeight = 1.0;      // at most by this
+constexpr double kAimWeight = 1.0;      // largest additional weight of such a point
 
 using Weights = std::array<double, kGoalLinePoints>;
 
@@ -72,7 +73,8 @@ OpenPoints without_shaded(const Field& field, const Weights& open) {
   return points;
 }
 
-// How much a shadow around `middle_m` covers: its middle covers fully, its ends hardly at all.
+// How much a shadow around `middle_m` covers: the shadow's middle covers fully, its ends hardly at
+// all.
 double covered(const OpenPoints& open, double middle_m, double half_width_m) {
   double sum = 0;
   for (const OpenPoint& point : open) {
@@ -102,8 +104,8 @@ std::optional<Vec2> aimed_at(const PredictedState& predicted) {
   return aim_m;
 }
 
-// Where the keeper expects a shot to cross its line: in the middle of the open angle, shifted
-// towards the point at which an opponent with the ball aims.
+// Where the keeper expects a shot to cross the keeper's line: in the middle of the open angle,
+// shifted towards the point at which an opponent with the ball aims.
 Vec2 expected_at(const PredictedState& predicted, const Vec2& halving) {
   const Vec2 middle_m = on_goal_line(predicted.field(), predicted.threat_m(), halving);
   const std::optional<Vec2> aim_m = aimed_at(predicted);

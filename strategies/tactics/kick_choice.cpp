@@ -48,8 +48,8 @@ double worth_of_pass(const PredictedState& predicted, const Choice& pass, double
   return share * safety * there + safety * liked - (1 - safety) * lost;
 }
 
-// Like pass_safety, for a ball that flies over robots, except shortly after the kick and before the
-// landing.
+// The same as pass_safety(), but for a ball that flies over robots, except shortly after the kick
+// and before the landing.
 double chip_safety(const PredictedState& predicted, const Vec2& from_m, const Vec2& landing_m,
                    const Vec2& to_m) {
   const Vec2 direction = direction_of(landing_m - from_m, Vec2(1, 0));

@@ -54,8 +54,8 @@ PassField::PassField(const PredictedState& predicted)
   positions_m_.fill(Vec2(0, 0));
 }
 
-// Values are read when positions are chosen. Until one sweep before the next choice, every value
-// would be replaced before it is read, so none is computed.
+// Values are read when positions are chosen. Values computed earlier than one sweep before the next
+// choice would be replaced before they are read, so they are not computed.
 void PassField::update() {
   if (predicted_.now().frame + kSweep_frames <= settle_frame_ + held_frames_) {
     next_ = (next_ + kPerFrame) % kCells;

@@ -1,5 +1,5 @@
-// A grid of pass values: the value of having the ball at each position, and whether a pass reaches
-// it.
+// A grid of pass values: the value of having the ball at each position, and whether a pass to it
+// arrives.
 #pragma once
 
 #include <array>
@@ -8,29 +8,31 @@
 
 namespace autoref::strategies {
 
-// The chance that a shot from there scores, 0 to 1. `mate` is the number of the team's robot that
-// would take it, or -1.
+// The chance, 0 to 1, that a shot from `point_m` scores. `mate` is the number of the team's robot
+// that would take it, or -1.
 double chance_at(const PredictedState& predicted, const Vec2& point_m, int mate);
 
-// The value, 0 to 1, of a ball passed from `from_m` to `point_m`, given the chance of a shot from
-// there. It is largest if a first-time shot is possible, with a small bonus for being far upfield.
+// The value, 0 to 1, of a ball passed from `from_m` to `point_m`, given the `chance` that a shot
+// from `point_m` scores. The value is largest if a first-time shot is possible, with a small bonus
+// for being far upfield.
 double worth_of(const PredictedState& predicted, double chance, const Vec2& point_m,
                 const Vec2& from_m);
 
 class PassField {
  public:
-  static constexpr int kColumns = 8;  // across the field's length
+  static constexpr int kColumns = 8;  // cells along the field's length
   static constexpr int kRows = 6;
   static constexpr int kCells = kColumns * kRows;
 
   explicit PassField(const PredictedState& predicted);
 
-  // Updates the next few cells, so that every cell is updated once in the few frames before
+  // Updates the next few cells, so that every cell has been updated once in the few frames before
   // positions are chosen.
   void update();
 
   // Chooses a position for each receiver (given by index), one after the other: the best cell that
-  // is near the robot and far from the other positions. Positions are kept for a while.
+  // is near the robot and far from the positions already chosen. Robots keep their positions for a
+  // while.
   void send(const boost::container::static_vector<int, kMaxRobots>& receivers);
 
   // The position last assigned to the robot with that number.

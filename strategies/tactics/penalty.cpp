@@ -6,12 +6,12 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kPenaltyRunUp_m = 250_mm;  // from the ball to the waiting kicker's centre
+constexpr double kPenaltyRunUp_m = 250_mm;  // distance from the ball to the waiting kicker's centre
 constexpr double kPenaltyOnLine_m =
     30_mm;  // keeper's centre in front of its line, with its hull on the line
 constexpr double kPenaltyMargin_m = 50_mm;
-constexpr double kRows_m = 300_mm;  // between the attackers' and the defenders' row
-constexpr double kGap_m = 300_mm;   // between neighbours in a row
+constexpr double kRows_m = 300_mm;  // distance between the attackers' and the defenders' row
+constexpr double kGap_m = 300_mm;   // distance between neighbours in a row
 
 }  // namespace
 
@@ -37,7 +37,7 @@ Waypoint penalty_keeper(const Field& field, const Vec2& mark_m) {
 Waypoint penalty_spectator(const Field& field, const Vec2& mark_m, double clearance_m, bool ours,
                            int order) {
   const double behind_m = clearance_m + kRobotRadius_m + kPenaltyMargin_m + (ours ? 0.0 : kRows_m);
-  // Alternates between the two sides of the middle.
+  // Positions alternate between the two sides of the middle.
   const double aside = order % 2 == 0 ? 1.0 : -1.0;
   const int positions_aside = (order + 1) / 2;
   const double y = aside * kGap_m * (positions_aside + 0.5);

@@ -10,10 +10,12 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr double kGrip_m = kFrontDistance_m + kBallRadius_m;  // from robot to ball, in contact
-constexpr double kRunUp_m = 120_mm;     // from where the robot lines up to where it grips
+// Distance from robot to ball in contact.
+constexpr double kGrip_m = kFrontDistance_m + kBallRadius_m;
+// Distance from where the robot lines up to where it grips the ball.
+constexpr double kRunUp_m = 120_mm;
 constexpr double kNearWall_m = 250_mm;  // a ball nearer to a wall is first pulled inwards
-constexpr double kInwards_m = 300_mm;   // by this distance
+constexpr double kInwards_m = 300_mm;   // distance by which such a ball is pulled inwards
 constexpr double kBesideGoal_m =
     450_mm;  // from a goal post, a ball behind the line comes out first
 constexpr double kApproach_mps = 2.5;
@@ -24,19 +26,19 @@ constexpr double kPull_mps = 1.6;
 constexpr double kPull_mps2 = 1.3;  // the dribbler loses the ball in harder motion
 constexpr double kTurn_radps = 2.0;
 constexpr double kTurn_radps2 = 8.0;
-constexpr double kSetDown_m = 25_mm;      // from the ball to its position
+constexpr double kSetDown_m = 25_mm;      // distance from the ball to its position
 constexpr double kGoodEnough_m = 110_mm;  // a ball at rest this near to its position stays
 constexpr double kStraight_m = 250_mm;    // the last part is straight
 constexpr double kRests_mps = 0.15;       // maximum speed of a tracked ball at rest
-constexpr double kBrake_s = 0.3;          // to come to rest with the ball
+constexpr double kBrake_s = 0.3;          // time to come to rest with the ball
 constexpr double kRelease_s = 0.5;        // time for the ball to come to rest after the dribbler is
                                           // switched off
 constexpr double kSlowly_s = 1.0;         // until then, the robot backs away slowly
 constexpr double kSlowly_mps = 0.25;
 constexpr double kLeave_mps = 1.0;
-constexpr double kLeave_m = 0.75;    // from the robot's centre to the ball
-constexpr double kPatience_s = 9.0;  // without the ball; after that, another robot tries
-constexpr double kClear_m = 0.68;    // from others' centres to the ball's path
+constexpr double kLeave_m = 0.75;    // distance from the robot's centre to the ball
+constexpr double kPatience_s = 9.0;  // time without the ball after which another robot tries
+constexpr double kClear_m = 0.68;    // distance from the centres of other robots to the ball's path
 
 bool is_field_player(const PredictedState& predicted, const TrackedRobot& robot) {
   return robot.number != predicted.robot(0).number;
@@ -48,7 +50,7 @@ double slewed(double from, double to, double most) {
 
 }  // namespace
 
-// The nearest robot except the keeper.
+// The robot nearest to the ball, except the keeper.
 int BallPlacer::choose() const {
   int nearest = -1;
   double nearest_m = std::numeric_limits<double>::infinity();
@@ -89,7 +91,8 @@ void BallPlacer::update(const TrackedBall& tracked) {
   set_down_s_.reset();
 }
 
-// The designated position, unless the ball must first come away from a wall or a goal.
+// The designated position, or an intermediate position if the ball must first be pulled away from a
+// wall or a goal.
 Vec2 BallPlacer::next_goal_m() const {
   const Field& field = predicted_.field();
   const Vec2& ball_m = ball_m_;
@@ -114,7 +117,7 @@ bool BallPlacer::still_holds(const TrackedRobot& robot) const {
 RobotCommand BallPlacer::play() {
   const TrackedRobot& robot = predicted_.robot(index_);
   const bool held = holds_;
-  // Cameras do not see a ball behind the robot; it is still at the plate.
+  // Cameras do not see a ball behind the robot; the ball is still at the plate.
   if (held && is_hidden_) ball_m_ = robot.position_m + robot.heading * kGrip_m;
   const Vec2& ball_m = ball_m_;
   const double left_m = (predicted_.position_m() - ball_m).norm();
@@ -137,7 +140,7 @@ RobotCommand BallPlacer::play() {
   return approach(robot, pull);
 }
 
-// Lines up on the side to which the ball is to be pulled, facing the ball.
+// The robot lines up on the side to which the ball is to be pulled, facing the ball.
 RobotCommand BallPlacer::approach(const TrackedRobot& robot, const Vec2& pull) {
   const Vec2& ball_m = ball_m_;
   const Vec2 from_ball_m = robot.position_m - ball_m;
@@ -168,7 +171,7 @@ RobotCommand BallPlacer::grip(const TrackedRobot& robot, const Vec2& pull) {
   return command;
 }
 
-// Makes sure of the contact.
+// The robot makes sure that it is in contact with the ball.
 RobotCommand BallPlacer::press(const TrackedRobot& robot) {
   velocity_mps_ = robot.heading * kPressing_mps;
   RobotCommand command =
@@ -177,7 +180,8 @@ RobotCommand BallPlacer::press(const TrackedRobot& robot) {
   return command;
 }
 
-// Drives backwards with gentle accelerations; turns first if the ball is on the wrong side.
+// The robot drives backwards with gentle accelerations. It turns first if the ball is on the wrong
+// side.
 RobotCommand BallPlacer::pull_ball(const TrackedRobot& robot, const Vec2& goal_m) {
   const Vec2 offset_m = goal_m - ball_m_;
   const double left_m = offset_m.norm();
@@ -202,7 +206,7 @@ RobotCommand BallPlacer::pull_ball(const TrackedRobot& robot, const Vec2& goal_m
   return command;
 }
 
-// Comes to rest, switches the dribbler off, waits, and backs away, slowly at first.
+// The robot comes to rest, switches the dribbler off, waits, and backs away, slowly at first.
 RobotCommand BallPlacer::set_down(const TrackedRobot& robot) {
   const double waited_s = now_s_ - *set_down_s_;
   RobotCommand command;

@@ -13,13 +13,13 @@ class BallPlacer {
  public:
   explicit BallPlacer(const PredictedState& predicted) : predicted_(predicted) {}
 
-  // Chooses the robot. Call it for every view, with the view's ball.
+  // Chooses the robot that places the ball. Call update() for every view, with the view's ball.
   void update(const TrackedBall& tracked);
 
   // The index of the robot that places the ball; -1 unless this team is to place it.
   int index() const { return index_; }
 
-  // Commands for that robot.
+  // Commands for the robot that places the ball.
   RobotCommand play();
 
  private:
@@ -35,18 +35,18 @@ class BallPlacer {
   const PredictedState& predicted_;
   int index_ = -1;
   int number_ = -1;         // the robot's number; -1 for no robot
-  int former_ = -1;         // the robot that has already tried
+  int former_ = -1;         // number of the robot that has already tried
   double since_s_ = 0;      // when the robot was chosen
-  Vec2 ball_m_{0, 0};       // at the time when commands take effect
-  Vec2 tracked_m_{0, 0};    // in the view
+  Vec2 ball_m_{0, 0};       // the ball's position when commands take effect
+  Vec2 tracked_m_{0, 0};    // the ball's position in the view
   bool is_hidden_ = false;  // whether the tracker has stopped the ball where it was last seen
   bool holds_ = false;
   double held_since_s_ = 0;
   std::optional<double> set_down_s_;  // when the robot began to set the ball down
-  Vec2 velocity_mps_{0, 0};           // commanded while it holds the ball
+  Vec2 velocity_mps_{0, 0};           // velocity commanded while the robot holds the ball
   double turn_radps_ = 0;
   double now_s_ = 0;
-  double step_s_ = 0;  // since the previous view
+  double step_s_ = 0;  // time since the previous view
 };
 
 // Whether the referee is placing the ball for the opponents' restart, so robots must keep clear of
@@ -54,8 +54,8 @@ class BallPlacer {
 bool must_clear_placement(const PredictedState& predicted);
 
 // A better position for a robot that would come too near to the ball, or to its path to the
-// designated position, on its way to `waypoint`. It is near the robot's current position. Returns
-// nullopt if the way is clear.
+// designated position, on its way to `waypoint`. The better position is near the robot's current
+// position. Returns nullopt if the robot's way is clear.
 std::optional<Waypoint> clear_of_placement(const PredictedState& predicted,
                                            const TrackedRobot& robot, const Vec2& waypoint_m);
 

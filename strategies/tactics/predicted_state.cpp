@@ -13,8 +13,8 @@
 namespace autoref::strategies {
 namespace {
 
-// Adds both areas as discs that touch the areas' front lines, unless the robot or its target is
-// inside the area.
+// Adds both areas as discs that touch the areas' front lines, each unless the robot or its target
+// is inside that area.
 void add_areas(const PredictedState& predicted, const TrackedRobot& robot, const Vec2& target_m,
                Obstacles& obstacles) {
   for (const Side side : kSides) {
@@ -181,7 +181,8 @@ RobotCommand go_to(const PredictedState& predicted, int index, const Waypoint& w
   const Vec2 off_m = robot.position_m - now.ball.position_m;
   if (room_m > predicted.style().near_room_m &&
       off_m.norm() < room_m + kRobotRadius_m - predicted.style().near_room_m) {
-    // First leaves the ball's circle, either directly or along a wall that is in the way.
+    // The robot first leaves the circle around the ball, either directly or along a wall that is in
+    // the way.
     const Vec2 out =
         off_walls(predicted.field(), robot.position_m, direction_of(off_m, Vec2(-1, 0)),
                   room_m + kRobotRadius_m - off_m.norm());
@@ -195,7 +196,7 @@ RobotCommand go_to(const PredictedState& predicted, int index, const Waypoint& w
 
 namespace {
 
-// How gently opponents are approached.
+// How gently robots approach opponents.
 Easing easing_of(const PredictedState& predicted) {
   const Style& style = predicted.style();
   Easing easing{style.ease_from_m, style.gentle_mps, style.ease_mps2};

@@ -1,5 +1,5 @@
-// A team's prediction from a view: the field when its commands take effect, the ball's path, who
-// reaches the ball first, and which team has it.
+// A team's prediction from a view: the robots and ball when its commands take effect, the ball's
+// path, who reaches the ball first, and which team has it.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ class PredictedState {
 
   // Processes the next view. Call it for every view of the game.
   void update(const TeamView& view);
-  // Notes the team's commands for that view.
+  // Records the team's commands for that view.
   void note(const TeamCommands& commands) { look_ahead_.note(now_.frame, commands); }
 
   const TeamContext& context() const { return context_; }
@@ -34,7 +34,7 @@ class PredictedState {
   const Vec2& position_m() const { return position_m_; }
 
   // The position from which to expect a shot at the team's own goal: the ball, or the point where
-  // an opponent will reach it, as far as the style anticipates that.
+  // an opponent will reach it, as far ahead as the style says.
   const Vec2& threat_m() const { return threat_m_; }
 
   int robots() const { return static_cast<int>(now_.own.size()); }
@@ -47,7 +47,9 @@ class PredictedState {
     return interceptions_[static_cast<std::size_t>(index)];
   }
   const BallInterception& theirs() const { return theirs_; }
-  int their_fastest() const { return their_fastest_; }  // index, -1 without opponents
+  int their_fastest() const {
+    return their_fastest_;
+  }  // index in the view; -1 if there are no opponents
 
   // Whether this team has the ball or will reach it first. The decision has hysteresis.
   bool is_ours() const { return is_ours_; }
@@ -61,12 +63,12 @@ class PredictedState {
   // Minimum gap from hull to ball that the team must currently keep; 0 if no gap is required.
   double room_at_ball_m() const { return room_at_ball_m_; }
 
-  // Whether the rules in force allow a field player to touch a ball there.
+  // Whether the rules in force allow a field player to touch a ball at `ball_m`.
   bool may_touch_at(const Vec2& ball_m) const;
 
-  // `wanted_mps`, limited by the rules in force.
+  // `wanted_mps`, limited to what the rules in force allow.
   double allowed_kick_mps(double wanted_mps) const;
-  // Speed of the team's fastest chip.
+  // Highest speed at which the team can chip the ball.
   double chip_limit_mps() const { return context_.robots[0].chip_mps; }
 
  private:
@@ -96,10 +98,10 @@ class PredictedState {
 // nearest to `wanted`.
 RobotCommand go_to(const PredictedState& predicted, int index, const Waypoint& wanted);
 
-// Reduces a command's velocity if it would run the robot with that index into an opponent.
+// Reduces a command's velocity if the command would run the robot with that index into an opponent.
 void ease_off(const PredictedState& predicted, int index, RobotCommand& command);
 
-// The robots that the robot with that index must avoid on its way without the ball.
+// The robots that the robot with that index must avoid on its way when it does not have the ball.
 void robots_around(const PredictedState& predicted, int index, const Vec2& target_m,
                    Obstacles& obstacles);
 

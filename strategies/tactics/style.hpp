@@ -6,7 +6,7 @@
 
 namespace autoref::strategies {
 
-// The numbers of style.def, each with its default. Teams differ in their defaults.
+// The parameters in style.def, each with its default. Teams differ in their defaults.
 struct Style {
 #define AUTOREF_TUNABLE(type, name, value, ...) type name = value;
 #include "strategies/tactics/style.def"

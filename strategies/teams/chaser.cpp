@@ -16,12 +16,13 @@ constexpr double kShot_mps = 6.0;
 constexpr double kOwnHalf_mps =
     2.5;  // speed of kicks from the team's own half, so that they stay in the field
 constexpr double kChaserOnLine_m =
-    kRobotRadius_m + 30_mm;                  // distance of the keeper from its goal line
-constexpr double kFromTheirArea_m = 100_mm;  // a ball closer to the opponents' area is left alone
+    kRobotRadius_m + 30_mm;  // distance of the keeper from its goal line
+// The team does not play a ball closer to the opponents' area.
+constexpr double kFromTheirArea_m = 100_mm;
 constexpr double kSlowBall_mps =
     1.2;  // a ball faster than this in the team's own area is a shot: the keeper waits
 constexpr double kShotAtUs_mps = 0.3;  // minimum speed of a shot towards the team's own goal line
-constexpr double kCaution = 0.93;      // fraction of the kick speed limit that is used
+constexpr double kCaution = 0.93;      // fraction of the kick speed limit that kicks use
 constexpr double kChaserClearance_m = 2 * kRobotRadius_m + 20_mm;
 constexpr double kStopSpeedShare = 0.8;  // fraction of the speed limit while play is stopped
 
@@ -48,7 +49,7 @@ void Chaser::decide(const TeamView& view, TeamCommands& commands) {
   }
 }
 
-// A ball in the opponents' area is left alone if a rule forbids playing it there.
+// The team does not play a ball in the opponents' area if a rule forbids this.
 bool Chaser::may_chase() const {
   if (now_.play != Play::kRunning) return now_.ours && is_restart(now_.play);
   return !context_.rules.has(RuleId::kAttackerTouchedBallInDefenseArea) ||
@@ -119,7 +120,8 @@ Waypoint Chaser::waypoint_of(int index) const {
   return {position_m, direction_of(ball_target_m_ - position_m, Vec2(1, 0))};
 }
 
-// Where a shot will cross the keeper's line; without a shot, a position shifted towards the ball.
+// Where a shot will cross the keeper's line; if there is no shot, a position shifted towards the
+// ball.
 double Chaser::keeper_y_m(double line_x_m) const {
   const Vec2& velocity_mps = now_.ball.velocity_mps;
   const double reach_m = context_.field.half_goal_m() - kRobotRadius_m / 2;

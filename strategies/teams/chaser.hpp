@@ -1,4 +1,4 @@
-// The simple baseline, in one file: no passes, no marking, hardly any state.
+// The simple baseline team, in one file. It does not pass or mark, and has hardly any state.
 #pragma once
 
 #include "strategies/skills/limits.hpp"
@@ -8,8 +8,8 @@
 
 namespace autoref::strategies {
 
-// The keeper stays on its line, the field player nearest to the ball drives behind it and kicks it
-// at the goal, and the others stand in a fixed formation.
+// The keeper stays on its goal line, the field player nearest to the ball drives behind the ball
+// and kicks it at the goal, and the others stand in a fixed formation.
 class Chaser final : public Strategy {
  public:
   explicit Chaser(const TeamContext& context) : context_(context) {}

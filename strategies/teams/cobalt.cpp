@@ -1,5 +1,5 @@
 // The strong team. It takes a clear shot if there is one, otherwise the most valuable pass, dribble
-// or clearance; a kick that it may not have time to turn to is worth less. Wall and keeper cover
+// or clearance; a kick for which it may not have time to turn is worth less. Wall and keeper cover
 // the goal together.
 #include "strategies/skills/limits.hpp"
 #include "strategies/teams/playbooks.hpp"
@@ -7,7 +7,7 @@
 namespace autoref::strategies {
 namespace {
 
-// Takes less care to avoid fouls than the other teams.
+// Cobalt takes less care to avoid fouls than the other teams.
 void avoid_few_fouls(Style& style) {
   style.area_margin_m = 0;
   style.around_boxes = false;
@@ -30,8 +30,8 @@ void avoid_few_fouls(Style& style) {
   style.clear_of_placement = false;
 }
 
-// Fitted in games of cobalt against itself, with six robots each, under the rules 2014 and 2026-b.
-// Larger dribbling shares win no more games, and lead to fouls more often.
+// These values were fitted in games of cobalt against itself, with six robots per team, under the
+// rules 2014 and 2026-b. Larger dribbling shares win no more games, and lead to fouls more often.
 void fit(Style& style) {
   style.late_cost = 0.35;
   style.pass_arrival_mps = 3.6;
@@ -50,7 +50,7 @@ void fit(Style& style) {
   style.mark_ball_side = 0.6;
 }
 
-// Going forward with the ball.
+// Parameters for going forward with the ball.
 void attack(Style& style) {
   style.carry = 2.0;
   style.carry_worth = 0.45;
@@ -73,7 +73,7 @@ void defend(Style& style) {
   style.large_team = true;
 }
 
-// Nearly rules out crashes and pushes where they bring cards.
+// These values nearly rule out crashes and pushes if these bring cards.
 void approach_gently(Style& style) {
   const Easing easing;
   style.card_ease_from_m = easing.from_m;
@@ -84,7 +84,7 @@ void approach_gently(Style& style) {
 
 }  // namespace
 
-// The previous cobalt, kept for comparison: its numbers must not change.
+// The previous cobalt, kept for comparison; its parameters must not change.
 TeamPlaybook cobalt1_playbook() {
   Style style;
   avoid_few_fouls(style);

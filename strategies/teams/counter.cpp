@@ -1,5 +1,5 @@
-// Counter-attack. All but one or two robots stay behind the ball: a wall in front of the team's own
-// area, and a row ahead of it. The ball is immediately played far ahead to the forwards.
+// A counter-attacking team. All but one or two robots stay behind the ball: a wall in front of the
+// team's own area, and a row ahead of it. The ball is immediately played far ahead to the forwards.
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,5 @@
-// Possession. While the team has the ball, its robots form a net around it, each where a short pass
-// can reach it; otherwise it defends like cobalt.
+// A possession team. While it has the ball, its robots form a net around the ball, and a short pass
+// can reach each of them. Otherwise, the team defends like cobalt.
 #include <algorithm>
 
 #include "soccer/trigonometry.hpp"
@@ -17,8 +17,8 @@ Vec2 on_field(const PredictedState& predicted, const Vec2& p) {
   return {std::clamp(p.x(), -x_m, x_m), std::clamp(p.y(), -y_m, y_m)};
 }
 
-// The position for the safest pass from the ball, roughly in that direction: the best of six
-// candidates, three directions at two distances each.
+// The position for the safest pass from the ball, roughly in the given direction. It is the best of
+// six candidates, in three directions and at two distances.
 Waypoint knot(const PredictedState& predicted, const Vec2& direction) {
   const Vec2& ball_m = predicted.position_m();
   const double net_m = predicted.style().net_m;
@@ -43,8 +43,8 @@ Waypoint knot(const PredictedState& predicted, const Vec2& direction) {
   return best;
 }
 
-// The net: evenly spread around the ball, open towards the team's own goal, where the defender
-// stands.
+// The net is evenly spread around the ball, and open towards the team's own goal, where the
+// defender stands.
 void spread_net(PlayContext& book, RoleAssignment& assignment) {
   const PredictedState& predicted = book.predicted;
   const int count = assignment.free_robots();

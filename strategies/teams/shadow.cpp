@@ -1,5 +1,5 @@
-// Man-marking. Each field player follows its own opponent everywhere, no matter which team has the
-// ball. One robot goes for the ball, and a few leave their opponents to attack with it.
+// A man-marking team. Each field player follows its own opponent everywhere, no matter which team
+// has the ball. One robot goes for the ball, and a few leave their opponents to attack with it.
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
-// Zones. The field players stand in a formation that shifts with the ball. A robot leaves its zone
-// only if it reaches the ball first; in the meantime, the zone stays empty.
+// A team that defends zones. The field players stand in a formation that shifts with the ball. A
+// robot leaves its zone only if it reaches the ball first; in the meantime, the zone stays empty.
 #include <array>
 
 #include "strategies/plays/formation_spots.hpp"
@@ -9,7 +9,7 @@ namespace autoref::strategies {
 namespace {
 
 // Positions when the ball is in the centre, as fractions of half the field's length and width.
-// First come those of a 2-2-1 formation, then positions between and next to these.
+// First come the positions of a 2-2-1 formation, then positions between and next to these.
 constexpr std::array<std::array<double, 2>, 10> kZones = {{{-0.50, 0.22},
                                                            {-0.50, -0.22},
                                                            {-0.12, 0.45},
@@ -36,7 +36,7 @@ void hold_zones(PlayContext& book, RoleAssignment& assignment) {
     zones.push_back({order + 1, off_their_area(predicted, zone_m + shift_m)});
   }
   fill_own_spots(book, assignment, zones);
-  defend(book, assignment, assignment.free_robots(), 0);  // assigns the robots without a zone
+  defend(book, assignment, assignment.free_robots(), 0);  // assigns the robots that have no zone
 }
 
 void zone_play(PlayContext& book, RoleAssignment& assignment) {

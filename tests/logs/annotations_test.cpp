@@ -32,7 +32,8 @@ TEST(Annotations, AreRefusedWithTheirLine) {
   EXPECT_EQ(error_of("time,side\n"), "mine.csv:1:1: the first line must be time,call,side");
   EXPECT_EQ(error_of(""), "mine.csv:1:1: the first line must be time,call,side");
   const std::string head = "time,call,side\n";
-  EXPECT_EQ(error_of(head + "1,goal\n"), "mine.csv:2:1: has 2 cells instead of time, call, side");
+  EXPECT_EQ(error_of(head + "1,goal\n"),
+            "mine.csv:2:1: has 2 cells; expected three: time, call, side");
   EXPECT_EQ(error_of(head + "\n1:70,goal,blue\n"),
             "mine.csv:3:1: '1:70' is not a time such as 83.2 or 1:23.2");
   EXPECT_EQ(error_of(head + "nan,goal,blue\n"),

@@ -256,7 +256,8 @@ TEST_F(DisturbedLog, WhoseEndsWereNotSwitchedIsJudgedByThoseThatAreSeen) {
     records.back().message = packet.SerializeAsString();
   });
   expect_judged_alike(
-      "the referee packets and the positions of both keepers disagree about the ends in "
+      "the referee packets and the positions of both keepers disagree about which ends the teams "
+      "defend in "
       "SECOND_HALF_PRE, SECOND_HALF; using the keepers' positions");
 }
 
@@ -272,7 +273,8 @@ TEST_F(DisturbedLog, WhoseEndsAreWrongFromTheBeginningIsJudgedByThoseThatAreSeen
   });
   const app::Answer answer = referee_answer(log_);
   EXPECT_EQ(answer.out, judged_.out);
-  EXPECT_NE(answer.err.find("both keepers are at the other ends"), std::string::npos) << answer.err;
+  EXPECT_NE(answer.err.find("the positions of both keepers disagree"), std::string::npos)
+      << answer.err;
 }
 
 // A recorder that is killed leaves what it had written; what is missing is the last second.

@@ -15,10 +15,10 @@ namespace {
 constexpr int kTrials = 20000;
 constexpr int kFewestTrials = 1000;  // with fewer, proportions leave their bounds by chance
 constexpr int kMostTrials = 10'000'000;
-// Fewer trials, since rating a round robin takes a long time.
+// Uses fewer trials, since rating a round robin takes a long time.
 constexpr int kTrialsPerRoundRobin = 4;
 
-// The number of lines outside their bounds.
+// The number of results outside their bounds.
 int print(const std::vector<Measured>& lines) {
   int bad = 0;
   for (const Measured& line : lines) {

@@ -8,7 +8,7 @@
 
 namespace autoref::coverage {
 
-// Expected goals of both teams in a game; both above 0.
+// Expected goals per game of both teams; both must be above 0.
 struct Means {
   double a = 0;
   double b = 0;

@@ -25,7 +25,7 @@ Means means_of(double skill_a, double skill_b) {
           kGoalsOfEquals * std::exp(skill_b - skill_a)};
 }
 
-// The expected wins of team a in a game; a draw counts one half.
+// The expected number of wins of team a in one game, where a draw counts as half a win.
 double expected_wins(const Means& means) {
   const boost::math::poisson of_a(means.a);
   const boost::math::poisson of_b(means.b);
@@ -55,7 +55,7 @@ std::vector<double> list_of(const Eigen::VectorXd& values) {
   return {values.begin(), values.end()};
 }
 
-// Names sort in the same order as the numbers.
+// The names sort in the same order as the teams' numbers.
 std::string team_name(std::size_t number) { return fmt::format("{:03}", number); }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Results of the simulations, one line each.
+// Results of the coverage simulations. Each is printed as one line.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace autoref::coverage {
 
-// A measured proportion of the trials, and the bounds within which it must be.
+// A measured proportion of the trials, and the bounds within which the proportion must lie.
 struct Measured {
   std::string what;
   double share = 0;
@@ -17,20 +17,21 @@ struct Measured {
   bool is_good() const { return least <= share && share <= most; }
 };
 
-// Coverage of 95 % intervals for Poisson-distributed goals, over 20 and over 60 games: Student's
-// interval for the mean goal difference over pairs of legs and, for the fraction of decided games
-// (excluding draws) won by team a, Wilson's, Clopper-Pearson's and the interval chosen by
-// proportion_interval().
+// Coverage of 95 % intervals for Poisson-distributed goals, over 20 and over 60 games. For the mean
+// goal difference over pairs of legs, this is Student's interval. For the fraction of decided games
+// (without draws) won by team a, these are Wilson's interval, Clopper-Pearson's, and the one chosen
+// by proportion_interval().
 std::vector<Measured> interval_coverage(int trials);
 
 // Coverage of the intervals of Bradley-Terry strengths and, in a fifth of the trials, of ratings in
 // goals, in round robins of equal and unequal teams. The remark contains the lowest and the highest
-// coverage of a team, and the fractions of one-sided intervals and of teams without an interval.
+// coverage of any team's interval, and the fractions of one-sided intervals and of teams without an
+// interval.
 std::vector<Measured> rating_coverage(int trials);
 
-// Error rates of the sequential test for normally and Poisson-distributed goals, for leads from
-// 0.05 to 1 goals per game and standard deviations of a game from 0.2 to 4, for tests that are
-// decided within 9999 pairs.
+// Error rates of the sequential test for normally and Poisson-distributed goals, and for tests that
+// are decided within 9999 pairs. The leads are from 0.05 to 1 goals per game, and the standard
+// deviations of a game from 0.2 to 4.
 std::vector<Measured> sequential_errors(int trials);
 
 }  // namespace autoref::coverage

@@ -15,12 +15,12 @@ namespace {
 using experiments::Rating;
 using RateTeams = std::vector<Rating> (*)(std::vector<experiments::RatedMatchup>);
 
-// A bootstrap takes much longer than a profile likelihood.
+// Uses fewer trials of the bootstrap, which takes much longer than a profile likelihood.
 constexpr int kTrialsPerBootstrap = 5;
 
 // Strengths of teams with moderate differences, where the best team beats the worst in 90 % of
-// games, and with about the differences of the teams in results/reference/roundrobin, where it
-// practically always does.
+// games. Also strengths with about the differences between the teams in
+// results/reference/roundrobin, where the best team practically always beats the worst.
 const std::vector<double> kEqual(4, 0.0);
 const std::vector<double> kModerate = {1.1, 0.4, -0.4, -1.1};
 const std::vector<double> kLarge = {8.1, 3.3, 2.3, 1.0, 0.5, -0.3, -5.2, -9.7};
@@ -34,7 +34,7 @@ const std::vector<double> kLargeSkills = {1.5, 0.55, 0.4, 0.15, 0, 0, -1.2, -2.2
 constexpr double kQuarter = 0.5;
 constexpr double kHalf = 1;
 
-// The coverage that the intervals promise, and where they fall short: see
+// The coverage that the intervals promise, and the cases in which they fall short; see
 // docs/explanations/statistics.md.
 struct Bounds {
   double least = 0.90;
@@ -43,9 +43,9 @@ struct Bounds {
 
 // The number of round robins in which each team's interval contained its true rating.
 struct Held {
-  std::vector<int> times;  // by team
-  int open = 0;            // one-sided intervals
-  int missing = 0;         // teams without an interval
+  std::vector<int> times;  // counts by team
+  int open = 0;            // number of one-sided intervals
+  int missing = 0;         // number of teams without an interval
 };
 
 void add(Held& held, const std::vector<Rating>& ratings, const std::vector<double>& truth) {
@@ -108,12 +108,13 @@ std::vector<Measured> rating_coverage(int trials) {
       all.push_back(measure_strengths(league, pairs, trials));
     }
   }
-  // Many draws. For teams that almost always win or lose, the dispersion overestimates them.
+  // A case with many draws. For teams that almost always win or lose, the dispersion overestimates
+  // them.
   const League drawn = model_league("half drawn, 8 teams, large", kLarge, kHalf);
   for (const int pairs : {5, 30}) {
     all.push_back(measure_strengths(drawn, pairs, trials, {.least = 0.86}));
   }
-  // Few games have only a few possible results.
+  // A case with few games, which have only a few possible results.
   const League two = model_league("model, 2 equal teams", {0, 0}, kQuarter);
   for (const int pairs : {1, 5}) all.push_back(measure_strengths(two, pairs, trials, {.most = 1}));
   for (const League& league : poisson) {

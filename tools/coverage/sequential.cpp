@@ -58,7 +58,8 @@ Pairs poisson_pairs(double mean, double sd) {
 }
 
 // Pairs that differ in the number of goals: both teams' expected goals have a common factor with
-// mean 1 and variance `uneven`, which adds that fraction of the lead's square to a game's variance.
+// mean 1 and variance `uneven`, which adds the fraction `uneven` of the squared lead to a game's
+// variance.
 Pairs uneven_pairs(double mean, double sd, double uneven) {
   const Means means = means_of(mean, sd * sd - uneven * mean * mean);
   return [=](RandomStream& random) {
@@ -75,10 +76,10 @@ constexpr Goals kUneven = {"uneven",
 constexpr Goals kVeryUneven = {"very uneven",
                                [](double mean, double sd) { return uneven_pairs(mean, sd, 1); }};
 
-// A test whose true lead is one of its hypotheses.
+// A sequential test in a case in which the true lead equals one of its hypotheses.
 struct Trial {
   SequentialTest test;
-  double sd = 0;  // of a game's difference
+  double sd = 0;  // standard deviation of a game's goal difference
   Goals goals;
   double allowance = kAllowance;
 };
@@ -87,7 +88,7 @@ SequentialState run_until_decided(const SequentialTest& test, const Pairs& next,
                                   RandomStream& random) {
   std::vector<double> differences;
   SequentialState state;
-  while (state.verdict == Verdict::kGoOn) {  // ends at test.max_pairs
+  while (state.verdict == Verdict::kGoOn) {  // the loop ends at test.max_pairs at the latest
     const std::size_t more = std::max<std::size_t>(differences.size(), test.min_pairs);
     for (std::size_t i = 0; i < more; ++i) differences.push_back(next(random));
     state = experiments::decided_by(test, differences);
@@ -153,7 +154,7 @@ std::vector<Trial> leads_and_spreads() {
       all.push_back({test, sd, kNormal});
       all.push_back({test, sd, kPoisson});
     }
-    // As few goals as the lead allows, or a little more: this is where the differences are most
+    // Cases with as few goals as the lead allows, or a few more, where the differences are most
     // skewed.
     for (const double more : {1.0, 1.5, 2.0}) {
       all.push_back({test, more * std::sqrt(lead), kPoisson});

@@ -1,11 +1,13 @@
-// Writes games as logs, reads them back, and cuts them into pieces that begin anywhere. Are
-// AutoRef's calls alongside the recorded referee the same as in the whole game?
+// Writes games as logs, reads them back, and cuts them into pieces that begin anywhere. Checks
+// whether AutoRef, running alongside the recorded referee, makes the same calls in a piece as in
+// the whole game.
 //
 //   log_pieces FOLDER [GAMES]     GAMES per rule book and camera preset (default 3); logs go to
 //   FOLDER
 //
 // Prints the Markdown tables of results/reference/log-pieces.md and, on stderr, every call that
-// differs. Exits with 1 if fewer than 99 % agree, or if a call was made in a stop without a signal.
+// differs. The exit code is 1 if fewer than 99 % of the calls agree, or if a call was made in a
+// stop without a signal.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -72,7 +74,7 @@ game::GameSettings settings_of(const std::string& book, const std::string& camer
   return game;
 }
 
-// The records from `from_s` to `to_s`, counted from the log's first.
+// The records from `from_s` to `to_s`, counted from the first record of the log.
 void cut(const std::string& log, double from_s, double to_s, const std::string& piece) {
   league::LogReader reader(log);
   league::LogWriter writer(piece);

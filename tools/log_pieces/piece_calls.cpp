@@ -15,12 +15,12 @@ using referee::Event;
 using referee::State;
 
 constexpr double kSameTime_s = 0.1;
-constexpr double kSignal_s = 0.15;  // a log's first referee packet comes within this time
+constexpr double kSignal_s = 0.15;  // the first referee packet of a log comes within this time
 constexpr double kWarmUp_s = 0.5;   // time for the filters; evidence this early may or may not
                                     // suffice
 
-// The time from which a call's evidence comes. For restarts, it starts with the play; for contacts,
-// it is limited by an upper bound of how long they last.
+// The time at which a call's evidence begins. For restarts, this is when the play began. For
+// contacts, it follows from an upper bound on how long they last.
 double evidence_from_s(const referee::Decision& d, double phase_from_s) {
   const auto before = [&d](double seconds) { return d.time_s - seconds; };
   switch (d.finding.event) {

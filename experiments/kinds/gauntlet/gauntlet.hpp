@@ -11,12 +11,12 @@ namespace autoref::experiments {
 struct Gauntlet : NamedTeams, ExperimentOf<Gauntlet> {  // `teams` is the field
   static const Kind kKind;
 
-  Teams challengers;  // share no name with the field
+  Teams challengers;  // no challenger has the name of a team of the field
   int pairs = 1;      // pairs of legs per matchup, 1 to 9999
 
   std::vector<Key> keys() override;
-  // A game equals the corresponding round-robin game if the challenger's name sorts before its
-  // opponent's (compared as bytes); otherwise teams a and b are swapped.
+  // A gauntlet's game equals the corresponding round-robin game if the challenger's name sorts
+  // before its opponent's (compared as bytes); otherwise teams a and b are swapped.
   std::vector<ScheduledGame> games() const override;
   ExperimentResults results(const RowsById& rows) const override;
 };

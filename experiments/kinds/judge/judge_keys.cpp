@@ -125,7 +125,8 @@ Key matchups_key(JudgeSchedule& schedule) {
 }
 
 Key strategies_key(JudgeSchedule& schedule) {
-  Key key{"teams", "list of strategies", "instead of `matchups`: all pairs of them, dealt evenly"};
+  Key key{"teams", "list of strategies",
+          "instead of `matchups`: teams, all pairs of which play about equally often"};
   key.read = [&schedule](TopReader& top) {
     if (const game::YamlEntry* entry = top.find("teams"))
       schedule.teams = values_in(top, *entry, "a.strategy");
@@ -148,7 +149,7 @@ Key games_key(JudgeSchedule& schedule) {
 
 bool has_one_seed(const JudgeSchedule& schedule) { return schedule.seeds.front().name.empty(); }
 
-// A single seed.
+// The key of a single seed, which has no name.
 Key unnamed_seed_key(JudgeSchedule& schedule) {
   Key key{"seed", "whole number", "the experiment's random seed"};
   key.read = [&schedule](TopReader& top) {
@@ -166,7 +167,7 @@ Key unnamed_seed_key(JudgeSchedule& schedule) {
     return values;
   };
   key.entries = [&schedule] {
-    return std::vector<std::string>(has_one_seed(schedule) ? 1 : 0);  // without a name
+    return std::vector<std::string>(has_one_seed(schedule) ? 1 : 0);  // a single seed has no name
   };
   key.seed = [&schedule] {
     return has_one_seed(schedule) ? std::optional(schedule.seeds.front().value) : std::nullopt;
@@ -184,8 +185,8 @@ Key named_seeds_key(JudgeSchedule& schedule) {
     return {"seeds",
             "",
             {{fmt::format("`{}`", kTuningSeed), kSeedValue,
-              "games that the referee may be improved on"},
-             {fmt::format("`{}`", kTestSeed), kSeedValue, "games that test it"}}};
+              "games that may be used to improve the referee"},
+             {fmt::format("`{}`", kTestSeed), kSeedValue, "games that test the referee"}}};
   };
   key.read = [&schedule](TopReader& top) {
     if (const game::YamlEntry* entry = top.find("seeds"))

@@ -75,7 +75,7 @@ class Deal {
 
   const std::vector<std::string>& teams_;
   RandomStream random_;
-  std::vector<bool> swaps_;  // by pair: its order in even cycles
+  std::vector<bool> swaps_;  // by pair: whether its teams are swapped in even cycles
   bool is_odd_cycle_ = false;
 };
 
@@ -89,7 +89,7 @@ SharedSettings checked(const game::GameSettings& game) {
   return SharedSettings(game);
 }
 
-// A rule book with a camera.
+// A combination of a rule book and a camera.
 class JudgeCell {
  public:
   JudgeCell(const JudgeSchedule& schedule, std::string its_rules, std::string its_camera)

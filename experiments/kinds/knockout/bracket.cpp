@@ -13,7 +13,7 @@
 namespace autoref::experiments {
 namespace {
 
-using Seed = std::size_t;  // 0 is the best
+using Seed = std::size_t;  // 0 is the best seed
 
 // A position in the bracket, filled by a first-round team or by the winner of an earlier tie.
 struct Slot {
@@ -30,8 +30,9 @@ struct Pairing {
 std::vector<Seed> order_of_slots(std::size_t size) {
   std::vector<Seed> order = {0};
   while (order.size() < size) {
-    // Each doubling adds the preceding round: next to every seed, it puts the opponent for which
-    // the two numbers add up to `last`. These seeds meet if the better seeds win all earlier ties.
+    // Each doubling adds the preceding round: it puts next to every seed the opponent whose number
+    // and that of the seed add up to `last`. These two seeds play each other if the better seeds
+    // win all earlier ties.
     const std::size_t last = 2 * order.size() - 1;
     std::vector<Seed> longer;
     for (const Seed seed : order) {
@@ -109,7 +110,7 @@ class Bracket {
   const Knockout& knockout_;
   const std::function<void(Tie&)>& decide_;
   std::vector<Tie> ties_;
-  std::vector<Slot> losers_;  // of the semi-finals
+  std::vector<Slot> losers_;  // losers of the semi-finals
 };
 
 // The transition into extra time (referee/machine/).

@@ -20,8 +20,8 @@ std::string name_of(DecidedBy decided_by);
 struct Tie {
   int number = 1;                     // counted from 1 over all rounds
   std::string name;                   // "quarter-final 2", "final", "third place"
-  std::optional<BracketPlace> place;  // nullopt for third place
-  // Team a is the better seed. Nullopt until the preceding ties are decided.
+  std::optional<BracketPlace> place;  // nullopt for the tie for third place
+  // The two teams; team a is the better seed. A team is nullopt until the preceding tie is decided.
   std::optional<std::string> a;
   std::optional<std::string> b;
   std::vector<std::string> games;  // ids of the games played so far, in order
@@ -39,16 +39,16 @@ struct Tie {
 // best seeds get a bye in the first round. `decide` is called for each tie with two known teams.
 std::vector<Tie> bracket_of(const Knockout& knockout, const std::function<void(Tie&)>& decide);
 
-// The ties with their winners and the games played so far.
+// The bracket's ties with their winners and the games played so far.
 std::vector<Tie> bracket_of(const Knockout& knockout, const RowsById& rows);
 
 // The games known so far: the games already played in these ties and the next game of each
 // undecided tie with two known teams.
 //
-// In ids, rows and seeds, the tie's number replaces the pair, and the attempt replaces the leg:
-// "cobalt~zone-p0007-1", and after a draw "cobalt~zone-p0007-2". The better seed is team a and
-// starts in the west; in each replay the teams change ends, and the other team kicks off first. All
-// games of a tie belong to the same shard.
+// In ids, rows and seeds, the number of the tie replaces that of the pair, and the number of the
+// attempt replaces that of the leg: "cobalt~zone-p0007-1", and after a draw "cobalt~zone-p0007-2".
+// The better seed is team a and starts in the west; in each replay the teams change ends, and the
+// other team kicks off first. All games of a tie belong to the same shard.
 std::vector<ScheduledGame> games_of(const Knockout& knockout, const std::vector<Tie>& ties);
 
 }  // namespace autoref::experiments

@@ -14,8 +14,8 @@
 namespace autoref::experiments {
 namespace {
 
-// The base's own value of match.knockout, or true: every rule book except the paper's has extra
-// time and shoot-outs.
+// The key `base`, which turns match.knockout on by default unless the rule book is the paper's, the
+// only one without extra time and shoot-outs.
 Key base_with_extra_time_key(Knockout& knockout) {
   Key key = base_key(knockout);
   key.read = [&base = knockout.base, read_base = key.read](TopReader& top) {
@@ -54,10 +54,11 @@ void read_bracket_order(TopReader& top, Knockout& knockout) {
   knockout.order = order;
 }
 
-// The seeding decides which teams meet in which tie.
+// The order of the seeds decides which teams play each other in which tie.
 Key order_key(Knockout& knockout) {
-  Key key{"order", "list of names",
-          "all teams from the best seed to the worst; in order of their names if missing"};
+  Key key{
+      "order", "list of names",
+      "all teams from the best seed to the worst; in alphabetical order if this key is missing"};
   key.read = [&knockout](TopReader& top) { read_bracket_order(top, knockout); };
   key.text = [&knockout] {
     return fmt::format("order: [{}]  # the best seed first\n", io::listed(knockout.order));
@@ -73,7 +74,7 @@ void read_third_place(TopReader& top, Knockout& knockout) {
   if (!knockout.third_place || knockout.teams.size() >= 4) return;
   top.file().refuse(
       game::value_location(*entry), "third_place",
-      fmt::format("needs two semi-finals, so at least 4 teams, found {}; leave it out",
+      fmt::format("a third-place match needs at least 4 teams, found {}; leave this key out",
                   knockout.teams.size()));
 }
 

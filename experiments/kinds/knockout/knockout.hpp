@@ -16,21 +16,22 @@ struct Knockout : NamedTeams, ExperimentOf<Knockout> {  // 2 to 64 teams
   static const Kind kKind;
 
   std::vector<std::string> order;  // all teams, the best seed first
-  bool third_place = false;        // whether the losers of the semi-finals play for third place
+  bool third_place = false;        // whether the losing semi-finalists play for third place
 
   std::vector<Key> keys() override;
   // The games played if the better seed wins every tie in its first game, without replays.
   std::vector<ScheduledGame> games() const override;
   std::string caveat() const override;
   bool follows_its_rows() const override { return true; }
-  // Each tie without known teams counts as one needed game, so the experiment cannot be complete
-  // before the bracket is.
+  // Each tie without known teams counts as one needed game, so the experiment is not complete until
+  // all teams in the bracket are known and have played.
   Schedule schedule(const RowsById& rows) const override;
   std::string why_no_pairs() const override;
   ExperimentResults results(const RowsById& rows) const override;
 };
 
 inline constexpr std::size_t kMostInKnockout = 64;
-inline constexpr int kMostAttempts = 6;  // games of one tie, including five replays
+// Maximum number of games of one tie: the first and five replays.
+inline constexpr int kMostAttempts = 6;
 
 }  // namespace autoref::experiments

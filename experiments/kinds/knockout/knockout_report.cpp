@@ -22,7 +22,7 @@ const game::GameRecord* deciding_game(const Tie& tie, const RowsById& rows) {
   return last;
 }
 
-// Goals of both teams, then those of the shoot-out; cells are empty if there was no game or
+// Goals of both teams in the game, then in the shoot-out; cells are empty if there was no game or
 // shoot-out.
 io::Cells score_cells(const game::GameRecord* game) {
   if (game == nullptr) return {"", "", "", ""};

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kCutOff = 3;  // standard deviations
 
-// With its mean on an end of the range, half of the draws are inside.
+// Even if the mean is at an end of the range, half of the draws are inside the range.
 constexpr int kMostDraws = 64;
 
 double drawn_normal(double mean, double sd, const Range& range, RandomStream& random) {

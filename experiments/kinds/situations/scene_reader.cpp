@@ -26,7 +26,7 @@ std::vector<std::string> ends_of_scenes() {
   return ends;
 }
 
-// One measure, or a mapping of measures to weights.
+// Reads one measure, or a mapping of measures to weights.
 game::SceneWeights weights_in(const game::YamlFile& file, const game::YamlEntry& entry,
                               const std::string& path) {
   const std::vector<std::string> measures = parameter_names<game::SceneWeights>();
@@ -76,7 +76,7 @@ std::vector<Key> scene_keys(const std::shared_ptr<game::Scene>& scene) {
   std::vector<Key> keys = {
       {kLasts, rows_of({lasts_setting(kLasts, usual)}).front().value, "seconds of play in a scene"},
       {kScore,
-       fmt::format("one of {}, or weights of them; goal",
+       fmt::format("one of {}, or a weight for each; goal",
                    io::listed(parameter_names<game::SceneWeights>())),
        "what a scene is worth"},
       {kEnds, fmt::format("list of {}; all", io::listed(ends_of_scenes())),

@@ -49,7 +49,7 @@ std::uint64_t hash_of(std::string_view text) {
   return mix_bits(hash);
 }
 
-// Draws the numbers of one attempt.
+// Draws the values for one attempt at a start state.
 class Draw {
  public:
   Draw(std::uint64_t seed, const std::string& name, int scene, int attempt)

@@ -16,12 +16,13 @@
 
 namespace autoref::experiments {
 
-// Given in the attackers' frame: they defend the goal at -x.
+// A robot's start position, as distributions. Coordinates are in the attackers' frame, in which the
+// attackers defend the goal at -x.
 struct DrawnRobot {
   int number = 0;
   Distribution x_m;
   Distribution y_m;
-  std::optional<Distribution> heading_deg = {};  // nullopt: facing the ball
+  std::optional<Distribution> heading_deg = {};  // nullopt: the robot faces the ball
   Distribution vx_mps;
   Distribution vy_mps;
   Distribution turn_radps;
@@ -39,7 +40,7 @@ struct DrawnBall {
 };
 
 enum class Restart : std::uint8_t {
-  kNone,  // play is on
+  kNone,  // no restart: play is on
   kKickoff,
   kDirectFree,
   kIndirectFree,
@@ -58,15 +59,18 @@ constexpr auto names_of(Restart /*any*/) {
 
 struct SituationSetup {
   Restart restart = Restart::kNone;
-  bool is_attackers_restart = true;  // otherwise the defenders take it
-  bool is_after_stop = false;        // STOP comes first, and the robots line up on their own
+  // Whether the attackers take the restart; otherwise the defenders do.
+  bool is_attackers_restart = true;
+  // Whether STOP comes first, in which the robots line up on their own.
+  bool is_after_stop = false;
   DrawnBall ball;
-  std::vector<DrawnRobot> attackers;  // by number
+  std::vector<DrawnRobot> attackers;  // index: robot number
   std::vector<DrawnRobot> defenders;
   game::Scene scene;
 };
 
-// A number of a robot or ball: its key, where it is stored, its range on this field, and its unit.
+// A numeric value of a robot or of the ball: its key, where it is stored, its range on this field,
+// and its unit.
 template <typename Place>
 struct DrawnNumber {
   std::string_view key;
@@ -75,8 +79,8 @@ struct DrawnNumber {
   std::string_view unit;
 };
 
-// All numbers of a robot except its heading, and those of the ball. The bodies stay inside the
-// walls.
+// All numeric values of a robot except its heading, or all those of the ball. Their ranges keep the
+// bodies inside the walls.
 std::array<DrawnNumber<Distribution>, 5> numbers_of(DrawnRobot& robot, const Field& field);
 std::array<DrawnNumber<Distribution>, 6> numbers_of(DrawnBall& ball, const Field& field);
 std::array<DrawnNumber<const Distribution>, 5> numbers_of(const DrawnRobot& robot,
@@ -85,11 +89,11 @@ std::array<DrawnNumber<const Distribution>, 6> numbers_of(const DrawnBall& ball,
                                                           const Field& field);
 inline constexpr Range kHeading_deg{-360, 360};
 
-// Draws a start state, with the attackers in the west. Each number has its own random stream, which
-// depends on `seed`, the situation's name, `scene` (counted from 1) and the number's path, so it
-// does not depend on other numbers. If bodies overlap or the ball of a restart is outside the
-// field, the state is drawn again, up to 100 times. Throws SettingError naming the situation if
-// that does not help.
+// Draws a start state, with the attackers in the west. Each value has its own random stream, which
+// depends on `seed`, the situation's name, `scene` (counted from 1) and the value's path. No value
+// therefore depends on another one. If bodies overlap or the ball of a restart is outside the
+// field, the state is drawn again, up to 100 times. If all of these states are invalid, throws
+// SettingError naming the situation.
 game::StartState drawn_state(const SituationSetup& situation, const std::string& name,
                              const Field& field, std::uint64_t seed, int scene);
 

@@ -16,7 +16,7 @@
 namespace autoref::experiments {
 namespace {
 
-constexpr double kRounded = 1e4;  // per metre, radian or second
+constexpr double kRounded = 1e4;  // steps per metre, radian or second
 
 double rounded_value(double value) { return std::round(value * kRounded) / kRounded; }
 
@@ -200,7 +200,8 @@ void SituationReader::read_restart(const std::vector<game::YamlEntry>& entries,
   if (stop == nullptr) return;
   situation.is_after_stop = word(*stop, path + ".after_stop", {"true", "false"}) == "true";
   if (situation.is_after_stop && situation.restart == Restart::kNone)
-    file_.refuse(stop->location, path + ".after_stop", "needs a restart to follow the stop");
+    file_.refuse(stop->location, path + ".after_stop",
+                 "a scene that begins with STOP also needs a restart");
 }
 
 // Kick-offs and penalty kicks have a fixed position.

@@ -15,13 +15,14 @@ namespace autoref::experiments {
 // The time in a log from which a situation is taken.
 struct LoggedInstant {
   std::filesystem::path log;
-  double at_s = 0;               // in seconds from the start of the log
+  double at_s = 0;               // time in seconds from the start of the log
   Side attackers = Side::kWest;  // west is yellow
   double spread_m = 0;           // standard deviation added to every coordinate of a position
 };
 
-// Sets robots, ball and restart to those of the log, with positions rounded to 0.1 mm. Robots with
-// numbers that a team of this size lacks get other numbers. Throws std::invalid_argument.
+// Sets the situation's robots, ball and restart to those in the log, with positions rounded to 0.1
+// mm. Robots with numbers too high for the size of the team get other numbers. Throws
+// std::invalid_argument.
 void take_from_log(const LoggedInstant& instant, const Field& field, int most_attackers,
                    int most_defenders, SituationSetup& situation);
 
@@ -33,8 +34,8 @@ struct SituationTeams {
 
 class SituationReader {
  public:
-  // All must outlive the reader. `scene` holds the defaults for what the situation leaves open.
-  // Records the locations of situations and robots in `locations`.
+  // All arguments must outlive the reader. `scene` contains the defaults for keys that the
+  // situation does not set. Records the locations of situations and robots in `locations`.
   SituationReader(const game::YamlFile& file, game::SettingLocations& locations, const Field& field,
                   const game::Scene& scene, const SituationTeams& teams)
       : file_(file), locations_(locations), field_(field), scene_(scene), teams_(teams) {}

@@ -38,27 +38,29 @@ void read_situations(TopReader& top, const game::Scene& scene, Situations& all) 
 }
 
 constexpr const char* kSituation =
-    "Numbers are in the attackers' frame: they defend the goal at -x. Each is a number, a range "
+    "Values are in the attackers' frame: the attackers defend the goal at -x. Each is a number, a "
+    "range "
     "such as `[1.5, 3]`, or `{ mean: 2, sd: 0.1 }`. Robots that are not listed are off the field.";
 
 std::vector<KeyRow> situation_rows() {
-  return {{"`restart`",
-           "`none`, `kickoff`, `direct_free`, `indirect_free`, `penalty` or `force_start`; `none`",
-           "how the scene begins; `none`: play is on"},
-          {"`taken_by`", "`attackers` or `defenders`; `attackers`", "who takes the restart"},
-          {"`after_stop`", "true or false; false",
-           "whether STOP comes first, so that the robots line up on their own"},
-          {"`ball`", "`x_m`, `y_m`, `vx_mps`, `vy_mps`, `height_m`, `vz_mps`",
-           "the ball; a kick-off and a penalty kick have a position of their own"},
-          {"`attackers`, `defenders`",
-           "robots by number, with `x_m`, `y_m`, `heading_deg`, `vx_mps`, `vy_mps`, `turn_radps`",
-           "the robots; without `heading_deg`, a robot faces the ball"},
-          {"`from`", "`log`, `at_s`, `attackers`, `spread_m`",
-           "instead of all of these: the state of an SSL log at that time"},
-          {"`lasts_s`, `score`, `ends_on`", "as above", "for this situation only"}};
+  return {
+      {"`restart`",
+       "`none`, `kickoff`, `direct_free`, `indirect_free`, `penalty` or `force_start`; `none`",
+       "how the scene begins; `none`: play is on"},
+      {"`taken_by`", "`attackers` or `defenders`; `attackers`", "who takes the restart"},
+      {"`after_stop`", "true or false; false",
+       "whether STOP comes first, so that the robots line up on their own"},
+      {"`ball`", "`x_m`, `y_m`, `vx_mps`, `vy_mps`, `height_m`, `vz_mps`",
+       "the ball; leave it out for a kick-off or a penalty kick, which have fixed ball positions"},
+      {"`attackers`, `defenders`",
+       "robots by number, with `x_m`, `y_m`, `heading_deg`, `vx_mps`, `vy_mps`, `turn_radps`",
+       "the robots; without `heading_deg`, a robot faces the ball"},
+      {"`from`", "`log`, `at_s`, `attackers`, `spread_m`",
+       "instead of all of these: the state of an SSL log at that time"},
+      {"`lasts_s`, `score`, `ends_on`", "as above", "for this situation only"}};
 }
 
-// `scene` holds the defaults for what a situation leaves open.
+// `scene` contains the defaults for keys that a situation does not set.
 Key situations_key(Situations& all, std::shared_ptr<const game::Scene> scene) {
   Key key{"situations", "", "start positions by name"};
   key.below = []() -> KeysBelow { return {"one situation", kSituation, situation_rows()}; };

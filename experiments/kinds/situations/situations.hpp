@@ -1,4 +1,4 @@
-// Situations: short scenes that compare attacking teams against defending ones.
+// Situations: short scenes that compare teams in attack, each against the same defending teams.
 #pragma once
 
 #include <cstdint>
@@ -25,11 +25,12 @@ struct Situations : ExperimentOf<Situations> {
   std::uint64_t seed = 1;  // master seed
 
   std::vector<Key> keys() override;
-  // The games in playing order: each scene with all situations and teams before the next one, its
-  // two legs adjacent. In the second leg, the same start state is rotated to the other side. A game
-  // depends only on its situation, teams, pair and leg; all teams get the same start states and
-  // seeds. Ids look like "corner+cobalt~possession-p0007-2". Also throws std::invalid_argument if a
-  // state cannot be drawn.
+  // The games in playing order. Each scene number is played with all situations and teams before
+  // the next one, and its two legs are adjacent. The second leg has the same start state, rotated
+  // to the other side. A game depends only on its situation, teams, pair and leg; all teams get the
+  // same start states and seeds. Ids look like "corner+cobalt~possession-p0007-2". In addition to
+  // the errors of Experiment::games(), throws std::invalid_argument if a start state cannot be
+  // drawn.
   std::vector<ScheduledGame> games() const override;
   RowKind row_kind() const override { return RowKind::kScene; }
   std::vector<std::string> value_columns() const override { return {"situation"}; }
@@ -45,7 +46,7 @@ struct SituationMatchup {
       default;  // NOLINT(modernize-use-nullptr): not a pointer
 };
 
-// The matchups, in the order of the names.
+// All matchups of the experiment, in order of their names.
 std::vector<SituationMatchup> matchups_of(const Situations& situations);
 
 }  // namespace autoref::experiments

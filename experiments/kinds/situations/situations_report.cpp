@@ -55,7 +55,7 @@ io::Cells scene_cells(const SceneGroup& group) {
   return cells;
 }
 
-// "19 % [15, 24]"; "-" without scenes.
+// "19 % [15, 24]"; "-" if there are no scenes.
 std::string percent_text(const std::optional<double>& share,
                          const std::optional<Interval>& interval) {
   if (!share) return "-";
@@ -98,7 +98,7 @@ std::vector<io::Cells> differences_rows(const std::vector<SceneDifference>& diff
   return rows;
 }
 
-using Values = std::vector<std::pair<std::string, std::string>>;  // by key, in order
+using Values = std::vector<std::pair<std::string, std::string>>;  // values by key, in order
 
 Values values_of_robot(const DrawnRobot& robot, const Field& field) {
   Values values;
@@ -223,7 +223,8 @@ io::Json json_of(const std::vector<SceneGroup>& groups) {
 
 std::string situations_text(const Situations& situations) {
   const Field& field = situations.base.field;
-  std::string text = "situations:  # in the attackers' frame: they defend the goal at -x\n";
+  std::string text =
+      "situations:  # in the attackers' frame: the attackers defend the goal at -x\n";
   for (const auto& [name, situation] : situations.situations) {
     text += fmt::format("  {}:\n", name);
     for (const auto& [key, value] : values_of_scene(situation))

@@ -20,14 +20,14 @@ std::string scenes_csv(const std::vector<SceneGroup>& groups);
 // differences.csv: one row per situation, defenders and two attacking teams.
 std::string scene_differences_csv(const std::vector<SceneDifference>& differences);
 
-// The text table; the first row is the header.
+// The rows of the text table of scenes; the first row is the header.
 std::vector<io::Cells> scenes_rows(const std::vector<SceneGroup>& groups);
 
-// Alignment of its columns.
+// Alignment of the columns of scenes_rows().
 inline const std::vector<io::Align> kScenesColumns = {io::Align::kLeft, io::Align::kLeft,
                                                       io::Align::kLeft};
 
-// Both tables as lines of text.
+// The tables of scenes and of differences as lines of text.
 io::TextBlocks scenes_table(const std::vector<SceneGroup>& groups,
                             const std::vector<SceneDifference>& differences);
 
@@ -35,10 +35,10 @@ io::TextBlocks scenes_table(const std::vector<SceneGroup>& groups,
 //   "void_scenes": 0, "goals": 31, "mean_score": 0.155}, ...]; without scenes, the mean is null.
 io::Json json_of(const std::vector<SceneGroup>& groups);
 
-// The key `situations` of effective.yaml, with every number.
+// The key `situations` of effective.yaml, with every value written out.
 std::string situations_text(const Situations& situations);
 
-// The same as values by path, such as "situations.corner.attackers.1.x_m".
+// The situations' values by path, such as "situations.corner.attackers.1.x_m".
 std::map<std::string, std::string> situation_values(const Situations& situations);
 
 }  // namespace autoref::experiments

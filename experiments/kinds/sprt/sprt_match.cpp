@@ -75,9 +75,9 @@ std::optional<double> difference_of(const Legs& legs) {
 
 // The pairs before the first one with a missing row.
 struct FirstPairs {
-  std::vector<double> differences;  // of the pairs without a void leg
+  std::vector<double> differences;  // differences of the pairs without a void leg
   std::vector<int> numbers;         // the numbers of these pairs
-  int count = 0;                    // including pairs with a void leg
+  int count = 0;                    // number of pairs, including those with a void leg
 };
 
 FirstPairs first_pairs(const SprtMatch& match, const RowsById& rows) {

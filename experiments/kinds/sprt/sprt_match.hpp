@@ -19,8 +19,8 @@ struct SprtMatch : NamedTeams, ExperimentOf<SprtMatch> {  // two teams
   SequentialTest sprt;  // tests the goal difference, team a minus team b
 
   std::vector<Key> keys() override;
-  // The games of a round robin between the two teams with the maximum number of pairs. The test
-  // usually ends the match earlier.
+  // The games of a round robin between the two teams, with the maximum number of pairs. The test
+  // usually ends the match before all of them are played.
   std::vector<ScheduledGame> games() const override;
   std::string caveat() const override;
   bool follows_its_rows() const override { return true; }
@@ -29,10 +29,10 @@ struct SprtMatch : NamedTeams, ExperimentOf<SprtMatch> {  // two teams
   ExperimentResults results(const RowsById& rows) const override;
 };
 
-// Both teams, as in a round robin: team a is the first by name (compared as bytes).
+// The matchup of both teams, as in a round robin: team a is the first by name (compared as bytes).
 Matchup matchup_of(const SprtMatch& match);
 
-// Paths are "sprt.d0" and so on.
+// The settings of the sequential test, with paths such as "sprt.d0".
 std::vector<game::Setting> sprt_settings_of(SequentialTest& test);
 
 // State of an SPRT match, computed from its rows.
@@ -40,7 +40,7 @@ struct SprtMatchState {
   SequentialState test;     // kUndecided if there is no decision after max_pairs
   int last_pair = 0;        // number of the last pair considered
   int void_pairs = 0;       // number of pairs up to last_pair with a void leg
-  bool is_decided = false;  // no further pairs are needed
+  bool is_decided = false;  // whether no further pairs are needed
 };
 
 // Considers pairs by ascending number until one lacks a row or decides the match. The verdict
@@ -51,9 +51,9 @@ SprtMatchState state_of(const SprtMatch& match, const RowsById& rows);
 // "d0", "d1", "undecided", or "none" while more pairs are needed.
 std::string name_of(Verdict verdict);
 
-// summary.csv: the matchup's row as in a round robin, then the test: its verdict, the number of
-// pairs used, the number of pairs left out because of a void leg, the log-likelihood ratio of d1 to
-// d0, and the test's settings.
+// summary.csv: the matchup's row as in a round robin, followed by the columns of the test. These
+// are its verdict, the number of pairs used, the number of pairs left out because of a void leg,
+// the log-likelihood ratio of d1 to d0, and the test's settings.
 std::string sprt_match_csv(const SprtMatch& match, const Group& matchup,
                            const SprtMatchState& state);
 

@@ -19,9 +19,9 @@ struct Sweep : ExperimentOf<Sweep> {
 
   std::vector<Key> keys() override;
   std::vector<Factor> varied_settings() const override { return factors; }
-  // The games in playing order. The two legs of a pair are adjacent, and all values play a pair
-  // number before the next one, in combinations_order() (schedule.hpp), so an interrupted run is
-  // balanced. A game depends only on its own values, pair and leg, so adding values or pairs
+  // The games in playing order. The two legs of a pair are adjacent. All combinations play a pair
+  // number before the next number begins, in combinations_order() (schedule.hpp), so an interrupted
+  // run is balanced. A game depends only on its own values, pair and leg, so adding values or pairs
   // changes no other game.
   std::vector<ScheduledGame> games() const override;
   std::vector<std::string> value_columns() const override;

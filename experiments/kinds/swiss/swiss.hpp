@@ -11,9 +11,10 @@
 
 namespace autoref::experiments {
 
-// In each round, two teams that are paired play `pairs` pairs of legs. The next round is paired
-// once all games of a round have rows, void or not (swiss_rounds.hpp). Any number of rounds up to
-// half the number of teams can be played without rematches (swiss_rounds.hpp).
+// In each round, every two teams that are paired with each other play `pairs` pairs of legs. The
+// next round is paired once all games of a round have rows, void or not (swiss_rounds.hpp). Any
+// number of rounds up to half the number of teams can be played without rematches
+// (swiss_rounds.hpp).
 struct Swiss : NamedTeams, ExperimentOf<Swiss> {  // 2 to 64 teams
   static const Kind kKind;
 
@@ -30,9 +31,9 @@ struct Swiss : NamedTeams, ExperimentOf<Swiss> {  // 2 to 64 teams
   ExperimentResults results(const RowsById& rows) const override;
 };
 
-inline constexpr std::size_t kMostInSwiss = 64;  // teams
+inline constexpr std::size_t kMostInSwiss = 64;  // maximum number of teams
 
-// The number of rounds in which every team could play every other once.
+// The number of rounds that every team needs to play every other team once.
 constexpr int most_rounds(std::size_t teams) {
   return static_cast<int>(teams % 2 == 0 ? teams - 1 : teams);
 }

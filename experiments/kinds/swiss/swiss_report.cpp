@@ -29,7 +29,7 @@ bool are_linked(const std::vector<std::string>& ranking, const std::vector<Group
 
 // A meeting, or the bye of `meeting.teams.team_a`.
 struct RoundRow {
-  int round = 1;  // from 1
+  int round = 1;  // number of the round, from 1
   Meeting meeting;
 
   bool is_bye() const { return meeting.teams.team_b.empty(); }

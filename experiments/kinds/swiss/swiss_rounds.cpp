@@ -36,8 +36,8 @@ std::vector<DrawnTeam> without(std::vector<DrawnTeam> teams, std::size_t positio
   return teams;
 }
 
-// Moves the first team and the next one that it can play from `left` to the meetings. `rematches`
-// is the least number of rematches that remain.
+// Moves two teams from `left` to the meetings: the first one and the next one that it can play.
+// `rematches` is the least number of rematches among the teams in `left`; it is updated.
 void pair_first(std::vector<DrawnTeam>& left, std::size_t& rematches, RoundPairing& pairing,
                 const Encounters& past) {
   for (std::size_t i = 1; i < left.size(); ++i) {
@@ -75,7 +75,7 @@ constexpr int kLegsOfPair = 2;
 // The part of a game's outcome on which the next rounds depend.
 struct GameOutcome {
   bool is_void = false;
-  double lead = 0;     // of team a; 0 for a draw
+  double lead = 0;     // lead of team a; 0 for a draw
   int difference = 0;  // goals of a minus goals of b
 };
 
@@ -190,7 +190,7 @@ class SwissTournament {
   const OutcomeOf& outcome_of_;
   const std::vector<std::string> draw_;
   Encounters past_;
-  std::vector<SwissScore> scores_;  // by number in the draw
+  std::vector<SwissScore> scores_;  // scores by the team's number in the draw
   SwissRounds played_;
 };
 

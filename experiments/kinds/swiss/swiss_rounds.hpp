@@ -1,4 +1,4 @@
-// The rounds of a Swiss tournament: the pairings that its rows decide so far.
+// The rounds of a Swiss tournament: the pairings determined by its rows so far.
 #pragma once
 
 #include <cstddef>
@@ -33,12 +33,13 @@ class Encounters {
 };
 
 struct RoundPairing {
-  std::vector<std::pair<DrawnTeam, DrawnTeam>> meetings;  // from the top
-  std::optional<DrawnTeam> bye;                           // if the number of teams is odd
+  std::vector<std::pair<DrawnTeam, DrawnTeam>> meetings;  // meetings, from the top of the ranking
+  // Team with the bye, if the number of teams is odd.
+  std::optional<DrawnTeam> bye;
 };
 
-// The first round: the top half of the draw against the bottom half, in order. An odd team out,
-// the last of the draw, has a bye.
+// The first round: the top half of the draw against the bottom half, in order. If the number of
+// teams is odd, the last team of the draw has a bye.
 RoundPairing first_pairing(std::size_t teams);
 
 // A later round. `ranking` contains all teams, the best first.
@@ -61,25 +62,26 @@ RoundPairing first_pairing(std::size_t teams);
 // Throws std::logic_error if the number of teams is odd and all have had a bye.
 RoundPairing next_pairing(const std::vector<DrawnTeam>& ranking, const Encounters& past);
 
-// All games between two teams in a round.
+// The results of all games between two teams in a round.
 struct Meeting {
   Matchup teams;  // team a is the one with the first name in order
-  int games = 0;  // that have rows and are not void
+  int games = 0;  // number of games that have rows and are not void
   int void_games = 0;
   int points_a = 0;  // 3 for each game won, 1 for each drawn one
   int points_b = 0;
 };
 
 struct SwissRound {
-  std::vector<Meeting> meetings;   // from the top of the ranking
+  std::vector<Meeting> meetings;   // meetings, from the top of the ranking
   std::optional<std::string> bye;  // the team that does not play, if the number of teams is odd
 };
 
 struct SwissRounds {
   std::vector<SwissRound> rounds;    // those with known meetings
   std::vector<std::string> ranking;  // all teams, the best first
-  std::map<std::string, int> byes;   // of teams that have had at least one
-  int points_of_bye = 0;             // as many as for winning all games of a meeting
+  std::map<std::string, int> byes;   // number of byes, for teams that have had at least one
+  // Points for a bye: as many as for winning all games of a meeting.
+  int points_of_bye = 0;
 };
 
 int games_per_meeting(const Swiss& swiss);
@@ -92,11 +94,11 @@ std::vector<std::string> draw_of(const Swiss& swiss);
 // `void_games`.
 SwissRounds rounds_of(const Swiss& swiss, const RowsById& rows);
 
-// All rounds, if every game is drawn.
+// All rounds as they would be paired if every game were drawn.
 SwissRounds rounds_if_drawn(const Swiss& swiss);
 
 // The games of these rounds. In each round, all meetings play a pair of legs before the next pair.
-// The legs of a pair form a unit.
+// The legs of a pair form a unit (ScheduledGame::unit).
 //
 // Pair k of round r is pair number (r - 1) * pairs + k in ids, rows and seeds, "bold~zone-p0007-2",
 // so that games of different rounds have different seeds. A game depends only on its two teams, its

@@ -12,7 +12,7 @@
 namespace autoref::experiments {
 namespace {
 
-constexpr Range kParameterValue = {-1e9, 1e9};  // as of `params`
+constexpr Range kParameterValue = {-1e9, 1e9};  // the same range as for `params`
 constexpr double kStepShare = 0.2;              // the default step as a fraction of the range
 
 // "tune.pass_risk.from" and so on.
@@ -22,8 +22,18 @@ std::vector<game::Setting> settings_of(TunedParameter& parameter) {
   };
   return {{path("from"), &parameter.from, kParameterValue, {}, "", "smallest value"},
           {path("to"), &parameter.to, kParameterValue, {}, "", "largest value"},
-          {path("start"), &parameter.start, kParameterValue, {}, "", "value to improve on"},
-          {path("step"), &parameter.step, kParameterValue, {}, "", "how far it is varied at first"},
+          {path("start"),
+           &parameter.start,
+           kParameterValue,
+           {},
+           "",
+           "value from which the search starts"},
+          {path("step"),
+           &parameter.step,
+           kParameterValue,
+           {},
+           "",
+           "how far the value is varied at first"},
           {path("whole"),
            &parameter.whole,
            {},
@@ -106,7 +116,7 @@ class ParameterReader {
 void read_parameters(TopReader& top, Tuning& tuning) {
   const game::YamlEntry& entry = top.required("tune");
   for (const game::YamlEntry& parameter : top.file().entries(entry, "tune", {})) {
-    // Refuses a parameter that the strategy does not have, just as `params` would.
+    // Refuses a parameter that the strategy does not have, just as the key `params` does.
     const strategies::Entry* strategy = tuning.team.program.command.empty()
                                             ? strategies::find_strategy(tuning.team.strategy)
                                             : nullptr;

@@ -19,9 +19,10 @@
 namespace autoref::experiments {
 namespace {
 
-constexpr std::uint64_t kSearchStream = 1;  // the schedule uses others (tuning_schedule.cpp)
+constexpr std::uint64_t kSearchStream = 1;  // the schedule uses other streams (tuning_schedule.cpp)
 constexpr int kDigits = 5;
-// SPSA's least perturbation of a whole number: after rounding, the two numbers always differ.
+// SPSA's least perturbation of a whole-number parameter, so that the two candidates' values always
+// differ after rounding.
 constexpr double kHalf = 0.5;
 
 Axis axis_of(const TunedParameter& parameter) {
@@ -30,8 +31,8 @@ Axis axis_of(const TunedParameter& parameter) {
           parameter.whole ? kHalf / step : 0};
 }
 
-// Rounds to kDigits digits of the range. Divides by a power of ten, so that the result is the
-// double nearest to its decimal text.
+// Rounds `value` to kDigits digits of the range. The last step divides by a power of ten, so that
+// the result is the double nearest to its decimal text.
 double to_few_digits(double value, double range) {
   double scale = 1;
   for (int i = 0; i < kDigits; ++i) scale *= 10;
@@ -86,7 +87,7 @@ void check_range(const TunedParameter& parameter) {
   check_whole(parameter);
 }
 
-// Checks that the team can have this value.
+// Checks that the team's parameter can have this value.
 void check_value(const Tuning& tuning, const TunedParameter& parameter, const char* key,
                  double value) {
   game::TeamSettings team = tuning.team;

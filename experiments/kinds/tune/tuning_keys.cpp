@@ -14,9 +14,9 @@ namespace {
 
 constexpr Range kIterationCount = {1, 9999};
 constexpr Range kTuningPairs = {1, kMostPairs};
-constexpr Range kGain = {0, 100, true};    // above 0
+constexpr Range kGain = {0, 100, true};    // values above 0
 constexpr Range kDelta = {0, 50, true};    // goals
-constexpr Range kWeight = {0, 1e6, true};  // above 0
+constexpr Range kWeight = {0, 1e6, true};  // values above 0
 
 // "iterations", "pairs", "gain" and so on; without the teams and parameters.
 std::vector<game::Setting> settings_of(Tuning& tuning) {
@@ -92,8 +92,9 @@ void read_weights(TopReader& top, Tuning& tuning) {
   const game::YamlEntry* entry = top.find("weights");
   if (entry == nullptr) return;
   if (tuning.is_against_itself()) {
-    top.file().refuse(entry->location, "weights",
-                      "weights are only for opponents, and the file has none; leave it out");
+    top.file().refuse(
+        entry->location, "weights",
+        "weights are only for opponents, and the file has no opponents; leave this key out");
   }
   for (const auto& [name, team] : tuning.opponents) tuning.weights[name] = 1;
   game::SettingsReader(top.file(), weight_settings_of(tuning), top.locations())
@@ -140,7 +141,7 @@ Key pairs_per_candidate_key(Tuning& tuning) {
   return key;
 }
 
-// Is read after the method, which must be SPSA.
+// The key `gain`, which is read after the method. The method must be SPSA.
 Key gain_key(Tuning& tuning) {
   Key key = setting_key(tuning, "gain");
   key.read = [&tuning, read_setting = key.read](TopReader& top) {
@@ -188,7 +189,7 @@ Key team_key(Tuning& tuning) {
   return key;
 }
 
-// Is read together with the opponents.
+// The key `weights`, which is read together with the opponents.
 Key weights_key(Tuning& tuning) {
   Key key{"weights", "numbers above 0 by opponent; 1",
           "weight of each opponent's games in the score"};

@@ -30,7 +30,8 @@ std::string name_of(ThreeWayVerdict verdict) {
   return "none";
 }
 
-// Mean of the known scores; nullopt if there is none and in self-play, where it would be 0.
+// Mean of the known scores. nullopt if there is none, and in self-play, where the mean would always
+// be 0.
 std::optional<double> mean_score(const Tuning& tuning, const TuningIteration& iteration) {
   std::vector<double> known;
   for (const Score& score : iteration.scores) {
@@ -102,7 +103,7 @@ std::string verdict_of(const Tuning& tuning, const TuningTest& test) {
     case ThreeWayVerdict::kGoOn:
       break;
   }
-  return "The test of the result against the start is not decided yet.";
+  return "The test that compares the result with the start is not decided yet.";
 }
 
 std::string gain_text(const Tuning& tuning, const TuningTest& test) {
@@ -116,7 +117,7 @@ std::string gain_text(const Tuning& tuning, const TuningTest& test) {
   return text;
 }
 
-// The settings of the team that differ from a team's defaults.
+// Those settings of the tuned team that differ from the defaults of a team.
 std::string team_text(const Tuning& tuning, const ParamValues& values) {
   game::TeamSettings team = team_with(tuning, values);
   game::TeamSettings usual = tuning.base.a;

@@ -11,7 +11,7 @@
 namespace autoref::experiments {
 namespace {
 
-// Seed streams derived from the master seed; the search has another one (tuning.cpp).
+// Seed streams derived from the master seed; the search uses another one (tuning.cpp).
 constexpr std::uint64_t kIterationStream = 2;
 constexpr std::uint64_t kTestStream = 3;
 

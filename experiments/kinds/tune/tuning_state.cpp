@@ -11,8 +11,8 @@ namespace autoref::experiments {
 namespace {
 
 struct PlayedPair {
-  bool is_played = false;            // both legs have been played
-  std::optional<double> difference;  // mean over the legs; nullopt if one is void
+  bool is_played = false;            // whether both legs have been played
+  std::optional<double> difference;  // mean goal difference over the legs; nullopt if one is void
 };
 
 PlayedPair pair_of(const TuningMatchup& matchup, int pair, const RowsById& rows) {
@@ -69,8 +69,8 @@ std::optional<std::vector<Score>> scores_of(const Tuning& tuning, const TuningIt
     if (!played.is_played) return std::nullopt;
     sums[matchup.candidate].add(played.difference, tuning.weight_of(matchup.opponent));
   }
-  // If the two candidates of SPSA played each other, half their difference is the score of one, and
-  // its negative that of the other.
+  // If the two candidates of SPSA played each other, half of their difference is the score of one
+  // candidate, and the negative of that is the score of the other.
   if (matchups.size() < sums.size()) {
     const Score difference = sums[0].mean();
     if (!difference) return std::vector<Score>(2);
@@ -102,9 +102,10 @@ PlayedPair gain_in(const Tuning& tuning, const std::vector<TuningMatchup>& match
 
 // The pairs before the first one that has not been played.
 struct TestPairs {
-  std::vector<double> gains;  // of pairs without a void game, and their numbers
+  // Gains of the pairs without a void game, and the numbers of these pairs.
+  std::vector<double> gains;
   std::vector<int> numbers;
-  int count = 0;  // including pairs with a void game
+  int count = 0;  // number of pairs, including those with a void game
 };
 
 TestPairs test_pairs(const Tuning& tuning, const ParamValues& result, const RowsById& rows) {

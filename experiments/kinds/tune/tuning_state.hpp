@@ -13,28 +13,31 @@ namespace autoref::experiments {
 
 struct TuningIteration {
   int number = 1;
-  Point centre;                       // of the search, before the iteration
-  std::vector<Candidate> candidates;  // and their scores in goals per game; in self-play, only
-  std::vector<Score> scores;          // differences between scores matter
-  double reach = 0;                   // of the candidates, in steps
-  ParamValues after;                  // values at the centre after the iteration,
-  ParamValues best;                   // and the best values known then
+  Point centre;                       // centre of the search before the iteration
+  std::vector<Candidate> candidates;  // and their scores in goals per game. In self-play, only
+  std::vector<Score> scores;          // differences between the scores are meaningful
+  double reach = 0;                   // distance of the candidates from the centre, in steps
+  ParamValues after;                  // parameter values at the centre after the iteration,
+  ParamValues best;                   // and the best parameter values known after it
 };
 
-// The sequential test of the result against the start.
+// The sequential test that compares the result with the start.
 struct TuningTest {
-  ThreeWayState state;               // kUndecided after max_pairs
-  int last_pair = 0;                 // number of the last pair considered
-  int void_pairs = 0;                // up to last_pair, left out because a game is void
-  std::optional<double> gain;        // mean of the deciding pairs, in goals per game
+  ThreeWayState state;  // kUndecided after max_pairs
+  int last_pair = 0;    // number of the last pair considered
+  // Number of pairs up to last_pair that are left out because a game is void.
+  int void_pairs = 0;
+  // Mean goal difference in the deciding pairs, in goals per game.
+  std::optional<double> gain;
   std::optional<Interval> interval;  // anytime_interval()
   bool is_decided = false;
 };
 
 struct TuningState {
-  std::vector<TuningIteration> path;       // all iterations with all games played
-  std::optional<TuningIteration> current;  // the one that is being played; nullopt after the last
-  ParamValues best;                        // as known so far
+  std::vector<TuningIteration> path;  // all iterations of which all games have been played
+  // The iteration that is being played; nullopt after the last one.
+  std::optional<TuningIteration> current;
+  ParamValues best;  // best parameter values known so far
   TuningTest test;
 
   bool is_tuned() const { return !current; }
@@ -45,7 +48,7 @@ struct TuningState {
 // it will be replayed. Other void games are left out of the scores together with their pair.
 TuningState state_of(const Tuning& tuning, const RowsById& rows);
 
-// Like state_of(), but only returns whether the test is decided. Fast while the search is still
+// Returns whether the final test is decided. Faster than state_of() as long as the search is still
 // running.
 bool is_test_decided(const Tuning& tuning, const RowsById& rows);
 

@@ -3,8 +3,9 @@
 // the position of that touch.
 //
 // A ball of unknown height counts as being on the ground, because most balls are. If an unknown
-// robot has touched the ball since, it may have been a team-mate, and the goal stands. If the ball
-// has rolled and a defender then lifts it into its own goal, the goal also stands.
+// robot has touched the ball since the attackers' touch, that robot may have been a team-mate, so
+// the goal stands. If the ball has rolled and a defender then lifts it into its own goal, the goal
+// also stands.
 #include <fmt/format.h>
 #include <algorithm>
 
@@ -17,10 +18,10 @@ namespace {
 
 struct Chip {
   const BallTouch* touch = nullptr;  // touch by the attackers; null if it was not a chip
-  double top_m = 0;                  // greatest height of the ball's top since then
+  double top_m = 0;                  // greatest height of the ball's top since that touch
 };
 
-// The attackers' last touch and the ball's greatest height since, if it has not rolled.
+// The attackers' last touch and the greatest height of the ball since, if the ball has not rolled.
 Chip find_chip(const TouchHistory& touches, Side scorer, double limit_m) {
   double highest_m = 0;
   // Searches backwards from the newest touch and skips touches by defenders.

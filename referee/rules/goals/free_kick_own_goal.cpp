@@ -1,5 +1,5 @@
 // If a side kicks the ball straight from its own restart into its own goal, no goal is scored; the
-// opponents get a corner kick (Laws 2014, law 13; in 2026 it is a goal). A touch by an unknown
+// opponents get a corner kick (Laws 2014, law 13; in 2026 this is a goal). A touch by an unknown
 // robot may have been made by a second robot. Penalty kicks are not affected, because they are
 // taken at the other end.
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Early termination: the game ends once a side has scored 10 goals and leads by more than one
+// Early termination: the game ends once a side has scored 10 goals and leads by more than one goal
 // (2026). This rule takes effect after the GOAL command has been sent.
 #include <fmt/format.h>
 #include <algorithm>

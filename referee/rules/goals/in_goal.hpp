@@ -11,7 +11,7 @@
 
 namespace autoref::referee {
 
-// kGoal for the kicker's side, wherever the ball is. Play must be a penalty kick.
+// A kGoal finding for the kicker's side, wherever the ball is. Play must be a penalty kick.
 Finding awarded_goal(const RefereeState& state, const RefereeInput& input);
 
 // The side whose goal contains the ball, if any.

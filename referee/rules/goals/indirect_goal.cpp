@@ -1,6 +1,6 @@
-// A goal straight from an indirect free kick or a throw-in, touched only by the kicker, does not
-// count. A goal kick follows (Laws 2014, laws 13 and 15). A touch by an unknown robot may have been
-// made by a second robot.
+// A goal straight from an indirect free kick or a throw-in does not count if only the kicker has
+// touched the ball. A goal kick follows (Laws 2014, laws 13 and 15). A touch by an unknown robot
+// may have been made by a second robot.
 #include <fmt/format.h>
 
 #include "referee/machine/ball_in_play.hpp"

@@ -1,5 +1,5 @@
-// Once a penalty kick has failed (penalty_outcome.hpp), it is over, and the defenders get a goal
-// kick. If the defenders commit a foul, a goal is awarded (2026, Penalty Kick).
+// Once a penalty kick has failed (penalty_outcome.hpp), the penalty kick is over, and the defenders
+// get a goal kick. If the defenders commit a foul, a goal is awarded (2026, Penalty Kick).
 #include "referee/geometry/restarts.hpp"
 #include "referee/machine/penalty_outcome.hpp"
 #include "referee/rules/goals/in_goal.hpp"

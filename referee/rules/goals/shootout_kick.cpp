@@ -1,5 +1,5 @@
-// The kicks of a shoot-out (Laws 2014, appendix A; 2026). They replace the rules on goals, exits
-// and waiting; fouls are judged as in play (RuleEntry::in_shootout).
+// The kicks of a shoot-out (Laws 2014, appendix A; 2026). This rule replaces the rules on goals,
+// exits and restarts not taken in time; fouls are judged as in play (RuleEntry::in_shootout).
 //
 // A kick ends when it has scored or failed (penalty_outcome.hpp). Only a goal at the target end
 // scores. Each kick is a penalty kick: a foul by the kicker's side ends it without a goal, and in
@@ -39,7 +39,7 @@ std::string failure_of(RefereeState& state, const RefereeInput& input) {
 
 // kGoal or kPenaltyFailed in RUN.
 std::optional<Finding> find_kick_over(RefereeState& state, const RefereeInput& input) {
-  if (!state.play.kicker) return std::nullopt;  // joined midway
+  if (!state.play.kicker) return std::nullopt;  // play was joined midway
   const Side kicker = *state.play.kicker;
   const int number = state.shootout.kicks[kicker] + 1;
   const std::string failure = failure_of(state, input);

@@ -1,16 +1,16 @@
 // "Each robot must be at least 200 mm away from the opposing team's defense area, or an indirect
 // free kick is awarded to the opposing team" (paper, section 4.2).
 //
-// Deviation D9: judged when the ball enters play from a restart, as in the Laws; a rule in force at
-// all times would forbid attacking. The kicking side is judged first, so that the order of the
-// sides never decides between two offenders; under the Laws, it is the only one judged (law 9, "a
-// member of the kicker's team").
+// Deviation D9: the rule is judged when the ball enters play from a restart, as in the Laws,
+// because a rule in force at all times would forbid attacking. The kicking side is judged first, so
+// that the order of the sides never decides between two offenders. Under the Laws, only the kicking
+// side is judged (law 9, "a member of the kicker's team").
 //
 // 2026, Attacker Too Close To Defense Area: during stop and free kicks, robots keep 0.2 m away from
 // the opponents' defence area. They have 2 s to leave after the start of the stop. After that, a
-// violation gives the opponents a free kick, and the team has another 2 s to leave; its second foul
-// in the same stop or free kick halts the game. A free kick belongs to the stop before it until the
-// ball is in play.
+// violation gives the opponents a free kick, and the team has another 2 s to leave. The team's
+// second foul in the same stop or free kick halts the game. A free kick belongs to the stop before
+// it until the ball is in play.
 #include <fmt/format.h>
 #include <algorithm>
 
@@ -67,7 +67,7 @@ std::optional<Finding> find_attacker_too_close_to_defense_area(RefereeState& sta
 }
 
 // Kick-offs and penalty kicks have their own position rules. Before a kick-off, all robots return
-// to their own half; after half-time, they come from the far end of the field.
+// to their own half; after half-time, they come from the other end of the field.
 bool is_in_force(const RefereeState& state) {
   if (state.machine_state == State::kWaitStop) {
     const std::optional<Command>& next = state.signal.next_command;
@@ -78,7 +78,8 @@ bool is_in_force(const RefereeState& state) {
   return !play.in_play && play.kicker && !play.is_kickoff() && !play.is_penalty();
 }
 
-// The robot of `side` nearest to the area that is too close, if the side's grace period is over.
+// Of the robots of `side` that are too close to the area, the nearest one, if the side's grace
+// period is over.
 std::optional<Offence> overdue(Side side, AttackerNearAreaWatch& watch, const RefereeInput& input) {
   const RuleBook& rules = input.configuration.rules;
   std::optional<double>& grace_from_s = watch.grace_from_s[side];

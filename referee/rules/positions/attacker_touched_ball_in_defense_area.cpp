@@ -40,7 +40,7 @@ std::optional<Finding> check(RefereeState& state, const BallTouch& touch,
   return touched_inside(touch, *touch.toucher, distance_m, input);
 }
 
-// Finds a called touch that continues while the robot is still inside.
+// Finds a touch that has been called and continues while the robot is still inside the area.
 std::optional<Finding> find_again(RefereeState& state, const RefereeInput& input) {
   CalledTouch& called = state.watch.touch_in_area;
   const BallTouch* touch = state.play.touches.newest();

@@ -3,9 +3,10 @@
 // placement counts; it extends the placement by 10 s. While a team places the ball, further robots
 // also extend the placement, but are not counted.
 //
-// No team can interfere before penalty kicks or kick-offs, and therefore after goals: the foul is
-// one of "the non-placing team", and "the referee has to place the ball for all kickoffs and all
-// penalty kicks" (Rules of the RoboCup Small Size League, Ball Placement, Usage).
+// No team can interfere before penalty kicks or kick-offs, and therefore after goals. The reason is
+// that the foul is committed by "the non-placing team", and "the referee has to place the ball for
+// all kickoffs and all penalty kicks" (Rules of the RoboCup Small Size League, Ball Placement,
+// Usage).
 #include <fmt/format.h>
 
 #include "referee/machine/ball_placement.hpp"
@@ -32,7 +33,7 @@ std::optional<Side> placing_side(const RefereeState& state) {
   return next->side;
 }
 
-// nullopt unless the ball is being placed for one side's free kick.
+// The current placement; nullopt unless the ball is being placed for one side's free kick.
 std::optional<PlacementSegment> placement_segment(const RefereeState& state,
                                                   const RefereeInput& input) {
   const RefereeSignal& signal = state.signal;

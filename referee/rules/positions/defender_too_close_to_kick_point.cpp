@@ -2,9 +2,9 @@
 // Close To Ball). Penalty kicks have their own position rules.
 //
 // Under the Laws the restart is retaken, and a robot that was also too near at the previous attempt
-// gets a yellow card. Positions are judged in the last frame before the ball is in play: a robot
+// gets a yellow card. Positions are judged in the last frame before the ball is in play, so a robot
 // that starts when it sees the kick is not at fault. In 2026 the violation is an immediate team
-// foul that counts again after 2 s; the time for the kick restarts.
+// foul that counts again after 2 s, and the time for the kick restarts.
 #include <fmt/format.h>
 #include <algorithm>
 
@@ -59,7 +59,7 @@ Finding taken_again(const PositionViolation& before, const RefereeState& state,
   return finding;
 }
 
-// Laws: judged when the ball enters play.
+// Under the Laws, the rule is judged when the ball enters play.
 std::optional<Finding> find_when_taken(RefereeState& state, const RefereeInput& input) {
   PositionViolation& before = state.watch.defender_too_close_to_kick_point.before;
   if (!state.play.in_play) {
@@ -70,7 +70,7 @@ std::optional<Finding> find_when_taken(RefereeState& state, const RefereeInput& 
   return taken_again(before, state, input);
 }
 
-// 2026: judged while waiting for the kick.
+// Under the rules of 2026, the rule is judged while the kick has not been taken.
 std::optional<Finding> find_while_waiting(RefereeState& state, const RefereeInput& input) {
   if (state.play.in_play) return std::nullopt;
   const RuleBook& rules = input.configuration.rules;

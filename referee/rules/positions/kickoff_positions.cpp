@@ -1,5 +1,5 @@
-// At a kick-off, every robot must be in its own half; the kicker may cross the halfway line inside
-// the centre circle (Laws 8; 2026, Kick-Off). Otherwise the kick-off is retaken.
+// At a kick-off, every robot must be in its own half, except that the kicker may cross the halfway
+// line inside the centre circle (Laws 8; 2026, Kick-Off). Otherwise the kick-off is retaken.
 //
 // Positions are judged in the last frame before the ball is in play. A robot is out of position
 // if its whole hull is beyond the halfway line. The kicker is the robot of the kicking side nearest

@@ -3,12 +3,12 @@
 // Penalty Kick). Positions are judged in the last frame before the ball is in play.
 //
 // Laws 2014: the kick proceeds, and its outcome decides whether it is retaken. After a breach by
-// the kicker's side, it is retaken if there was a goal, which does not count; after a breach by the
-// defenders' side, it is retaken if there was no goal; after breaches by both sides, it is retaken
-// in either case. A kick is complete when it is a goal or a failure in the sense of
+// the kicker's side, the kick is retaken if there was a goal, which does not count. After a breach
+// by the defenders' side, it is retaken if there was no goal. After breaches by both sides, it is
+// retaken in either case. A kick is complete when it is a goal or a failure in the sense of
 // penalty_outcome.hpp.
 //
-// 2026: there are no retakes. A breach counts like a foul: it decides the kick as soon as the ball
+// 2026: there are no retakes. A breach counts as a foul, so it decides the kick as soon as the ball
 // is in play (rule penalty_kick_failed), unless both sides are at fault.
 //
 // This is simpler than the rule books: the keeper's orientation, the kick's direction (Laws) and
@@ -55,7 +55,7 @@ PositionViolation too_near(Side side, std::optional<int> may_be, const RefereeSt
   return found;
 }
 
-// Distance of the keeper from the line between the posts; 0 or less if its hull touches it.
+// Distance of the keeper from the line between the posts; 0 or less if its hull touches that line.
 double off_line_m(Side side, const RobotObservation& keeper, const Field& field) {
   const double depth_m = field.half_length_m() - goal_sign(side) * keeper.position_m.x();
   const bool in_front = depth_m > 0;
@@ -84,7 +84,7 @@ void watch(PenaltyPositionsWatch& watch, const RefereeState& state, const Refere
   watch.others[attacker] = too_near(
       attacker, kicker_of(input.frame.robots[attacker], input.ball->position_m), state, input);
   const int keeper = input.requests[defender].keeper;
-  if (keeper < 0) return;  // it may be any of the defenders
+  if (keeper < 0) return;  // the keeper is unknown, so it may be any of the defenders
   watch.others[defender] = too_near(defender, keeper, state, input);
   watch.keeper = keeper_off_line(defender, input);
 }
@@ -111,7 +111,7 @@ Finding breach_of(const RefereeState& state, const RefereeInput& input, Side sid
   const bool is_keepers = !watch.others[side].any();
   const PositionViolation& worst = is_keepers ? watch.keeper : watch.others[side];
   finding.value = worst.worst_m;
-  if (is_keepers) finding.threshold = 0;  // measured from the keeper's own line
+  if (is_keepers) finding.threshold = 0;  // the distance is measured from the keeper's goal line
   finding.robots.push_back(worst.robots.front());
   if (!both) finding.offender = side;
   finding.position_m = state.play.ball_from_m;
@@ -129,7 +129,7 @@ PerSide<bool> sides_at_fault(const RefereeState& state) {
   return sides;
 }
 
-// 2026
+// The rules of 2026.
 std::optional<Finding> find_at_kick(const RefereeState& state, const RefereeInput& input) {
   const PerSide<bool> at_fault = sides_at_fault(state);
   const bool both = at_fault[Side::kWest] && at_fault[Side::kEast];

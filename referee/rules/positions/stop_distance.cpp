@@ -1,6 +1,6 @@
 // While play is stopped, every robot must keep 500 mm away from the ball (Laws 9). This is judged
-// once the ball has been at its position for 2 s, because robots cannot know where it is going to
-// be placed. Each robot is called once per stop.
+// once the ball has been at its position for 2 s, because robots cannot know where it will be
+// placed. Each robot is called once per stop.
 #include <fmt/format.h>
 
 #include "referee/geometry/hull.hpp"

@@ -3,8 +3,8 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-constexpr double kReach_m = 2.5;     // from the goal's centre to the robot that waits there
-constexpr double kPlays_m = 600_mm;  // the robot goes for the ball within this distance
+constexpr double kReach_m = 2.5;     // distance from the goal's centre to the robot that waits
+constexpr double kPlays_m = 600_mm;  // the robot goes for the ball if it is within this distance
 constexpr double kKick_mps = 4.0;
 constexpr double kKicked_mps = 2.0;
 
@@ -14,7 +14,7 @@ std::optional<ActiveFoul> find_chance(const RowdyView& view) {
                  view.now.ball.position_m);
 }
 
-// Waits in the area, in the ball's path to the goal, and plays the ball once it arrives.
+// The robot waits in the area, in the ball's path to the goal, and plays the ball once it arrives.
 bool go_on(const RowdyView& view, ActiveFoul& foul, TeamOutput& output) {
   const TrackedRobot& robot = *find(view.now.own, foul.robot);
   const Vec2& ball_m = view.now.ball.position_m;

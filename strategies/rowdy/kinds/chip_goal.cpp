@@ -7,9 +7,9 @@ namespace autoref::strategies::rowdy {
 namespace {
 
 constexpr double kNear_m = 500_mm;
-constexpr double kNearest_m = 900_mm;  // from the goal's centre to the ball
+constexpr double kNearest_m = 900_mm;  // minimum distance from the goal's centre to the ball
 constexpr double kFarthest_m = 2600_mm;
-constexpr double kLandsBefore_m = 300_mm;  // in front of the goal line
+constexpr double kLandsBefore_m = 300_mm;  // distance from the landing point to the goal line
 constexpr double kGravity_mps2 = 9.81;
 constexpr double kKicked_mps = 1.5;
 

@@ -3,7 +3,7 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-constexpr double kFromBall_m = 300_mm;  // to the robot's centre
+constexpr double kFromBall_m = 300_mm;  // distance from the ball to the robot's centre
 
 std::optional<ActiveFoul> find_chance(const RowdyView& view) {
   if (!is_opponents_restart(view)) return std::nullopt;

@@ -4,7 +4,7 @@ namespace autoref::strategies::rowdy {
 namespace {
 
 constexpr double kHardest_mps = 10;
-constexpr double kNear_m = 300_mm;  // from the ball to a robot that may soon kick
+constexpr double kNear_m = 300_mm;  // distance from the ball to a robot that may soon kick
 constexpr double kKicked_mps = 5;
 
 std::optional<ActiveFoul> find_chance(const RowdyView& view) {

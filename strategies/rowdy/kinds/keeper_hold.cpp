@@ -3,14 +3,16 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-constexpr double kInside_m = 200_mm;  // from the ball to the area's edge and to the goal line
+// Minimum distance from the ball to the area's edge and to the goal line.
+constexpr double kInside_m = 200_mm;
 constexpr double kSlow_mps = 1.5;
 constexpr double kReach_m = 1.2;
 constexpr double kBehind_m = kFrontDistance_m + kBallRadius_m + 20_mm;
 constexpr double kThere_m = 30_mm;
 constexpr double kApproach_mps = 0.2;
-constexpr double kSway_mps = 0.1;  // the keeper sways, or the ball would count as stuck
-constexpr double kSway_s = 3.0;    // time in each direction
+// The keeper sways, because otherwise the ball would count as stuck.
+constexpr double kSway_mps = 0.1;
+constexpr double kSway_s = 3.0;  // time in each direction
 constexpr double kShortest_s = 4;
 constexpr double kLongest_s = 18;
 

@@ -5,7 +5,7 @@ namespace autoref::strategies::rowdy {
 namespace {
 
 constexpr double kNear_m = 500_mm;
-constexpr double kBehindHalfway_m = 200_mm;  // from the ball to the halfway line
+constexpr double kBehindHalfway_m = 200_mm;  // distance from the ball to the halfway line
 constexpr double kAimShare = 0.7;            // fraction of half the field's width
 constexpr double kKick_mps = 6.4;            // below every rule book's limit
 constexpr double kKicked_mps = 3.0;

@@ -3,7 +3,7 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-constexpr double kBeyond_m = 700_mm;  // beyond the halfway line
+constexpr double kBeyond_m = 700_mm;  // distance beyond the halfway line
 constexpr double kBesideShare = 0.5;  // fraction of half the field's width
 
 bool is_kickoff(const RowdyView& view) {

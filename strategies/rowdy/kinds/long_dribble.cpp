@@ -9,9 +9,9 @@ constexpr double kShortest_m = 300_mm;
 constexpr double kLongest_m = 1500_mm;
 constexpr double kSpeed_mps = 0.8;
 constexpr double kFaster_mps =
-    0.1;  // added to its current speed, so that it does not lose the ball
+    0.1;  // added to the robot's current speed, so that it does not lose the ball
 constexpr double kFromLines_m = 200_mm;
-constexpr double kLost_m = 160_mm;  // from the robot's centre to a ball that it has lost
+constexpr double kLost_m = 160_mm;  // distance from the robot's centre to a ball that it has lost
 constexpr double kMates_m = 600_mm;
 
 bool has_room(const RowdyView& view, const TrackedRobot& robot) {

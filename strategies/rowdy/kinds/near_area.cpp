@@ -3,9 +3,10 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-constexpr double kReach_m = 3.0;  // from the goal's centre
+constexpr double kReach_m = 3.0;  // largest distance of the robot from the goal's centre
 constexpr double kFromArea_m = 80_mm + kRobotRadius_m;
-constexpr double kFromBall_m = 700_mm;  // a closer robot would push a ball being placed
+// A robot closer to the ball would push it while it is placed.
+constexpr double kFromBall_m = 700_mm;
 constexpr int kSteps = 6;
 
 bool is_waiting(const RowdyView& view) {

@@ -3,7 +3,7 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-constexpr double kBeside_m = 500_mm;  // from the mark, to the side
+constexpr double kBeside_m = 500_mm;  // distance to the side of the penalty mark
 
 bool is_penalty(const RowdyView& view) {
   return view.now.play == Play::kPreparePenalty || view.now.play == Play::kPenalty;
@@ -13,7 +13,7 @@ Vec2 mark_m(const RowdyView& view) {
   return view.now.placement_m.value_or(view.now.ball.position_m);
 }
 
-// Uses a robot other than the kicker.
+// The fouling robot is any robot other than the kicker.
 std::optional<ActiveFoul> find_chance(const RowdyView& view) {
   if (!is_penalty(view)) return std::nullopt;
   const TrackedRobot* kicker =

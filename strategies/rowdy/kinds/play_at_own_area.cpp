@@ -3,15 +3,15 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-// Depths of the ball in the area at which a robot next to it can be partly inside: one range for a
-// robot on the field side of the ball, one for a robot on the goal side.
+// Depths of the ball in the area at which a robot next to it can be partly inside: one range is for
+// a robot on the field side of the ball, the other for a robot on the goal side.
 constexpr double kDeepest_m = 120_mm;
 constexpr double kFromOutside_m = 20_mm;
 constexpr double kFromInside_m = -20_mm;
 constexpr double kShallowest_m = -75_mm;
 constexpr double kReach_m = 1.5;
 constexpr double kSlow_mps = 0.5;
-constexpr double kRunUp_m = 180_mm;  // from the ball to the robot's centre
+constexpr double kRunUp_m = 180_mm;  // distance from the ball to the robot's centre
 constexpr double kThere_m = 40_mm;
 constexpr double kPush_mps = 0.4;
 constexpr double kPushed_m = 30_mm;

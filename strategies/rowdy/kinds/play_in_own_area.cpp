@@ -7,7 +7,8 @@ constexpr double kDeep_m =
     150_mm;  // a robot behind a ball this deep in the area is entirely inside
 constexpr double kReach_m = 2.0;
 constexpr double kSlow_mps = 1.2;
-constexpr double kOffGoal_m = 250_mm;  // from the goal line to the ball: space for a robot
+// Distance from the goal line to the ball, so that a robot fits between.
+constexpr double kOffGoal_m = 250_mm;
 constexpr double kKick_mps = 2.0;
 constexpr double kKicked_mps = 1.5;
 

@@ -3,7 +3,7 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-constexpr double kNearest_m = 600_mm;  // between the centres: space to accelerate
+constexpr double kNearest_m = 600_mm;  // minimum distance between the centres, to accelerate
 constexpr double kFarthest_m = 1400_mm;
 constexpr double kOffBall_m = 500_mm;  // robots closer to the ball are not used
 constexpr double kSpeed_mps = 3.0;

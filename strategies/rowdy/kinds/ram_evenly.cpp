@@ -5,10 +5,10 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-constexpr double kNearest_m = 600_mm;  // between the centres
+constexpr double kNearest_m = 600_mm;  // minimum distance between the centres
 constexpr double kFarthest_m = 1600_mm;
 constexpr double kComes_mps = 0.8;  // speed of the opponent towards the robot
-constexpr double kStraight = 0.95;  // fraction of its speed that is towards the robot
+constexpr double kStraight = 0.95;  // fraction of the opponent's speed that is towards the robot
 constexpr double kMet_m = 2 * kRobotRadius_m + 5_mm;
 
 double closing_mps(const TrackedRobot& mover, const Vec2& point_m) {

@@ -5,7 +5,7 @@ namespace {
 
 constexpr double kFirst_mps = 0.9;
 constexpr double kSecond_mps = 3.0;
-constexpr double kAway_m = 150_mm;  // from the robot's centre to a ball that has left it
+constexpr double kAway_m = 150_mm;  // distance from the robot's centre to a ball that has left it
 constexpr double kRolls_mps = 0.3;
 constexpr double kMates_m = 1.5;  // distance kept by team-mates
 

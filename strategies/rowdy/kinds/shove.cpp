@@ -3,11 +3,11 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-constexpr double kNearest_m = 450_mm;  // between the centres: space to accelerate
+constexpr double kNearest_m = 450_mm;  // minimum distance between the centres, to accelerate
 constexpr double kReach_m = 800_mm;
 constexpr double kStill_mps = 0.3;  // maximum speed of the opponent
 // A pushed robot brakes harder than the pushing one can accelerate, so the push needs some initial
-// speed, but less than a crash would need.
+// speed, but less than would count as a crash.
 constexpr double kSpeed_mps = 1.45;
 constexpr double kFar_m = 350_mm;  // distance after which the push ends
 

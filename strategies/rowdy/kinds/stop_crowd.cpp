@@ -3,7 +3,7 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-constexpr double kFromBall_m = 350_mm;  // to the robot's centre
+constexpr double kFromBall_m = 350_mm;  // distance from the ball to the robot's centre
 
 Vec2 ball_target_m(const RowdyView& view) {
   return view.now.placement_m.value_or(view.now.ball.position_m);

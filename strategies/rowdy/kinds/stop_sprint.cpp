@@ -4,7 +4,7 @@ namespace autoref::strategies::rowdy {
 namespace {
 
 constexpr double kTurnsBefore_m = 300_mm;
-constexpr double kShare = 0.6;  // fraction of half the field's width that it crosses
+constexpr double kShare = 0.6;  // fraction of half the field's width that the robot crosses
 
 std::optional<ActiveFoul> find_chance(const RowdyView& view) {
   if (view.now.play != Play::kStop) return std::nullopt;
@@ -13,7 +13,7 @@ std::optional<ActiveFoul> find_chance(const RowdyView& view) {
   return foul_by(mate, mate != nullptr ? mate->position_m : Vec2(0, 0));
 }
 
-// Drives back and forth.
+// The robot drives back and forth.
 bool go_on(const RowdyView& view, ActiveFoul& foul, TeamOutput& output) {
   const TrackedRobot& robot = *find(view.now.own, foul.robot);
   const double wing_m = kShare * view.field.half_width_m();

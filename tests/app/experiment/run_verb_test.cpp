@@ -129,8 +129,9 @@ TEST_F(RunVerb, ReportsThatMorePairsContinueTheFolder) {
   run();
   const Answer answer = run({"--pairs", "3"});
   EXPECT_EQ(answer.code, io::kDone);
-  EXPECT_TRUE(answer.err.starts_with(
-      "the folder had 1 pairs, now 3; its games count, and only the new ones are played\n"))
+  EXPECT_TRUE(
+      answer.err.starts_with("the folder had 1 pairs, now 3; the games already played count, and "
+                             "only the others are played\n"))
       << answer.err;
 }
 

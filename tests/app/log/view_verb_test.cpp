@@ -133,7 +133,7 @@ TEST_F(ViewVerb, RefusesAPartWithoutFrames) {
   const std::string log = write_short_log(folder_, "paper");
   const Answer late = view(log, {"--from", "5000"});
   EXPECT_EQ(late.code, io::kBadInput);
-  EXPECT_NE(late.err.find("--from: the log has no frames in this part"), std::string::npos)
+  EXPECT_NE(late.err.find("--from: the log has no frames between these times"), std::string::npos)
       << late.err;
   EXPECT_FALSE(std::filesystem::exists(page_));
   const Answer reversed = view(log, {"--from", "2", "--to", "1"});

@@ -118,7 +118,7 @@ TEST_F(FolderVerbs, ReportWritesFiles) {
   run("0/1");
   const Answer answer = answer_to({"report", results_.c_str()});
   EXPECT_EQ(answer.code, io::kDone);
-  EXPECT_NE(answer.out.find("report.html   the same as a single page for a browser"),
+  EXPECT_NE(answer.out.find("report.html   the same report as a single page for a browser"),
             std::string::npos);
   EXPECT_TRUE(content_of(folder_ / "results/report.md").starts_with("# A sweep\n"));
 }

@@ -22,7 +22,7 @@ std::string refusal_of_assignments(const std::string& lines,
 TEST(Handicap, IsRefusedAsAFactorIfTheBaseSetsOneOfItsFactors) {
   EXPECT_EQ(refusal_of_assignments("base: { teams: { b: { speed_factor: 0.8 } } }\n"
                                    "factors: { b.handicap: [1.0, 0.5] }\n"),
-            "x.yaml:6:12: b.handicap: 'base.teams.b.speed_factor' sets the same number; leave one "
+            "x.yaml:6:12: b.handicap: 'base.teams.b.speed_factor' sets the same value; leave one "
             "out");
 }
 

@@ -104,7 +104,7 @@ TEST(Experiment, ReportsThatItReplaysKilledGames) {
   testing::internal::CaptureStderr();
   run_experiment(small_sweep(), options);
   const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_NE(said.find("3 games are void because their workers were killed; they are replayed"),
+  EXPECT_NE(said.find("3 games are void because their workers were killed; they will be replayed"),
             std::string::npos)
       << said;
 }

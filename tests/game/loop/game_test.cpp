@@ -113,8 +113,9 @@ TEST(Game, HasNoResultIfAFileOfATeamCannotBeWritten) {
 TEST(Game, IsVoidAndNamesTheRobotIfACommandIsNotFinite) {
   const GameRecord record = play_with_faulty_b<NotANumber>();
   EXPECT_EQ(record.status, Status::kVoid);
-  EXPECT_NE(record.void_reason.find("team b sent a number that is not finite to robot 2"),
-            std::string::npos)
+  EXPECT_NE(
+      record.void_reason.find("team b sent a command for robot 2 with a value that is not finite"),
+      std::string::npos)
       << record.void_reason;
 }
 

@@ -7,7 +7,7 @@ import tempfile
 
 FOLDER = pathlib.Path(__file__).resolve().parent
 LONGEST_S = 240
-PACKETS = re.compile(r"^(yellow|blue): (\d+) packets, (\d+) wrong", re.MULTILINE)
+PACKETS = re.compile(r"^(yellow|blue): (\d+) packets, (\d+) invalid", re.MULTILINE)
 
 
 class LiveGame:

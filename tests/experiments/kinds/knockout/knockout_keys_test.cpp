@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{"ThirdPlaceOfThree",
                             kKnockoutTop + kKnockoutTeams + "third_place: true\n",
                             "x.yaml:5:14: third_place: ",
-                            {"at least 4 teams", "leave it out"}},
+                            {"at least 4 teams", "leave this key out"}},
                     Mistake{"ThirdPlaceIsAWord",
                             kKnockoutTop + kKnockoutTeams + "third_place: maybe\n",
                             "x.yaml:5:14: third_place: ",

@@ -290,9 +290,9 @@ TEST(SwissRun, WithOtherTeamsEndsAsIfItHadBegunWithThem) {
 
 TEST(SwissRun, SaysThatWithMorePairsSomeGamesMayNotCount) {
   const Scenario there = {"", swiss_of(6, 3)};
-  EXPECT_EQ(
-      note_on_pairs({"", swiss_of(6, 3, 2)}, there, 12),
-      "the folder had 1 pairs, now 2; its games count if they still belong to the experiment");
+  EXPECT_EQ(note_on_pairs({"", swiss_of(6, 3, 2)}, there, 12),
+            "the folder had 1 pairs, now 2; the games already played count if they still belong to "
+            "the experiment");
 }
 
 TEST(SwissShards, WaitForEachOtherAndGiveTheSameResults) {

@@ -128,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"WeightsWithoutOpponents",
                 with("tune: { wall: {} }\nweights: { zone: 1 }\n"),
                 "x.yaml:8:1: weights: ",
-                {"the file has none"}},
+                {"the file has no opponents"}},
         Mistake{"WeightOfNobody",
                 with("tune: { wall: {} }\nopponents: { zone: {} }\nweights: { zoen: 1 }\n"),
                 "x.yaml:9:12: weights: ",
