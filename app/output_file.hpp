@@ -34,7 +34,7 @@ std::optional<io::PendingFile>& open_output(std::optional<io::PendingFile>& file
 // not delay the game.
 class LineOutput {
  public:
-  static constexpr std::size_t kMostWaiting_bytes = 64 * 1024;  // for a regular file
+  static constexpr std::size_t kMostWaiting_bytes = 64 * 1024;  // kept for a regular file
 
   // Opens no file if the path is empty. Throws InputError naming `flag`.
   LineOutput(const char* flag, const std::string& path);

@@ -14,7 +14,7 @@ namespace autoref::benchmarks {
 
 // An experiment in which the default team plays against itself.
 struct MeasuredExperiment {
-  int pairs = 1;  // pairs of legs; each has two games
+  int pairs = 1;  // number of pairs of games
   double half_s = 600;
   int halves = 2;
   int workers = 1;

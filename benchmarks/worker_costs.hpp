@@ -15,8 +15,8 @@ namespace autoref::benchmarks {
 struct WorkerCosts {
   std::int64_t games = 0;
   std::int64_t frames = 0;
-  double set_up_s = 0;  // processor time to create a game, take its game record and destroy it
-  double frames_s = 0;  // processor time of a game's frames
+  double set_up_s = 0;  // processor time to create games, take their records and destroy them
+  double frames_s = 0;  // processor time of the games' frames
   // Memory of the largest worker at the end of a game, in MB (10^6 bytes). The first value counts
   // the worker's own pages. The second counts all pages, most of which it shares with its parent
   // and other programs.

@@ -7,9 +7,9 @@
 namespace autoref::io {
 namespace {
 
-constexpr std::size_t kGap = 3;            // between columns
-constexpr std::size_t kNarrowGap = 2;      // between columns if the table is too wide
-constexpr std::size_t kMostFitted = 2000;  // rows; longer tables keep their width
+constexpr std::size_t kGap = 3;            // spaces between columns
+constexpr std::size_t kNarrowGap = 2;      // spaces between columns if the table is too wide
+constexpr std::size_t kMostFitted = 2000;  // number of rows; longer tables keep their width
 constexpr std::size_t kNarrowestCell = 8;  // words are not broken into shorter pieces
 
 using TextRows = std::vector<std::vector<std::string>>;
@@ -36,8 +36,8 @@ bool binds(std::string_view text, std::size_t i, Breaks breaks) {
 std::vector<std::string> broken(std::string_view text, std::size_t width, Breaks breaks) {
   std::vector<std::string> lines;
   std::size_t begin = 0;
-  std::size_t space = std::string::npos;  // the last one in the line that may become a break
-  std::size_t count = 0;                  // characters of the line
+  std::size_t space = std::string::npos;  // the last space in the line that may become a break
+  std::size_t count = 0;                  // number of characters in the line
   int depth = 0;
   bool has_word = false;  // whether the line has a word; spaces before it are indentation
   for (std::size_t i = 0; i < text.size(); ++i) {

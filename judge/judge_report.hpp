@@ -22,8 +22,8 @@ struct JudgeReport {
   // Events seen under several rule books that are rare in some tally.
   std::set<std::string> rare_events;
   // Calls to inspect: one line each, with the game's id.
-  std::vector<std::string> second_calls;  // wrong because the event had already been called
-  // Made while play was stopped, although possible only during play.
+  std::vector<std::string> second_calls;  // calls of events that had already been called
+  // Calls made while play was stopped, although they are possible only during play.
   std::vector<std::string> calls_in_stop;
   std::vector<std::string> calls_before_events;  // right calls of events that happened later
   std::vector<std::string> void_games;

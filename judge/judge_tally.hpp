@@ -61,7 +61,7 @@ struct EventTally {
   int calls() const { return right + wrong; }
   bool is_rare() const { return happened() < kRareEvents; }
   // nullopt if undefined: precision if nothing was called, recall if nothing happened, F1 if
-  // neither.
+  // nothing was called and nothing happened.
   std::optional<double> precision() const;
   std::optional<double> recall() const;
   std::optional<double> f1() const;
@@ -77,8 +77,8 @@ struct EventTally {
   void add(const EventTally& other);
 };
 
-// Whether a right call came before its event. Events that were only prevented because play was
-// stopped do not count.
+// Whether a right call came before its event. Calls do not count if they prevented the event by
+// stopping play (CallVerdict::is_early).
 bool is_before_event(const experiments::CallVerdict& verdict);
 
 // The smallest value that is not exceeded by at least the fraction `share` of the sample; nullopt

@@ -18,7 +18,8 @@ constexpr int kStraysOfAnyPace = 250;
 constexpr std::size_t kCompared = 31;  // number of packets; they take about half a second
 constexpr int kEstablished = 31;
 constexpr double kLongestInterval_s = 0.1;
-// Least pause, so that nothing seems to have moved instantly.
+// Shortest pause in the frames' times when a clock restarts, so that nothing seems to have moved
+// instantly.
 constexpr double kRestartPause_s = 0.2;
 // The weight of a packet's interval in the usual interval. In a longer interval, packets may be
 // missing.

@@ -60,7 +60,7 @@ class DetectionMerger {
  private:
   struct Robot {
     FollowedBody body;
-    std::vector<Detected> seen;  // robots in the current frame
+    std::vector<Detected> seen;  // detections of this robot in the current frame
   };
 
   void read_geometry(const Geometry& geometry);

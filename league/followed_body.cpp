@@ -180,8 +180,8 @@ const Detected* BallChoice::find_followed(double time_s, std::span<const Detecte
   return nearest;
 }
 
-// Whether this is a known other ball that has not come nearer to the expected position of the
-// followed ball.
+// Whether this is a known other ball: the detection is at least as near to where that ball was last
+// seen as to the expected position of the followed ball.
 bool BallChoice::is_other(double time_s, const Detected& seen) const {
   const double away_m = (seen.position_m - ball_.expected_m(time_s)).norm();
   return std::any_of(others_.begin(), others_.end(), [&](const OtherBall& other) {

@@ -66,14 +66,15 @@ const Detected* nearest_to(const Vec2& position_m, std::span<const Detected> all
 // robot may have carried it or where its velocity takes it. A ball elsewhere is another ball, and
 // remains another ball. So is a ball that its camera sees together with the followed ball in most
 // frames. Another ball replaces the followed ball
-// - immediately, if it is the only ball in the frame and at most one other ball was seen together
-//   with the followed ball in the last 3 s: false detections are then rare, so the followed ball
-//   may just have been kicked there;
+// - immediately, if it is the only ball in the frame and at most one detection of another ball was
+//   seen together with the followed ball in the last 3 s: false detections are then rare, so the
+//   followed ball may just have been kicked there;
 // - if the two were never seen together and the followed ball has disappeared: 0.1 s after the
 //   other ball appeared if that moves, or 0.5 s after it appeared if it does not;
 // - 3 s after the followed ball disappeared, if the two were seen together. If the other ball
 //   appeared later or moves, the wait is at most as long as the ball was followed;
-// - if it moves by 0.5 m while the followed ball has lain still for 2 s, or since it appeared.
+// - if the two were seen together and the other ball moves by 0.5 m, while the followed ball has
+//   lain still for 2 s or ever since it appeared.
 class BallChoice {
  public:
   // Returns the detection of the ball in play, or nullptr if that ball is not in `all`, the

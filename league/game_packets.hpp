@@ -91,7 +91,7 @@ class GamePackets {
   double referee_due_s_ = 0;
 };
 
-// Writes a game as an SSL logthat contains the packets of its cameras and its referee. Times count
+// Writes a game as an SSL log that contains the packets of its cameras and its referee. Times count
 // from the game's first frame. The log contains the geometry about once a second, and ten referee
 // packets per second plus one whenever the referee's signal changes.
 class GameLog final : PacketSink {

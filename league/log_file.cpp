@@ -143,7 +143,7 @@ bool LogReader::fail(const std::string& what) {
   return false;
 }
 
-// An index has 8 bytes per record, so that of a game's log takes several megabytes.
+// An index has 8 bytes per record, so the index of a game's log takes several megabytes.
 void LogReader::skip_index(std::size_t length) {
   std::vector<char> portion(std::min(kPortion, length));
   while (length > 0 && !is_over_) {
@@ -158,7 +158,7 @@ bool LogReader::read(LogRecord& record) {
   offset_ = gztell(zlib_file(file_));
   Header header{};
   std::size_t size = get(header.data(), header.size());
-  // Another log has been appended to this one.
+  // If another log has been appended to this one, its header is skipped.
   while (size == header.size() && has_signature(header)) {
     if (version_of(header) != kVersion)
       return fail(fmt::format("a log of version {} follows; only version {} is supported",

@@ -121,8 +121,8 @@ ReadResult RecordReader::read_referee(const RefereePacket& packet, std::size_t h
   if (!referee_source_.follows(name.empty() ? sender : name, now_s_))
     return ReadResult::kOtherReferee;
   if (is_copy(hash)) return ReadResult::kCopy;
-  // A packet that was overtaken by a newer one. If the step back is larger, the referee's clock was
-  // set.
+  // A packet that is a little older than the last one was overtaken by it. If the step back in time
+  // is larger, the referee's clock was set.
   const std::uint64_t sent_us = packet.packet_timestamp();
   const bool is_same = referee_changes_ == referee_source_.changes();
   if (is_same && sent_us < referee_sent_us_ && referee_sent_us_ - sent_us < kLongestDelay_us)

@@ -78,8 +78,8 @@ class TrackFollower {
 
   FollowedSource source_;
   int changes_ = 0;        // changes of the source before the last frame
-  double offset_s_ = 0;    // difference between the frames' clock and the tracker's clock
-  double received_s_ = 0;  // time of the last frame
+  double offset_s_ = 0;    // added to the tracker's clock to give the frames' clock
+  double received_s_ = 0;  // arrival time of the last frame
   std::int64_t frames_ = 0;
   std::int64_t unusable_ = 0;
   Frame frame_;

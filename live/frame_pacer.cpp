@@ -14,7 +14,7 @@ namespace {
 constexpr std::chrono::seconds kLongestDelay{1};
 constexpr std::chrono::milliseconds kLongestSleep{50};
 
-constexpr std::uint64_t kTurn_ns = 100'000;  // the shortest that Linux grants
+constexpr std::uint64_t kTurn_ns = 100'000;  // the shortest time slice that Linux grants
 
 // The kernel's struct sched_attr, redefined because its header conflicts with <sched.h>.
 struct SchedulingAttributes {
@@ -23,7 +23,7 @@ struct SchedulingAttributes {
   std::uint64_t flags;
   std::int32_t nice;
   std::uint32_t priority;
-  std::uint64_t runtime_ns;  // with the ordinary policy: the length of a turn
+  std::uint64_t runtime_ns;  // with the ordinary policy: length of a time slice
   std::uint64_t deadline_ns;
   std::uint64_t period_ns;
 };

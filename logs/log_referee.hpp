@@ -70,7 +70,7 @@ class LogReferee final : public league::LogVisitor {
   referee::AutoRef referee_;
   RefereeSignal signal_;
   double judged_s_ = 0;              // time of the last frame
-  std::deque<TimedSignal> signals_;  // given after the last frame judged
+  std::deque<TimedSignal> signals_;  // signals given after the last frame judged
 };
 
 struct LogRefereeResult {

@@ -125,11 +125,11 @@ class StateReader final : public league::LogVisitor {
   Tracks tracks_;
   std::optional<double> first_s_;
   double last_s_ = 0;
-  std::optional<RefereeSignal> signal_;  // the last one up to that time
+  std::optional<RefereeSignal> signal_;  // the last signal up to that time
   std::optional<Command> prepared_;      // the restart that NORMAL_START started
-  std::optional<Command> next_;          // the first restart afterwards
+  std::optional<Command> next_;          // the first restart after that time
   std::optional<Vec2> ball_m_;
-  std::optional<Vec2> ball_from_m_;  // when the command was given
+  std::optional<Vec2> ball_from_m_;  // the ball's position when the command was given
   bool has_moved_ = false;           // whether the ball has moved since then
 };
 

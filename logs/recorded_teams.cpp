@@ -10,10 +10,10 @@
 namespace autoref::logs {
 namespace {
 
-constexpr int kEnough = 100;          // frames
-constexpr int kClearly = 9;           // times as many frames
-constexpr double kMostly = 0.8;       // share of the frames
-constexpr double kHardlyEver = 0.05;  // share of the frames
+constexpr int kEnough = 100;          // minimum number of frames for a conclusion
+constexpr int kClearly = 9;           // ratio of frames at one goal to those at the other
+constexpr double kMostly = 0.8;       // minimum share of frames for the actual keeper
+constexpr double kHardlyEver = 0.05;  // announced keepers with at most this share are not in goal
 
 // Counts for both ends that yellow may defend when the log begins.
 class DutyCounter final : public league::LogVisitor {

@@ -30,7 +30,8 @@ struct RecordedTeams {
   // unknown.
   std::optional<Side> yellow_end;
   // Robots that keep the goals although other robots are announced as keepers. -1: unknown;
-  // nullopt: the announced keeper. If no keeper is ever announced, robot 0 is assumed.
+  // nullopt: the announced keeper. If no keeper is ever announced for a
+  // team, its robot 0 is assumed to be announced.
   PerSide<std::optional<int>> actual_keepers;
   // Stages in which both announced keepers stand at the wrong goal according to the referee's
   // packets. Each keeper does so in at least 100 frames, and nine times as often as it stands at

@@ -21,9 +21,8 @@ struct LastTouch {
   double gap_m = 0;              // gap between the ball's surface and the robot's hull at that time
   double speed_change_mps = 0;   // change in the ball's velocity that friction does not explain
   std::optional<RobotId> runner_up;  // the second most likely toucher
-  // Probability, from 0.5 to 1, that the other side did not touch the ball after this touch, hidden
-  // by a gap in vision (touch/kept_touch.hpp). It is 1 if there was no gap since or around this
-  // touch.
+  // Probability, from 0.5 to 1, that no later touch by the other side is hidden in a gap in vision
+  // (touch/kept_touch.hpp). It is 1 if there was no gap since or around this touch.
   double kept = 1;
 };
 

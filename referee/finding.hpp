@@ -19,7 +19,7 @@
 namespace autoref::referee {
 
 // Details that the league's game event needs beyond the other members of the finding. Unknown
-// values are not set.
+// values are not set. Positions are in the referee's coordinates.
 struct EventDetails {
   // The robot at fault, if it is not the first robot that the finding names.
   std::optional<RobotId> robot;
@@ -31,8 +31,8 @@ struct EventDetails {
   std::optional<double> ball_top_m;
   std::optional<double> scorers_touched_s;  // time of the scoring team's last touch
   std::optional<bool> is_chipped;           // for a kick: whether it was a chip kick
-  std::optional<int> robots;                // number of robots that this side has on the field
-  std::optional<int> robots_allowed;        // number of robots that this side may have
+  std::optional<int> robots;                // number of robots of the side concerned on the field
+  std::optional<int> robots_allowed;        // number of robots that this side may have there
   // Difference between the speeds of the colliding robots.
   std::optional<double> speed_difference_mps;
   // Angle between the velocities of the colliding robots, at most pi.
@@ -40,8 +40,7 @@ struct EventDetails {
   std::optional<double> waited_s;             // how long play has made no progress
   std::optional<double> to_target_m;          // distance from the ball to its designated position
   std::optional<double> from_target_m;        // that distance when the placement began
-  std::optional<double> own_robot_to_ball_m;  // from the placing team's nearest robot, hull to
-                                              // hull
+  std::optional<double> own_robot_to_ball_m;  // gap from ball to the placing team's nearest robot
 };
 
 // The features on which the confidence in a call depends (machine/confidence.hpp).
@@ -59,7 +58,7 @@ struct Finding {
   std::string_view unit;  // unit of value and threshold; empty if nothing was measured
   ConcernedRobots robots;
   std::optional<Side> offender;  // the side at fault; nullopt if neither or both are
-  bool is_foul = false;          // a foul by the offender, or of both sides if there is no offender
+  bool is_foul = false;          // a foul by the offender, or by both sides if there is no offender
   // The card shown immediately to the offender, or to both sides if there is no offender.
   Card card = Card::kNone;
   std::optional<Vec2> position_m;  // where the event happened

@@ -48,7 +48,7 @@ class Referee {
     const Frame& frame;  // valid until judge(), which completes it
     // After a gap of more than a second, tracks and touches start again from nothing. The last
     // touch stays known, with less confidence, if the ball's path shows that nobody has touched it
-    // since or that the robot that had the ball still had it (touch/kept_touch.hpp).
+    // since, or that it comes from the robot that had it before the gap (touch/kept_touch.hpp).
     bool tracks_begin_afresh = false;
   };
 

@@ -49,7 +49,7 @@ class Ball {
   Vec2 land(const Vec2& velocity_mps);
 
   BallParameters parameters_;
-  double inertia_;  // ratio of the ball's deceleration to its spin-up, both by friction
+  double inertia_;  // ratio of the ball's spin-up to its deceleration, both by friction
   Vec2 spin_mps_{0, 0};
   double height_m_ = 0;
   double vertical_mps_ = 0;

@@ -11,7 +11,7 @@
 namespace autoref::sim {
 
 struct Encounters {
-  BodySet bodies;  // bodies that can collide with another body; all others move freely
+  BodySet bodies;  // bodies that can hit another body or a wall; all others move freely
   // Whether shorter steps are needed: something can hit the ball or a wall, or robots can collide
   // hard.
   bool need_short_steps = false;

@@ -34,7 +34,7 @@ class Drive {
 
  private:
   // The fraction of a change of motion that the wheels can make if each may change its rim speed by
-  // at most `limit`.
+  // at most `limit_mps`.
   double share_within_wheels(const Vec2& change_mps, double change_radps, double limit_mps) const;
 
   Eigen::Array4d wheels_x_;  // drive direction of each wheel, in the robot's frame

@@ -75,12 +75,12 @@ class World {
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
 
-  // Simulates one camera frame. The new commands take effect after `command_delay_substeps`; until
-  // then, the previous ones apply. Commands for robots that do not exist or are off the field are
-  // ignored. Commands must be finite (asserted); they are limited to what each robot can do. With
-  // `placement`, the ball is held by ball placement, which brings it to the target and keeps it
-  // there; robots, kickers and dribblers do not affect it. Without `placement`, the ball is free,
-  // and a robot that overlaps it pushes it out.
+  // Simulates one camera frame. The new commands take effect after as many sub-steps as
+  // split_latency() says; until then, the previous ones apply. Commands for robots that do not
+  // exist or are off the field are ignored. Commands must be finite (asserted); they are limited to
+  // what each robot can do. With `placement`, the ball is held by ball placement, which brings it
+  // to the target and keeps it there; robots, kickers and dribblers do not affect it. Without
+  // `placement`, the ball is free, and a robot that overlaps it pushes it out.
   void step(const PerSide<TeamCommands>& commands, const std::optional<Placement>& placement);
 
   // The state after the last step.
@@ -96,7 +96,7 @@ class World {
   bool is_finite() const;
 
   // Takes a robot off the field: it is missing from states and frames, nothing collides with it,
-  // and its commands are ignored. It has no effect if the robot is already off the field.
+  // and its commands are ignored. Nothing happens if the robot is already off the field.
   void take_off(RobotId id);
   // Puts a robot back on the field, at rest. The robot must be off the field (asserted). The
   // position must be free (asserted).

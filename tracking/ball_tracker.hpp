@@ -56,7 +56,7 @@ class BallTracker {
   double noise_m_;
   MotionFilter<2> motion_;
   ChipFlight chip_;
-  double kick_s_ = 0;              // time when chip_ was started
+  double kick_s_ = 0;              // time of the kick for which chip_ was started
   bool follows_kick_ = false;      // whether chip_ is in use
   std::optional<RobotId> kicker_;  // the robot nearest to the ball in the first frame after the
                                    // kick

@@ -42,8 +42,8 @@ std::string_view text_before(std::string_view mark, std::string_view& rest) {
 
 // The parts that differ between pages.
 struct PageText {
-  std::string game;    // JSON
-  std::string frames;  // base64
+  std::string game;    // the game as JSON
+  std::string frames;  // the frames as Base64
   std::string_view allowed;
   std::string style;
   std::string script;

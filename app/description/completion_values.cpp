@@ -149,7 +149,7 @@ std::vector<Proposal> situations_begun(const ValuePlace& place) {
       for (const auto& [name, situation] : situations->situations) names.push_back(name);
     return words_begun(names, place.begun);
   } catch (const io::InputError&) {
-    return {};  // no scenario yet
+    return {};  // no scenario has been typed yet
   }
 }
 

@@ -10,7 +10,7 @@
 namespace autoref::app {
 namespace {
 
-// CLI::App::help() would describe the verb just parsed, which is `help` itself.
+// Calls the formatter because CLI::App::help() would describe the verb just parsed: `help` itself.
 int help_verb(const CLI::App& app, const std::vector<std::string>& words) {
   const CLI::App* described = &app;
   std::string name = app.get_name();

@@ -20,7 +20,7 @@ struct SubmitArguments : BatchArguments {
   int tasks = 0;                     // 0: the default number
   std::string time;                  // time limit of a task; empty: the partition's limit
   std::string partition;             // empty: the cluster's default
-  std::vector<std::string> options;  // passed on to sbatch
+  std::vector<std::string> options;  // options passed on to sbatch
   bool slurm = false;                // required; Slurm is the only engine so far
   bool dry_run = false;
 };

@@ -26,7 +26,7 @@ namespace autoref::app {
 namespace {
 
 struct PlayArguments {
-  std::string file;               // empty: the defaults, with --from
+  std::string file;               // empty: the default settings; only with --from
   std::string from;               // LOG@SECONDS where the game begins; empty: with a kick-off
   std::string seed;               // empty: the scenario's seed
   std::vector<std::string> sets;  // "key=value"

@@ -19,7 +19,7 @@ namespace {
 struct ExportArguments : FolderArguments {
   std::string sqlite;
   bool is_without_events = false;
-  bool replaces = false;  // an existing file
+  bool replaces = false;  // whether to replace an existing file
   int workers = 0;        // 0: one per processor
 };
 

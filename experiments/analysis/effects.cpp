@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostShown = 40;
 
-// Each factor's value, as an index into its list of values.
+// Each factor's value, as an index into its list of values; 0 is the first.
 using Levels = std::vector<std::size_t>;
 
 // A sweep's combinations as levels of each factor.

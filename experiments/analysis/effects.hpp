@@ -22,8 +22,8 @@ struct FactorLevel {
 
 // Main effect: the change of the goal difference "a minus b" per game from a factor's first value
 // to another one, averaged over all combinations of the other factors. With `other`, it is an
-// interaction: the change of the main effect from the other factor's first value to another one. An
-// interaction is 0 if the effects of the two factors add up.
+// interaction: the change of the factor's effect from the other factor's first value to another
+// one. An interaction is 0 if the effects of the two factors add up.
 struct Effect {
   FactorLevel level;
   std::optional<FactorLevel> other;

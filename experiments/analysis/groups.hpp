@@ -82,7 +82,7 @@ struct Group {
   std::vector<std::string> values;
   std::vector<double> goals_a;  // goals of team a in each game
   std::vector<double> goals_b;
-  std::vector<double> differences;  // a minus b
+  std::vector<double> differences;  // goals of a minus goals of b
   // The mean goal difference over the two legs, by pair number. Pairs with a void leg are left out.
   DifferenceByPair pair_differences;
   // Rated games by pair number, without void games.

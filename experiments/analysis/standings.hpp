@@ -17,7 +17,7 @@ namespace autoref::experiments {
 // One group per matchup, in the order of `matchups`. A group's values are the two teams' names.
 std::vector<Group> grouped(const std::vector<Matchup>& matchups, const RowsById& rows);
 
-inline constexpr int kPointsOfWin = 3;  // a draw gives one
+inline constexpr int kPointsOfWin = 3;  // a draw gives one point
 
 // One team's results over all its matchups. Void games count only in `void_games`.
 struct Standing {
@@ -30,12 +30,13 @@ struct Standing {
   int bye_points = 0;  // points for byes in a Swiss tournament
   int goals_for = 0;
   int goals_against = 0;
-  std::vector<double> differences;       // goals for minus goals against, for each game
-  std::vector<double> pair_differences;  // mean over the two legs; no pairs with a void leg
-  bool is_rated = false;                 // whether `goals` and `strength` are valid
-  Rating goals;                          // rating in goals per game above the average team
-                                         // (experiments/statistics/penalised_likelihood.hpp)
-  Rating strength;  // Bradley-Terry (experiments/statistics/penalised_likelihood.hpp)
+  std::vector<double> differences;  // goals for minus goals against, for each game
+  // Mean goal difference over the two legs of each pair, without pairs that have a void leg.
+  std::vector<double> pair_differences;
+  bool is_rated = false;  // whether the ratings `goals` and `strength` are valid
+  Rating goals;           // rating in goals per game above the average team
+                          // (experiments/statistics/penalised_likelihood.hpp)
+  Rating strength;        // Bradley-Terry (experiments/statistics/penalised_likelihood.hpp)
 
   int games() const { return wins + draws + losses; }
   int points() const { return kPointsOfWin * wins + draws + bye_points; }

@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kPause{2};
-constexpr std::size_t kLongestTrouble = 300;  // characters
+constexpr std::size_t kLongestTrouble = 300;  // maximum number of characters
 constexpr const char* kMessages = "messages.txt";
 
 // Runs gnuplot in the temporary folder and redirects its output to a file there.

@@ -44,7 +44,8 @@ std::string script_tics(std::string_view axis, const std::vector<std::string>& l
 
 // A complete script that draws one row per label: a point at the value in the data's column
 // `mean_diff` and a bar from `low95` to `high95`. The column `row`, counted from 1, is the height
-// of the row. `axis` is the label of the axis along the rows.
+// of the row. `axis` is the label of the vertical axis, and
+// `meaning` that of the horizontal one.
 std::string interval_rows_script(std::string_view name, const std::vector<std::string>& labels,
                                  std::string_view axis, std::string_view meaning);
 

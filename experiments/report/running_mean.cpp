@@ -15,10 +15,10 @@ namespace {
 constexpr double kMeanMargin = 0.05;   // fraction of the span, above and below
 constexpr std::size_t kWildPairs = 5;  // intervals of the first pairs may leave the axis
 
-constexpr std::size_t kLongestTitle = 26;  // characters
+constexpr std::size_t kLongestTitle = 26;  // maximum number of characters
 constexpr double kTop_px = 62;             // space above the top panel
 constexpr double kMeansBottom_px = 44;     // space below the bottom panel
-constexpr double kBetween_px = 66;         // between panels
+constexpr double kBetween_px = 66;         // space between panels
 
 struct Panel {
   std::string name;

@@ -15,7 +15,7 @@ constexpr int kPathTop_px = 58;
 constexpr int kPathBottom_px = 70;
 constexpr double kPathMargin = 0.05;      // fraction of the span, above and below
 constexpr std::size_t kMostPanels = 16;   // more would be unreadable
-constexpr std::size_t kLongestName = 60;  // characters
+constexpr std::size_t kLongestName = 60;  // maximum number of characters
 
 std::string csv_of(const SearchPath& path) {
   std::string csv = "panel,parameter,iteration,value,best\n";

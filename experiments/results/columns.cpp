@@ -19,7 +19,7 @@
 namespace autoref::experiments {
 namespace {
 
-constexpr std::size_t kLongestReason = 300;  // characters
+constexpr std::size_t kLongestReason = 300;  // maximum number of characters
 
 template <typename Integer>
 bool read_integer(std::string_view cell, Integer& value, int base = 10) {

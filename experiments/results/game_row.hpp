@@ -38,8 +38,8 @@ struct GameRow {
   std::uint64_t seed = 0;
 
   // A record read from a file contains only what the columns store: the events that are calls, the
-  // goals of the first half, and times rounded to milliseconds. For a judged game, they are only
-  // the status, the reason, the transitions and the hash.
+  // goals of the first half, and times rounded to milliseconds. The
+  // record of a judged game contains only the status, the reason, the transitions and the hash.
   game::GameRecord record;
   CallEvaluation evaluation;  // the calls of a judged game
 

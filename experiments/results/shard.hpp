@@ -86,7 +86,7 @@ struct DamagedRow {
 
 struct StoredRows {
   RowsInFiles rows;
-  std::vector<DamagedRow> damaged;  // without those whose games have another row
+  std::vector<DamagedRow> damaged;  // except those whose games have another row
 };
 
 // Reads every .csv file in the folder, in order of file name, line by line. Throws InputError if a

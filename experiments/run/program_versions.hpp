@@ -17,15 +17,16 @@ namespace autoref::experiments {
 // the games to be replayed without the programs, and their output on standard error.
 
 // To see whether the programs of a game send the same commands again, a run restarts them and
-// replays this many seconds.
+// replays this many seconds from the start of the game.
 inline constexpr double kRepeated_s = 10;
 
 // commands/GAME_ID.gz
 std::filesystem::path commands_file(const std::filesystem::path& folder, const std::string& id);
 
 // Plays a game of the folder with its programs, stores the files that they leave, and finds out
-// whether the game is repeatable. `play` plays the game and returns its record, which this function
-// completes. If a program is killed from outside, `play` is called again, up to five times.
+// whether the programs repeat their commands. `play` plays the game and returns its record, which
+// this function completes. If a program is killed from outside, `play` is called again, up to five
+// times.
 void play_live(const game::GameConfiguration& game, const std::filesystem::path& folder,
                const std::function<game::GameRecord&(game::GamePrograms&)>& play);
 
@@ -33,7 +34,8 @@ void play_live(const game::GameConfiguration& game, const std::filesystem::path&
 game::GamePrograms recorded_programs(const game::GameConfiguration& game,
                                      const std::filesystem::path& folder);
 
-// Plays a game with these programs. Throws whatever play() and the programs' files throw.
+// Plays a game of the folder with its programs, or from the recorded commands. Throws whatever
+// play() and the programs' files throw.
 game::GameRecord play_live(const game::GameConfiguration& game,
                            const std::filesystem::path& folder);
 game::GameRecord play_recorded(const game::GameConfiguration& game,
@@ -43,10 +45,10 @@ game::GameRecord play_recorded(const game::GameConfiguration& game,
 // (TeamSettings::files_hash), so that games with another version of the program are different
 // games. The files are those named by the setting `files`, including everything in its folders
 // except hidden files and Python's __pycache__; without that setting, they are the words of the
-// command that are files. Relative paths are relative to the program's directory. Programs found in
-// PATH are not checked. If a factor varies the program, each of its values is assigned the files of
-// all values. Throws InputError if a file is missing or cannot be read, or if there are more than
-// 10,000 files or more than 1 GiB.
+// command that are files. Relative paths are relative to the program's working directory. A program
+// found in PATH is not included. If a factor varies the program, each of its values is assigned the
+// files of all values. Throws InputError if a file is missing or cannot be read, or if there are
+// more than 10,000 files or more than 1 GiB.
 void note_program_versions(Scenario& scenario);
 
 // Detects changes in the content of programs' files. A file with unchanged time and size is assumed

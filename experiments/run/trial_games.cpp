@@ -28,7 +28,7 @@ constexpr double kShareOfSecond = 0.9;      // fraction of the remaining time fo
 constexpr double kGrace_s = 2;              // extra time for running games to finish
 constexpr std::size_t kMostPrograms = 5;    // maximum number of programs named with their costs
 constexpr int kMostRounds = 3;              // maximum number of rounds with longer and longer parts
-constexpr double kLeastLimit_s = 0.02;      // wall time allowed for any part
+constexpr double kLeastLimit_s = 0.02;      // wall time that every part may take at least
 
 // The id without pair and leg: "b.handicap=0.8" for "b.handicap=0.8-p0007-2".
 std::string played_in(const ScheduledGame& game) {

@@ -24,8 +24,9 @@ struct Trial {
   int games = 0;             // number of games in the experiment
   std::string void_reason;   // empty unless the trial game is void
   double wall_s_a_game = 0;  // estimate; 0 if void
-  bool was_tried = true;     // false if there was no time; the estimate is then the others' mean
-  double share = 1;          // share of a game in the longest part played; 1 if void or not tried
+  // False if there was no time for the trial; the estimate is then the mean of the other trials.
+  bool was_tried = true;
+  double share = 1;  // share of a game in the longest part played; 1 if void or not tried
   std::array<TrialTeam, 2> teams = {};  // a and b
   std::size_t variant = 0;              // as in ScheduledGame
 };

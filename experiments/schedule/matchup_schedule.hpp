@@ -56,8 +56,8 @@ void check_team_name(std::string_view name);
 std::vector<ScheduledGame> games_of(const NamedTeams& named, const std::vector<Matchup>& matchups,
                                     const std::vector<std::size_t>& order, int pairs);
 
-// Schedules games between named teams. The games share the settings that they have in common. Does
-// not check the settings.
+// Schedules games between named teams. All games share one object with the settings of the base,
+// and one for each team. Does not check the settings.
 class MatchupScheduler {
  public:
   explicit MatchupScheduler(const NamedTeams& named);

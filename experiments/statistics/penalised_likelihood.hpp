@@ -20,7 +20,7 @@ struct LikelihoodPoint {
   double value = 0;
   Eigen::VectorXd score;                  // first derivatives of `value`
   Eigen::LLT<Eigen::MatrixXd> curvature;  // approximates the negated second derivatives of `value`
-  double win_variance = 0;                // sum of n p (1 - p): variance of wins without draws
+  double win_variance = 0;  // sum of n p (1 - p): variance of wins if no game is drawn
 };
 
 // Shortens a step so that it changes no strength by more than 2. A longer step may end at strengths

@@ -21,7 +21,7 @@ struct Axis {
   double low = 0;
   double high = 1;
   double start = 0;               // start of the search, between `low` and `high`
-  double least_perturbation = 0;  // least perturbation in SPSA; for whole numbers, half of 1
+  double least_perturbation = 0;  // of SPSA's candidates; for whole-number parameters, 0.5 / step
 };
 
 using Point = Eigen::VectorXd;  // a coordinate per axis

@@ -72,7 +72,7 @@ PerSide<std::string> shown_names(const GameConfiguration& game);
 // The referee's part of the configuration.
 referee::Configuration referee_configuration(const GameConfiguration& game);
 
-// Longest plausible duration of a game, in s. If it takes longer, something must be wrong.
+// Longest plausible duration of a game, in s. A game that takes longer must be stuck.
 double longest_s(const referee::Match& match);
 
 // The cameras that saw the game, for its log. Four cameras that report the ball's height see

@@ -27,7 +27,8 @@ std::optional<Vec2> in_field(const std::optional<Vec2>& position_m, const Decisi
   return published(*position_m, decision.blue_on_positive_half);
 }
 
-// Sets the robot at fault, or its side if there is no single offender.
+// Sets the team and the robot at fault. If no team is the only offender, the team is that of the
+// robot.
 void set_offender(const Finding& finding, GameEvent& event) {
   event.by_team = finding.offender;
   if (!finding.details.robot && finding.robots.empty()) return;

@@ -27,8 +27,8 @@ class Observer {
   virtual void on_phase(Phase /*ended*/) {}
   // The teams' requests to the referee. Called once per frame, before the referee.
   virtual void on_requests(const PerSide<TeamRequests>& /*requests*/) {}
-  // Called with vision's detections that are not part of a frame, just before that frame, and only
-  // if there are any.
+  // Called just before on_frame(), with what vision detects in addition to the frame; not called if
+  // there is nothing.
   virtual void on_other_detections(const OtherDetections& /*others*/) {}
   // Called once per frame, after the referee and before the teams.
   virtual void on_frame(const Frame& /*frame*/, const RefereeSignal& /*signal*/,

@@ -11,8 +11,8 @@
 namespace autoref::game {
 namespace {
 
-// The distance rolled from `speed_mps` to rest, with deceleration a + k v. The distance is the
-// integral of v dv / (a + k v) is v / k - a / k^2 ln(1 + k v / a).
+// The distance rolled from `speed_mps` to rest, with deceleration a + k v. It is the integral of
+// v dv / (a + k v), which is v / k - a / k^2 ln(1 + k v / a).
 double rolled_m(double speed_mps, const sim::BallParameters& ball) {
   const double a = ball.roll_mps2;
   const double k = ball.roll_per_s;

@@ -42,7 +42,7 @@ class BallTrajectory {
  private:
   // A phase with constant deceleration.
   struct Phase {
-    double speed_mps = 0;  // initial
+    double speed_mps = 0;  // at the start of the phase
     double slowing_mps2 = 0;
     double length_m = 0;
 

@@ -22,7 +22,7 @@ namespace autoref::game {
 
 // Minimum speed of a kicked ball relative to the robot. A slower ball is only nudged ahead.
 inline constexpr double kAway_mps = 1.0_mps;
-// Minimum distance that a kicked ball travels. If another robot touches it before, the ball was
+// Minimum distance that a kicked ball travels. If another robot touches it earlier, the ball was
 // kicked against that robot in a duel.
 inline constexpr double kAway_m = 200_mm;
 // The time after a kick in which the kicker's touches belong to that kick. A kicker needs 100 ms
@@ -46,7 +46,8 @@ inline constexpr double kPassMiss_m = 500_mm;
 // ball takes longer. The value is the mean speed over the first 0.67 s when accelerating from rest
 // at 3 m/s^2.
 inline constexpr double kMate_mps = 1.0_mps;
-// Upper limit of that distance: given enough time, any robot can reach any ball.
+// Upper limit of the distance that a team-mate moves to receive a pass: given enough time, any
+// robot can reach any ball.
 inline constexpr double kFarthestMate_m = 1.0_m;
 
 // Maximum distance from a robot's hull to the ball's surface in a duel: slightly more than the

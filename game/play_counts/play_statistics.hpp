@@ -24,12 +24,12 @@ class Duels {
   // kick is in progress. Returns the winner if a duel has just been won.
   std::optional<Side> update(const sim::WorldState& now, const PerSide<bool>& touched,
                              std::optional<Side> kicked);
-  void stop();  // play has stopped
+  void stop();  // call when play has stopped
 
  private:
   // How close a side's nearest robot is to the ball.
   struct Nearness {
-    bool is_at_ball = false;  // within kDuel_m
+    bool is_at_ball = false;  // within kDuel_m of the ball
     bool is_in_it = false;    // within kDuelOver_m of the ball
   };
   static Nearness nearness(const sim::WorldState& now, Side side);

@@ -23,7 +23,7 @@ void locate_errors(const std::string& location, const Change& change) {
 // One `--set KEY=VALUE`.
 struct Assignment {
   std::string flag;  // for messages: "--set match.half_s=60"
-  std::string path;  // full or short
+  std::string path;  // full or short path of the setting
   std::string value;
 };
 

@@ -70,7 +70,7 @@ class CommandReader {
   std::string_view text_;
   std::vector<std::string> words_;
   std::string word_;
-  bool is_word_ = false;  // perhaps an empty one
+  bool is_word_ = false;  // whether a word has begun, perhaps an empty one
   char quote_ = 0;        // 0: no quote is open
 };
 

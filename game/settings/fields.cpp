@@ -20,7 +20,7 @@ std::vector<std::string> strategy_names() {
   return names;
 }
 
-// Words for the laws that a team obeys: the league's rule books, or none of them.
+// Words for the laws that a team obeys: the league's rule books, and a word for none of them.
 std::vector<std::string> laws_names() {
   std::vector<std::string> names = rule_book_names();
   std::erase_if(names, [](const std::string& name) {

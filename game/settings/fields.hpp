@@ -161,8 +161,8 @@ void set_value(const Setting& setting, const SettingValue& value);
 // Parses `text` into the setting. Throws like value_in().
 void assign(const Setting& setting, std::string_view text);
 
-// Returns the value of a setting that contains no others. The value of a preset is "other" if the
-// settings it stands for match no known preset.
+// Returns the value of a setting that contains no other settings. The value of a preset is "other"
+// if the settings it stands for match no known preset.
 SettingValue current_value(const Setting& setting);
 
 // The value in the canonical form that assign() reads; a mapping for a setting that contains
@@ -173,7 +173,7 @@ std::string value_of(const Setting& setting);
 // parameters.
 bool holds_others(const Setting& setting);
 
-// Names allowed inside such a setting; nullopt if any name is allowed.
+// Names allowed inside a setting that contains others; nullopt if any name is allowed.
 std::vector<std::string> names_in(const Setting& setting);
 
 // The setting of that name inside `setting`; nullopt if the name is not allowed.

@@ -1,6 +1,6 @@
 // A game as the user configured it: rule book and robot types by name, and the settings given
 // explicitly. The settings are filled from files and `--set`, written to effective.yaml, and
-// identified by a hash. resolved() turns it into the configuration that is played.
+// identified by a hash. resolved() turns them into the configuration that is played.
 #pragma once
 
 #include <cstdint>
@@ -31,8 +31,8 @@ inline constexpr const char* kNoType = "none";
 struct PlayerSettings {
   std::string type = kNoType;
   RobotChanges changes;              // override those of the type
-  double speed_factor = 1.0;         // multiplied by the team's
-  double acceleration_factor = 1.0;  // multiplied by the team's
+  double speed_factor = 1.0;         // multiplied by the team's factor
+  double acceleration_factor = 1.0;  // multiplied by the team's factor
 };
 
 // The strategy name for teams that play over the network (live/).
@@ -49,7 +49,7 @@ struct TeamSettings {
   // Hash of the files' content (experiments/run/program_versions.hpp).
   std::string files_hash;
   int robots = 6;
-  std::string type = kNoType;        // type of its robots
+  std::string type = kNoType;        // type of the team's robots
   RobotChanges changes;              // override those of the type
   double speed_factor = 1.0;         // scales the robots' top speed
   double acceleration_factor = 1.0;  // scales the robots' acceleration and braking

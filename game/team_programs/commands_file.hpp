@@ -38,7 +38,7 @@ struct TeamEntry {
   std::string fault;  // empty unless the team failed; at most 4000 bytes are kept
 };
 
-// Whether commands and requests are equal.
+// Whether the commands and requests of both entries are equal.
 bool is_same(const TeamEntry& a, const TeamEntry& b);
 
 class CommandsWriter {

@@ -30,7 +30,7 @@ struct ProgramFiles {
   std::filesystem::path commands;       // commands_file.hpp
   std::filesystem::path stderr_a = {};  // standard error of team a's program
   std::filesystem::path stderr_b = {};
-  bool show_stderr = false;  // whether to show it also on AutoRef's standard error
+  bool show_stderr = false;  // whether to copy the programs' standard error to AutoRef's
   io::FileKind commands_kind = io::FileKind::kFile;
 };
 

@@ -71,12 +71,12 @@ class ProgramProcess {
   int out_ = -1;
   int life_ = -1;
   int reports_ = -1;
-  std::uint64_t kills_before_ = 0;   // number of earlier kills by the system for lack of memory
+  std::uint64_t kills_before_ = 0;   // kills for lack of memory before the program started
   std::optional<ProgramUser> user_;  // nullopt if the program runs under the user of this process
   std::optional<ProgramStderr> stderr_;
   Supervisor supervisor_;
   std::optional<SupervisorReport> report_;
-  bool has_reports_ended_ = false;  // ended without a report
+  bool has_reports_ended_ = false;  // the pipe was closed without a report
   bool has_output_begun_ = false;
   std::string pending_;
   std::string received_;

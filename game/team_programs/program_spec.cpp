@@ -82,8 +82,7 @@ ProgramUser::ProgramUser() {
   int tried = 0;
   do {
     if (tried == kUsers)
-      throw io::InputOutputError(kLocks +
-                                 std::string(": all user accounts for programs are in use"));
+      throw io::InputOutputError(kLocks + std::string(": all user ids for programs are in use"));
     id_ = kFirstUser + (61 * getpid() + tried++) % kUsers;
   } while (has_account(id_) || !lock(locks_.descriptor, id_));
   const auto id = static_cast<uid_t>(id_);

@@ -87,7 +87,7 @@ std::string shortened(const ProgressTable& table, int lines) {
   std::string text = aligned(table.rows, table.columns);
   const auto most = static_cast<std::size_t>(lines);
   if (table.rows.size() <= most) return text;
-  const std::size_t shown = most - 1;  // including the head
+  const std::size_t shown = most - 1;  // including the header
   std::size_t end = 0;
   for (std::size_t row = 0; row < shown; ++row) end = text.find('\n', end) + 1;
   return text.substr(0, end) +
@@ -132,7 +132,7 @@ std::string last_standings_table(std::string_view bar, std::string_view table,
 }
 
 std::string fitted(const std::vector<ProgressTable>& tables, int lines, int columns) {
-  constexpr int kLeastLines = 3;  // head, one row, and the number of remaining rows
+  constexpr int kLeastLines = 3;  // header, one row, and the number of remaining rows
   std::string text;
   for (const ProgressTable& table : tables) {
     const int gap = text.empty() ? 0 : 1;

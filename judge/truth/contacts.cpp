@@ -62,10 +62,10 @@ class DoubleTouch final : public GroundTruthRule {
 
   int count_ = -1;
   std::optional<RobotId> kicker_;
-  double farthest_m_ = 0;  // largest distance from the ball's position
+  double farthest_m_ = 0;  // largest distance of the ball from its position at the restart
   bool is_over_ = false;   // another robot has touched the ball
   bool is_near_reported_ = false;
-  std::optional<std::size_t> reported_at_;  // index of the event
+  std::optional<std::size_t> reported_at_;  // index of the reported event
 };
 
 class Dribbling final : public GroundTruthRule {
@@ -104,7 +104,7 @@ class Dribbling final : public GroundTruthRule {
   }
 
   int reported_ = 0;
-  std::size_t reported_at_ = 0;  // index of the event
+  std::size_t reported_at_ = 0;  // index of the reported event
   int nearly_reported_ = 0;
 };
 

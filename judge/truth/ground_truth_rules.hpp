@@ -55,7 +55,7 @@ class TeamFoul {
   std::string_view name_;
   double margin_;
   PerSide<double> raised_s_{{-1e9, -1e9}};
-  PerSide<double> nearly_s_{{-1e9, -1e9}};  // latest foul or near miss
+  PerSide<double> nearly_s_{{-1e9, -1e9}};  // time of the latest foul or near miss
 };
 
 }  // namespace autoref::judge::ground_truth

@@ -44,7 +44,7 @@ class Retakes {
  private:
   static constexpr int kMost = 3;
   int count_ = 0;
-  int stops_ = 0;  // stop in which it was last taken
+  int stops_ = 0;  // number of STOPs before the restart was last taken
   Command restart_;
   bool was_wrong_ = false;
 };

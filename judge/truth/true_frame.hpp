@@ -20,7 +20,7 @@ namespace autoref::judge::ground_truth {
 struct TruePlay {
   // Whether play is on: from the restart's signal until play is stopped.
   bool is_on = false;
-  bool is_stop = false;        // STOP is in force
+  bool is_stop = false;        // whether STOP is in force
   std::optional<Side> placer;  // the side that BALL_PLACEMENT requests to place the ball
   Command restart;
   std::optional<Side> taker;  // side that takes the restart; nullopt after a force start
@@ -71,8 +71,8 @@ struct Contact {
   RobotId robot;
   double since_s = 0;
   Vec2 ball_from_m{0, 0};
-  bool is_new = false;       // started in this frame
-  bool is_touching = false;  // actually touched the ball in this frame
+  bool is_new = false;       // the contact started in this frame
+  bool is_touching = false;  // the robot actually touched the ball in this frame
   int count = 0;             // identifies the contact
 };
 

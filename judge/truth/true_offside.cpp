@@ -30,12 +30,12 @@ class Offside final : public GroundTruthRule {
  private:
   struct Beyond {
     RobotId robot;
-    double excess_m = 0;  // beyond the offside line
+    double excess_m = 0;  // how far the robot is beyond the offside line
   };
   // A robot's touches in a row; the last one is the pass.
   struct Pass {
     RobotId robot;
-    int touches = 0;  // touches by different robots in this play, including this one
+    int touches = 0;  // how often a robot has taken over the ball in this play, this time included
     std::vector<Beyond> mates;
   };
 

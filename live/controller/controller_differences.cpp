@@ -10,7 +10,7 @@
 namespace autoref::live {
 namespace {
 
-constexpr double kSamePosition_m = 0.1;  // the two referees round positions differently
+constexpr double kSamePosition_m = 0.1;  // tolerance: the referees round positions differently
 constexpr double kSlowest_s = 3;         // longest time from AutoRef's event to the controller's
 
 bool is_restart_command(CommandKind kind) {

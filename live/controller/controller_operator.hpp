@@ -55,9 +55,9 @@ class ControllerOperator {
   double command_s_ = 0;  // when the command was first seen
   double acted_s_ = -1;   // when the operator last acted
   bool is_goal_valid_ = true;
-  std::string decided_goal_;  // id of the event of the last goal that was accepted or rejected
+  std::string decided_goal_;  // serialised event of the last goal that was accepted or rejected
   int halted_ = 0;            // number of attempts to resume from the current halt
-  int for_team_ = 0;          // used for the next action
+  int for_team_ = 0;          // team to which the next action applies
 };
 
 }  // namespace autoref::live

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kPrecision_m = 0.15;     // 2026, Ball Placement
 constexpr double kFromPlacer_m = 0.05_m;  // 2026, Ball Placement: for a free kick of its own
-constexpr double kAtRest_mps = 0.2_mps;   // our choice
-constexpr double kAtRest_s = 0.5_s;       // our choice
+constexpr double kAtRest_mps = 0.2_mps;   // AutoRef's choice
+constexpr double kAtRest_s = 0.5_s;       // AutoRef's choice
 
 bool has_left(const TrackedRobots& robots, const Vec2& ball_m) {
   return std::none_of(robots.begin(), robots.end(), [&](const TrackedRobot& robot) {

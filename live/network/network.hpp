@@ -69,7 +69,7 @@ class DatagramReceiver {
 
   // Where to receive. Port 0 means any free port. `group` is the address of a multicast group; if
   // it is empty, datagrams sent to this computer are received. Throws InputError if the port is in
-  // use or an address is invalid; `flag` is the option that sets it.
+  // use or an address is invalid; `flag` is the option that sets the port.
   struct Place {
     std::string interface = kLoopback;
     std::string group = {};

@@ -27,7 +27,7 @@ using Clock = RecordSource::Clock;
 constexpr std::chrono::milliseconds kIdle{20};
 constexpr double kGather_s = 2;
 constexpr double kLongestGather_s = 10;
-constexpr std::size_t kMostGathered = 50'000;  // packets
+constexpr std::size_t kMostGathered = 50'000;  // maximum number of packets
 // Parsed packets take two to three times as much memory, and malicious ones thirty times as much:
 // at most 3 GB.
 constexpr std::size_t kMostGathered_bytes = 100'000'000;

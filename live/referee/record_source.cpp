@@ -4,7 +4,7 @@
 #include <sys/socket.h>
 #include <sys/uio.h>
 
-#include <utility>  // Boost 1.74 needs it before Asio
+#include <utility>  // needed before Asio in Boost 1.74
 
 #include <algorithm>
 #include <boost/asio/io_context.hpp>

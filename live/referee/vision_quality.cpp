@@ -11,7 +11,7 @@ namespace autoref::live {
 namespace {
 
 constexpr std::size_t kMostKept = 20'000;  // maximum length of each list
-constexpr double kSameFrame_s = 0.008;     // between detections of two cameras
+constexpr double kSameFrame_s = 0.008;     // longest time between two cameras' detections
 constexpr double kOtherRobot_m = 0.5;      // if farther apart, one of the two numbers is misread
 
 template <typename List, typename TimeOf>

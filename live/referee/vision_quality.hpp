@@ -52,7 +52,7 @@ class VisionQuality {
 
   void compare(double time_s, Side side, const league::DetectionFrame& detection);
 
-  std::map<std::uint32_t, std::deque<double>> packets_;  // times, by camera
+  std::map<std::uint32_t, std::deque<double>> packets_;  // times of packets, by camera
   std::deque<FrameCount> frames_;
   PerSide<std::array<Detected, kMaxRobots>> latest_;
   std::deque<Distance> distances_;

@@ -17,7 +17,7 @@ namespace {
 constexpr std::chrono::seconds kSilence{2};
 constexpr std::size_t kMostRequests = 64;
 constexpr double kSameLength_m = 0.002;
-constexpr std::size_t kControlPort = 2;  // indices of the receivers
+constexpr std::size_t kControlPort = 2;  // index of a receiver, like kGrsimPort
 constexpr std::size_t kGrsimPort = 3;
 
 std::size_t index_of(const Participant& to) {

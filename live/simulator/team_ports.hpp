@@ -28,7 +28,7 @@ namespace autoref::live {
 
 // The traffic that has arrived for a team.
 struct TeamTraffic {
-  std::int64_t packets = 0;  // those that were read, with or without errors
+  std::int64_t packets = 0;  // packets that were read, with or without errors
   std::int64_t wrong = 0;    // number of packets with at least one error
   // Number of packets dropped because they came from another computer than the team's.
   std::int64_t foreign = 0;
@@ -44,7 +44,7 @@ class SourceLock {
   bool admits(const std::string& host, std::chrono::steady_clock::time_point now,
               bool has_commands = true);
 
-  const std::string& host() const { return host_; }  // empty if there is none yet
+  const std::string& host() const { return host_; }  // empty if no computer has sent commands yet
 
  private:
   std::string host_;
@@ -54,7 +54,7 @@ class SourceLock {
 // Requests to the simulator that are waiting for the game's thread, at most 64.
 class ControlRequests {
  public:
-  // Called in the network's thread. Returns false if there is no room.
+  // Called in the network's thread. Returns false if 64 requests are already waiting.
   bool add(league::SimulatorRequest request);
   std::vector<league::SimulatorRequest> take_all();
   // The speed in the latest waiting request that sets one, if any.

@@ -82,7 +82,7 @@ class LivePage {
   // Times must increase.
   void add(const Frame& frame, const RefereeSignal& signal);
   void add(const view::RecordedDecision& decision);
-  void end();  // the game is over
+  void end();  // call when the game is over
 
   // Can be called in any thread.
   WebBacklog backlog() const;

@@ -8,7 +8,7 @@
 #include <initializer_list>
 #include <optional>
 #include <string_view>
-#include <utility>  // Boost 1.74 needs it before Asio
+#include <utility>  // needed before Asio in Boost 1.74
 
 #include "io/errors.hpp"
 #include "io/words.hpp"
@@ -31,7 +31,7 @@ std::string in_url(const std::string& host) {
   return is_ipv6(host) ? fmt::format("[{}]", host) : host;
 }
 
-// "localhost" of "localhost:8090", "[::1]" of "[::1]:8090".
+// "localhost" for "localhost:8090", "[::1]" for "[::1]:8090".
 std::string_view without_port(std::string_view host) {
   const std::size_t colon = host.rfind(':');
   const std::size_t bracket = host.rfind(']');

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>  // Boost 1.74 needs it before Asio
+#include <utility>  // needed before Asio in Boost 1.74
 #include <vector>
 
 #include "live/network/network.hpp"

@@ -139,8 +139,9 @@ void start_session(tcp::socket socket, const std::shared_ptr<WebHub>& hub) {
 namespace web_asio = boost::asio;
 using web_asio::ip::tcp;
 
-constexpr std::size_t kMostHandedOver = 1024;          // messages waiting for the thread
-constexpr std::chrono::milliseconds kAfterError{100};  // for example, too many open files
+constexpr std::size_t kMostHandedOver = 1024;  // maximum number of messages waiting for the thread
+constexpr std::chrono::milliseconds kAfterError{
+    100};  // pause, for example if too many files are open
 
 }  // namespace
 
@@ -238,7 +239,7 @@ class WebServer::Impl : public std::enable_shared_from_this<WebServer::Impl> {
   web_asio::steady_timer pause_;
   std::mutex mutex_;
   std::vector<WebMessage> handed_over_;
-  std::size_t handed_over_bytes_ = 0;  // including those left out
+  std::size_t handed_over_bytes_ = 0;  // including messages that were left out
   bool is_posted_ = false;
   bool is_incomplete_ = false;
 };

@@ -22,10 +22,11 @@ struct WebOptions {
 // Answers GET / with the page, GET /game?ID with a game's page and GET /live with a WebSocket that
 // sends the backlog and then each message (web_request.hpp says which requests are refused). A slow
 // watcher misses frames. It is disconnected if it accepts nothing for `write_time`, misses other
-// messages or sends long messages. The number of connections waiting for an answer is limited: when
-// it is reached, a new connection replaces one that has not sent its request: the oldest one of the
-// computer that has most of them. Similarly, when the maximum number of watchers is reached, a new
-// watcher replaces one from a computer that has at least two more watchers.
+// messages or sends long messages. The number of connections waiting for an answer is limited.
+// When the limit is reached, a new connection replaces one that has not sent its request: the
+// oldest one from the computer that has most of them. Similarly, when the maximum number of
+// watchers is reached, a new watcher replaces one from a computer that has at least two more
+// watchers than its own.
 class WebServer {
  public:
   // The content's functions are called in the network's thread. Throws InputError naming --web if

@@ -98,8 +98,8 @@ class GymnasiumEnv(Env):
     """One team's game as an environment of Gymnasium: you command all robots of team a.
 
     reset(seed=n) begins the game with that seed and restarts the random stream that chooses the games
-    of later episodes; an environment without a seed plays different games every time. `settings` are
-    those of autoref.Game, each step lasts `frames_per_step` camera frames, and an episode is
+    of later episodes; an environment that was never given a seed plays different games every time.
+    `settings` are those of autoref.Game, each step lasts `frames_per_step` camera frames, and an episode is
     truncated after `most_s` seconds of game time.
     """
 

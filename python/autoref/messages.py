@@ -1,4 +1,4 @@
-"""The messages between a game and a team: START, VIEW and COMMAND.
+"""The messages between a game and a team: START, VIEW, END and an OUTPUT with COMMANDs.
 
 Units are metres, seconds and radians. Every team's own goal is at -x, with +y to its left. Angles
 are counterclockwise; a heading is a unit vector towards the robot's front. docs/team-programs.md
@@ -141,8 +141,8 @@ class View:
     goals_opponent: int
     play: Play
     ours: bool  # whether this team takes the current restart
-    placing_is_ours: bool | None  # whether this team's robots place the ball; None if neither team
-    # places it
+    # Whether this team's robots are placing the ball now; None if neither team is placing it.
+    placing_is_ours: bool | None
     next: Next | None  # the command that ends this stop; None if unknown
     next_is_ours: bool
     ball: Ball | None  # None if no camera sees it and the team requested detections
@@ -176,7 +176,7 @@ class End:
 
 @dataclass(slots=True)
 class Command:
-    """COMMAND: one robot's motion until the next frame, in its own axes: x forward, y left."""
+    """COMMAND: what one robot does until the next frame, in its own axes: x forward, y left."""
 
     vx_mps: float = 0.0  # -100 to 100
     vy_mps: float = 0.0  # -100 to 100

@@ -37,7 +37,7 @@ class Exercise:
         self.goal_x_m = -self.game.field_m[0] / 2
 
     def wait_for_play(self) -> None:
-        """Waits: play goes on ten seconds after a restart that neither team takes."""
+        """Waits until the ball is in play. If neither team takes a restart, a free ball follows after ten seconds."""
         while self.game.a.play != "RUNNING":
             if not self.game.step():
                 self.reset()

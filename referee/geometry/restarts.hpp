@@ -34,8 +34,8 @@ Vec2 goal_kick_position(const Field& field, const RuleBook& rules, Side kicker, 
 Vec2 free_kick_position(const Field& field, const RuleBook& rules, Side kicker,
                         const Vec2& where_m);
 
-// The position that is nearest to `where_m` in the direction of the field's long axis and at least
-// 100 mm inside the lines and 700 mm from both defence areas.
+// `where_m`, moved to at least 100 mm inside the lines and then along the field's long axis until
+// it is at least 700 mm from both defence areas.
 Vec2 neutral_position(const Field& field, const RuleBook& rules, const Vec2& where_m);
 
 }  // namespace autoref::referee

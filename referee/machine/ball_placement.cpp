@@ -47,7 +47,8 @@ void watch_rest(TeamPlacement& placing, const RefereeInput& input) {
   placing.still_since_s = input.time_s();
 }
 
-// The time that a ball at the resting speed would need to cross the tolerance.
+// Whether the ball has stayed within the tolerance for as long as a ball at the resting speed would
+// need to cross it.
 bool is_at_rest(const TeamPlacement& placing, const RefereeInput& input) {
   const RuleBook& rules = input.configuration.rules;
   return has_passed(placing.still_since_s, 2 * rules.ball_in_position_m / rules.ball_at_rest_mps,
@@ -136,8 +137,8 @@ Finding outcome_of(Event event, const RefereeState& state, const RefereeInput& i
   return finding;
 }
 
-// How far the ball is from its designated position, either before it is placed or after it has been
-// left.
+// How far the ball is from its designated position, either before a placement or when a placement
+// is given up because robots cannot reach the ball.
 Finding step_of(const RefereeState& state, const RefereeInput& input) {
   Finding finding;
   finding.event = Event::kSignalled;

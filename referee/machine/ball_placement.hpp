@@ -27,7 +27,9 @@ bool is_placed_by_team(CommandKind kind);
 bool is_placement_due(const RefereeState& state);
 
 // In WAIT_STOP, while a placement is pending: decides how the ball gets to its position and reports
-// kSignalled a second after the STOP, or once the ball has come to rest near its position.
+// kSignalled. This happens a second after the STOP. If the ball is then still rolling near its
+// position or out of the robots' reach, this happens once the ball has come to rest, but near its
+// position at the latest 3 s after the STOP.
 std::optional<Finding> find_placement_step(RefereeState& state, const RefereeInput& input);
 
 // In PLACEMENT: returns kPlacementSucceeded, kPlacementFailed, or kSignalled once the ball has come

@@ -174,7 +174,7 @@ constexpr Action kBeginAtRestart{"start the half; place the ball; send STOP or t
                                  begin_at_restart};
 
 // clang-format off
-// Of games that begin in the middle of a half.
+// Transitions of games that begin in the middle of a half.
 constexpr std::array kMidway = {
   Transition{"begin_in_play", State::kInit, Event::kBegin, kBeginsInPlay, kBeginInPlay,
         State::kRun, "AutoRef", ""},

@@ -20,12 +20,12 @@
 
 namespace autoref::referee {
 
-// Whether a call of this event would stop play, either always or because fouls stop play under the
-// rule book.
+// For a call of this event while the ball is in play: whether it always stops play, whether it
+// stops play if fouls do so under the rule book, and whether it only counts.
 bool stops_play(Event event);
 bool stops_play_by_book(Event event);
 bool counts_in_play(Event event);
-// Whether the event is a foul by one side, so that it can decide a penalty kick.
+// Whether the event is a foul that can decide a penalty kick.
 bool may_decide_penalty(Event event);
 
 // The trigger of a transition: one event, or every event of a kind (event.hpp).

@@ -87,7 +87,7 @@ struct CardBook {
 // The timeouts that a side has taken since the start of the game, or of extra time.
 struct TimeoutBook {
   int taken = 0;
-  double used_s = 0;  // in finished timeouts
+  double used_s = 0;  // time used in finished timeouts
 };
 
 // The kicks of a shoot-out.
@@ -145,7 +145,7 @@ struct RefereeState {
   boost::container::static_vector<PerSide<int>, kMaxHalves> goals_by_half{PerSide<int>{}};
 
   TeamPlacement placing;
-  PerSide<int> placement_failures;  // failed placements in this half; successful ones reduce it
+  PerSide<int> placement_failures;  // failed placements in this half; each success subtracts one
 };
 
 }  // namespace autoref::referee

@@ -121,7 +121,7 @@ struct PushContact {
   int west = 0;
   int east = 0;
   bool is_near = true;
-  bool is_followed = false;  // the contact has lasted for at least one frame
+  bool is_followed = false;  // the pair has been followed for at least one frame
   bool are_in_contact = false;
   PerSide<Vec2> from_m{{Vec2(0, 0), Vec2(0, 0)}};      // where the robots were when contact began
   Vec2 ball_from_m{0, 0};                              // where the ball was when contact began
@@ -212,7 +212,7 @@ struct KickSpeedWatch {
 // Which robots of a side were offside at its newest touch, and at its previous touch.
 struct OffsideWatch {
   struct Pass {
-    int touch = 0;       // touches since play began are counted from 1; 0 means no touch
+    int touch = 0;       // number of the touch since play began, from 1; 0 means no touch
     double ended_s = 0;  // when that touch ended
     Side side = Side::kWest;
     RobotSet offside;  // the side's robots in an offside position
@@ -232,7 +232,7 @@ struct RuleWatch {
   GraceTimer bot_interfered_placement;
   // Whether interference was called during the current placement.
   bool interference_is_called = false;
-  // Whether this was called since the ball was last inside the boundary.
+  // Whether a boundary crossing was called since the ball was last inside the boundary.
   bool boundary_is_crossed = false;
   AttackerNearAreaWatch attacker_too_close_to_defense_area;
   RestartDistanceWatch defender_too_close_to_kick_point;

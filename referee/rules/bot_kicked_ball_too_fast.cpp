@@ -1,9 +1,9 @@
-// A kick must not be faster than 8 m/s (Laws 2014, law 12), or 6.5 m/s in space (2026). The limit
-// applies to the speed at the kick. On the carpet, a constant-deceleration fit to the ball's free
-// path after a robot's touch is extrapolated back to the touch. The fit is evaluated after seven
-// frames, when the next touch ends the path, or once the speed exceeds the limit by three standard
-// deviations, but not before the fourth frame. In the air, three successive speeds must be above
-// the limit (2016), and their mean must exceed it by more than the noise.
+// A kick must not be faster than 8 m/s (Laws 2014, law 12), or 6.5 m/s in three dimensions (2026).
+// The limit applies to the speed at the kick. On the carpet, a constant-deceleration fit to the
+// ball's free path after a robot's touch is extrapolated back to the touch. The fit is evaluated
+// after seven frames, when the next touch ends the path, or once the speed exceeds the limit by
+// three standard deviations, but not before the fourth frame. In the air, three successive speeds
+// must be above the limit (2016), and their mean must exceed it by more than the noise.
 //
 // Until it is known whether a kicked ball flies, its speed is also unknown: a chip seems faster
 // than it is. The call waits until this is known, or until the ball is out. In the latter case, the

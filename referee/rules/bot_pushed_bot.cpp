@@ -28,7 +28,7 @@ constexpr double kNear_m = 2 * kRobotRadius_m + 60_mm;
 constexpr double kAtBall_m = 5_mm;
 // A robot that was already driving away from the pusher faster than this was not pushed.
 constexpr double kOwnSpeed_mps = 0.1_mps;
-// Pushes that differ by less than this count as equally long , since they may differ by rounding
+// Pushes that differ by less than this count as equally long, since they may differ by rounding
 // only.
 constexpr double kPushSame_m = 1e-9;
 

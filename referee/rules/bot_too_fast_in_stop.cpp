@@ -1,7 +1,7 @@
 // While play is stopped, robots must drive slowly: at most 1 m/s (Laws 2014, single size), or 1.5
-// m/s after 2 s of grace. A foul is called, once per stop, if a robot exceeds this speed for 0.1 s.
-// If several robots of a team are too fast within 2 s, only the first one counts. During ball
-// placement, no robot counts (2026, Fouls While Ball Out Of Play).
+// m/s after 2 s of grace. A foul is called if a robot exceeds this speed for 0.1 s, at most once
+// per robot and stop. If several robots of a team are too fast within 2 s, only the first one
+// counts. During ball placement, no robot counts (2026, Fouls While Ball Out Of Play).
 #include <fmt/format.h>
 
 #include "referee/machine/readiness.hpp"

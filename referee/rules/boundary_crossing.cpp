@@ -19,8 +19,8 @@ constexpr double kFlight_s = 4_s;
 // Our choice: the ball must be this far beyond the boundary.
 constexpr double kBeyondBoundary_m = 150_mm;
 // Our choice: a flying ball must be farther out by this many standard deviations of its height. To
-// a camera, a ball that is higher than assumed appears farther out, at 45 degrees from the vertical
-// by the height error itself.
+// a camera, a ball that is higher than assumed appears farther out: by the height error itself if
+// the camera sees it at 45 degrees from the vertical.
 constexpr double kDeviations = 3;
 
 double beyond_boundary_m(const Field& field, const Vec2& ball_m) {

@@ -1,4 +1,4 @@
-// Touches of the ball in play for the rules on defence areas to check, and touches for which
+// Touches of the ball in play that the rules on defence areas check, and touches for which
 // non-stopping fouls were called (2026, Non Stopping Fouls).
 #pragma once
 

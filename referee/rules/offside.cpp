@@ -11,8 +11,9 @@
 namespace autoref::referee {
 namespace {
 
-// A robot is offside only if it is nearer to the goal line by more than this number of standard
-// deviations of both positions.
+// A robot is offside only if it is nearer to the opponents' goal line than the second-last
+// opponent, the ball and the halfway line are, by more than this number of standard deviations of
+// both positions.
 constexpr double kOffsideBeyondNoise = 3;
 
 // The second-largest distance of a side's robots from the halfway line towards their own goal;

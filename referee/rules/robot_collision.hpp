@@ -30,7 +30,7 @@ using PairPath = boost::container::static_vector<PairSample, 64>;
 struct MeasuredCollision {
   double time_s = 0;
   PerSide<Vec2> position_m{{Vec2(0, 0), Vec2(0, 0)}};
-  PerSide<Vec2> velocity_mps{{Vec2(0, 0), Vec2(0, 0)}};  // just before
+  PerSide<Vec2> velocity_mps{{Vec2(0, 0), Vec2(0, 0)}};  // just before contact
   double closing_mps = 0;            // relative velocity along the line of their centres
   double closing_deviation_mps = 0;  // standard deviation of `closing_mps`
 };

@@ -4,9 +4,9 @@
 //
 // A timeout lasts until its team withdraws the request or has used up its time. If both teams
 // request a timeout at the same time, the side that takes the restart comes first. If neither takes
-// it, the side that has used less timeout time does. If those times are equal, the side that has
-// taken fewer timeouts comes first. If these numbers are also equal, the side that did not kick off
-// this half does.
+// it, the side that has used less timeout time comes first. If those times are equal, the side that
+// has taken fewer timeouts comes first. If these numbers are also equal, the side that did not kick
+// off this half comes first.
 #include <fmt/format.h>
 
 #include "referee/machine/guards.hpp"

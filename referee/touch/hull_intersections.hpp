@@ -113,8 +113,8 @@ struct Walk {
 
 // Samples the path from frame `from` to frame `to`, which may be earlier. The deviance of a touch
 // is the deviance of the gap between ball and hull at that time, plus the deviance of passing
-// through other hulls until then. If `to` is earlier than `from`, the path began with a touch, so
-// the deviance of a kick also depends on the angle between the robot's heading and the path.
+// through hulls until then. If `to` is earlier than `from`, the path began with a touch, so the
+// deviance of a kick also depends on the angle between the robot's heading and the path.
 Walk walk(const BallMotionFilter& motion, const FrameHistory& frame_history, std::int64_t from,
           std::int64_t to, const HullIntersectionParameters& parameters);
 

@@ -64,7 +64,7 @@ class TouchHistory {
   std::optional<double> on_carpet_since_s_;  // since the newest touch
 };
 
-// Whether the detector will no longer revise the touch, which holds with rare exceptions.
+// Whether the detector will no longer revise the touch, except in rare cases.
 bool is_settled(const BallTouch& touch, double now_s);
 
 }  // namespace autoref::referee

@@ -39,7 +39,7 @@ KINDS = {
     "first": "sh",  # a command that is run before and not shown
     "file": "",  # the block is a file of this name, for the commands that follow
     "output": "",  # the block is the output of the commands before it
-    "from": "",  # the block is part of this committed file, relative to the page: tests/python/test_handicaps.py
+    "from": "",  # the block is part of this committed file, relative to the page (see tests/python/test_handicaps.py)
 }
 
 

@@ -9,7 +9,7 @@ from student import LEVEL, quantile_within
 @dataclass
 class Estimate:
     value: float
-    low: float  # bounds of the interval; both the value itself if there is none
+    low: float  # bounds of the interval; both equal the value if there is no interval
     high: float
 
 

@@ -20,7 +20,7 @@ IN_PLAY_M = 0.05  # the ball is in play once it has moved this far
 # Robots, as in that analysis, which smooths noise over the same time and counts the same samples.
 WINDOW_S = 0.05  # before and after
 EVERY_S = 0.05
-JUMP_MPS, JUMP_MPS2 = 5.0, 25.0  # anything above is a robot that was moved by hand
+JUMP_MPS, JUMP_MPS2 = 5.0, 25.0  # anything above is not motion: the robot was moved
 TANGENT_MPS = 0.3  # accelerations count for robots faster than this
 
 

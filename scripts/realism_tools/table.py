@@ -13,7 +13,7 @@ PER_GAME_S = 20 * 60  # the playing time of the games that the paper simulates
 class Measure:
     key: str
     name: str
-    above: Callable  # of a game's row; None if it has no value
+    above: Callable  # takes a game's row; returns None if the row has no value
     below: Callable = lambda row: 1
     is_share: bool = False
     digits: int = 1

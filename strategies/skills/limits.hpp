@@ -50,8 +50,8 @@ Vec2 off_walls(const Field& field, const Vec2& from_m, const Vec2& direction, do
 // it (2026); otherwise 0.
 double room_for_error_m(const RuleBook& rules);
 
-// The permitted position nearest to `wanted_m`, or one close to it. If the half-way line, an area
-// or the edge of the field leaves no space next to the ball, the limits from these take precedence
+// The permitted position nearest to `wanted_m`, or one close to it. If the halfway line, an area or
+// the edge of the field leaves no space next to the ball, the limits from these take precedence
 // over the distance from the ball.
 Vec2 permitted(const Field& field, const Vec2& wanted_m, const Vec2& ball_m, const Limits& limits);
 

@@ -9,8 +9,8 @@
 namespace autoref::strategies {
 
 // The point to steer for on the way to `target_m`. If the straight path leads through a box-shaped
-// area, it is a corner of the area. If the robot must leave the opponents' area, it is on the
-// shortest way out. Otherwise it is the target.
+// area, the point is a corner of the area. If the robot must leave the opponents' area, the point
+// is on the shortest way out. Otherwise the point is the target.
 Vec2 around_boxes(const PredictedState& predicted, const TrackedRobot& robot, const Vec2& target_m);
 
 // The point to drive to in order to leave the opponents' goal; nullopt if the robot is elsewhere.

@@ -302,14 +302,14 @@ RobotCommand BallHandler::let_go(int index) const {
   return command;
 }
 
-// The fraction of the allowed dribbling distance after which the ball must be passed on
-// immediately.
+// The fraction of the allowed dribbling distance after which the ball must be kicked immediately,
+// in any direction.
 double BallHandler::hasty_share() const {
   return std::max(predicted_.style().dribbling_share, predicted_.style().hasty_share);
 }
 
-// Whether the ball has been dribbled so far that it must be passed on now, or even kicked
-// immediately in any direction.
+// Whether the ball has been dribbled so far that it must be passed on now (must_release()), or even
+// kicked immediately in any direction (is_hasty()).
 bool BallHandler::must_release() const { return has_dribbled(predicted_.style().dribbling_share); }
 bool BallHandler::is_hasty() const { return has_dribbled(hasty_share()); }
 

@@ -23,8 +23,7 @@ class BallHandler {
   RobotCommand play(int index);
 
   // must_let_go() says whether the robot with that index must leave the ball because it has
-  // dribbled it nearly too far and no kick helps. The other function returns the commands to leave
-  // it.
+  // dribbled the ball nearly too far and no kick helps. let_go() returns the commands to leave it.
   bool must_let_go(int index) const;
   RobotCommand let_go(int index) const;
 

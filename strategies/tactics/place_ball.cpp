@@ -17,7 +17,7 @@ constexpr double kRunUp_m = 120_mm;
 constexpr double kNearWall_m = 250_mm;  // a ball nearer to a wall is first pulled inwards
 constexpr double kInwards_m = 300_mm;   // distance by which such a ball is pulled inwards
 constexpr double kBesideGoal_m =
-    450_mm;  // from a goal post, a ball behind the line comes out first
+    450_mm;  // a ball at or behind the goal line this near to a post is first pulled inwards
 constexpr double kApproach_mps = 2.5;
 constexpr double kGrip_mps = 0.35;
 constexpr double kPress_s = 0.25;  // time to make sure of the contact

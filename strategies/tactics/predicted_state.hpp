@@ -33,8 +33,9 @@ class PredictedState {
   // The ball, or the position where the referee is about to place it.
   const Vec2& position_m() const { return position_m_; }
 
-  // The position from which to expect a shot at the team's own goal: the ball, or the point where
-  // an opponent will reach it, as far ahead as the style says.
+  // The position from which to expect a shot at the team's own goal: the ball, shifted towards the
+  // point where an opponent will reach it (the style's `anticipation`), or along the motion of an
+  // opponent that already has it (`threat_lead_s`).
   const Vec2& threat_m() const { return threat_m_; }
 
   int robots() const { return static_cast<int>(now_.own.size()); }

@@ -17,7 +17,7 @@ constexpr double kOwnHalf_mps =
     2.5;  // speed of kicks from the team's own half, so that they stay in the field
 constexpr double kChaserOnLine_m =
     kRobotRadius_m + 30_mm;  // distance of the keeper from its goal line
-// The team does not play a ball closer to the opponents' area.
+// The team does not play a ball closer than this to the opponents' area.
 constexpr double kFromTheirArea_m = 100_mm;
 constexpr double kSlowBall_mps =
     1.2;  // a ball faster than this in the team's own area is a shot: the keeper waits

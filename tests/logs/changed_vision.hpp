@@ -13,7 +13,7 @@ RecordedVision at_rate(RecordedVision vision, double rate_hz);
 // Drops a fraction of the frames and changes the times of the others by up to `jitter_s`.
 RecordedVision irregular(RecordedVision vision, double share, double jitter_s, RandomStream chance);
 
-// Vision is silent for `length_s`, `every_s`.
+// Once in every `every_s`, vision is silent for `length_s`.
 RecordedVision with_silences(RecordedVision vision, double length_s, double every_s);
 
 // The view of cameras that hang in rows. Each has its own offset of up to `error_m` and its own

@@ -18,7 +18,7 @@ class WebClient {
   WebClient(const WebClient&) = delete;
   WebClient& operator=(const WebClient&) = delete;
 
-  // Returns whether the system took all bytes, which fails if the connection is closed.
+  // Returns whether the system took all bytes; it does not if the connection is closed.
   bool send(std::string_view bytes) const;
 
   // Everything until the server closes the connection.

@@ -83,8 +83,8 @@ std::vector<Measured> interval_coverage(int trials) {
       }
     }
   }
-  // A case of few games with few goals. If all pairs have the same difference, this interval does
-  // not exist; the other intervals are valid.
+  // A case of few games with few goals. If all pairs have the same difference, Student's interval
+  // does not exist; the other intervals are valid.
   for (const int games : {4, 10}) {
     for (const Means& means : {Means{0.3, 0.3}, Means{1, 1}, Means{2, 1}}) {
       Measured student = coverage_at(means, games, trials).front();

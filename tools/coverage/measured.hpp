@@ -29,9 +29,9 @@ std::vector<Measured> interval_coverage(int trials);
 // interval.
 std::vector<Measured> rating_coverage(int trials);
 
-// Error rates of the sequential test for normally and Poisson-distributed goals, and for tests that
-// are decided within 9999 pairs. The leads are from 0.05 to 1 goals per game, and the standard
-// deviations of a game from 0.2 to 4.
+// Error rates of the sequential test for normally and for Poisson-distributed goals. The leads are
+// from 0.05 to 1 goals per game, and the standard deviations of a game from 0.2 to 4; cases that
+// need more than 9999 pairs are left out.
 std::vector<Measured> sequential_errors(int trials);
 
 }  // namespace autoref::coverage

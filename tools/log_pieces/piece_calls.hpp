@@ -23,7 +23,7 @@ struct PieceCall {
 class CallList {
  public:
   void add(const referee::Decision& decision);
-  // The same calls, shifted by `by_s`.
+  // The same calls, each `by_s` later.
   CallList later(double by_s) const;
   const std::vector<PieceCall>& calls() const { return calls_; }
   // Whether a command stopped play within 0.1 s of `time_s`.

@@ -4,7 +4,7 @@ function isSameHighlight(one, other) {
   return one !== undefined && one.time_s === other.time_s && one.title === other.title && one.reason === other.reason;
 }
 
-// Number of highlights at the beginning of both lists that are equal.
+// How many highlights at the beginning of the two lists are the same.
 function sameUntil(one, other) {
   let same = 0;
   while (same < other.length && isSameHighlight(one[same], other[same])) ++same;

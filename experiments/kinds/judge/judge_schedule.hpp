@@ -67,8 +67,9 @@ inline constexpr const char* kRulesPath = "match.rules";
 inline constexpr const char* kCameraPath = "sim.camera";
 
 struct ScheduledJudgeGame {
-  std::string id;  // for display: "test 2014 realistic basic~basic 3"; without a name of the seed,
-                   // "2014 realistic basic~basic 3"
+  // Id for display: "test 2014 realistic basic~basic 3", or "2014 realistic basic~basic 3" if the
+  // seed has no name.
+  std::string id;
   std::string seeds;  // name of the game's master seed
   std::string rules;
   std::string camera;

@@ -9,7 +9,7 @@
 namespace autoref::experiments {
 namespace {
 
-constexpr double kCutOff = 3;  // standard deviations
+constexpr double kCutOff = 3;  // in standard deviations
 
 // Even if the mean is at an end of the range, half of the draws are inside the range.
 constexpr int kMostDraws = 64;

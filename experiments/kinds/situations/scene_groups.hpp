@@ -16,7 +16,7 @@ namespace autoref::experiments {
 // `void_scenes`.
 struct SceneGroup {
   SituationMatchup matchup;
-  bool is_proportion = true;   // every score is 0 or 1
+  bool is_proportion = true;   // whether every score is 0 or 1
   std::vector<double> scores;  // the score of each scene
   // Mean score over the two legs, by pair number; only pairs without a void leg.
   DifferenceByPair pair_scores;

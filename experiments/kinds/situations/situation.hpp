@@ -64,7 +64,7 @@ struct SituationSetup {
   // Whether STOP comes first, in which the robots line up on their own.
   bool is_after_stop = false;
   DrawnBall ball;
-  std::vector<DrawnRobot> attackers;  // index: robot number
+  std::vector<DrawnRobot> attackers;  // sorted by robot number
   std::vector<DrawnRobot> defenders;
   game::Scene scene;
 };

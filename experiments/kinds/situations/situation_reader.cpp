@@ -204,7 +204,7 @@ void SituationReader::read_restart(const std::vector<game::YamlEntry>& entries,
                  "a scene that begins with STOP also needs a restart");
 }
 
-// Kick-offs and penalty kicks have a fixed position.
+// For kick-offs and penalty kicks, the key `ball` can be left out: the ball is then on its spot.
 void SituationReader::read_ball(const std::vector<game::YamlEntry>& entries,
                                 const std::string& path, SituationSetup& situation) const {
   const game::YamlEntry* ball = game::find_entry(entries, "ball");

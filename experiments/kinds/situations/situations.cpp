@@ -43,21 +43,20 @@ constexpr const char* kSituation =
     "such as `[1.5, 3]`, or `{ mean: 2, sd: 0.1 }`. Robots that are not listed are off the field.";
 
 std::vector<KeyRow> situation_rows() {
-  return {
-      {"`restart`",
-       "`none`, `kickoff`, `direct_free`, `indirect_free`, `penalty` or `force_start`; `none`",
-       "how the scene begins; `none`: play is on"},
-      {"`taken_by`", "`attackers` or `defenders`; `attackers`", "who takes the restart"},
-      {"`after_stop`", "true or false; false",
-       "whether STOP comes first, so that the robots line up on their own"},
-      {"`ball`", "`x_m`, `y_m`, `vx_mps`, `vy_mps`, `height_m`, `vz_mps`",
-       "the ball; leave it out for a kick-off or a penalty kick, which have fixed ball positions"},
-      {"`attackers`, `defenders`",
-       "robots by number, with `x_m`, `y_m`, `heading_deg`, `vx_mps`, `vy_mps`, `turn_radps`",
-       "the robots; without `heading_deg`, a robot faces the ball"},
-      {"`from`", "`log`, `at_s`, `attackers`, `spread_m`",
-       "instead of all of these: the state of an SSL log at that time"},
-      {"`lasts_s`, `score`, `ends_on`", "as above", "for this situation only"}};
+  return {{"`restart`",
+           "`none`, `kickoff`, `direct_free`, `indirect_free`, `penalty` or `force_start`; `none`",
+           "how the scene begins; `none`: play is on"},
+          {"`taken_by`", "`attackers` or `defenders`; `attackers`", "who takes the restart"},
+          {"`after_stop`", "true or false; false",
+           "whether STOP comes first, so that the robots line up on their own"},
+          {"`ball`", "`x_m`, `y_m`, `vx_mps`, `vy_mps`, `height_m`, `vz_mps`",
+           "the ball; can be left out for a kick-off or a penalty kick"},
+          {"`attackers`, `defenders`",
+           "robots by number, with `x_m`, `y_m`, `heading_deg`, `vx_mps`, `vy_mps`, `turn_radps`",
+           "the robots; without `heading_deg`, a robot faces the ball"},
+          {"`from`", "`log`, `at_s`, `attackers`, `spread_m`",
+           "instead of all of these: the state of an SSL log at that time"},
+          {"`lasts_s`, `score`, `ends_on`", "as above", "for this situation only"}};
 }
 
 // `scene` contains the defaults for keys that a situation does not set.

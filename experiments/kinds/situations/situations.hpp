@@ -21,7 +21,8 @@ struct Situations : ExperimentOf<Situations> {
   Teams attackers;
   Teams defenders;
   std::map<std::string, SituationSetup> situations;
-  int pairs = 1;           // scenes drawn of each situation, 1 to 9999; each is played in two legs
+  // Number of scenes drawn for each situation, 1 to 9999. Each scene is played in two legs.
+  int pairs = 1;
   std::uint64_t seed = 1;  // master seed
 
   std::vector<Key> keys() override;

@@ -42,7 +42,7 @@ struct RoundPairing {
 // teams is odd, the last team of the draw has a bye.
 RoundPairing first_pairing(std::size_t teams);
 
-// A later round. `ranking` contains all teams, the best first.
+// Pairs a later round. `ranking` contains all teams, the best first.
 //
 // From the top, each team plays the next one below it that it has not met, provided that the
 // remaining teams can still be paired without rematches. This is the first pairing that a search
@@ -56,7 +56,7 @@ RoundPairing first_pairing(std::size_t teams);
 // If n teams play (not counting a bye) and each has met at most n / 2 - 1 others, a pairing without
 // rematches exists (G. A. Dirac, "Some theorems on abstract graphs", Proceedings of the London
 // Mathematical Society 2, 1952). After more rounds there may be none: after three rounds of six
-// teams, those that have not met yet may form two groups of three. The round then has as few
+// teams, the pairs that have not met yet may form two triangles. The round then has as few
 // rematches as possible.
 //
 // Throws std::logic_error if the number of teams is odd and all have had a bye.
@@ -64,10 +64,10 @@ RoundPairing next_pairing(const std::vector<DrawnTeam>& ranking, const Encounter
 
 // The results of all games between two teams in a round.
 struct Meeting {
-  Matchup teams;  // team a is the one with the first name in order
+  Matchup teams;  // team a has the name that sorts first
   int games = 0;  // number of games that have rows and are not void
   int void_games = 0;
-  int points_a = 0;  // 3 for each game won, 1 for each drawn one
+  int points_a = 0;  // 3 points for each game won, 1 for each draw
   int points_b = 0;
 };
 
@@ -77,7 +77,7 @@ struct SwissRound {
 };
 
 struct SwissRounds {
-  std::vector<SwissRound> rounds;    // those with known meetings
+  std::vector<SwissRound> rounds;    // rounds with known meetings
   std::vector<std::string> ranking;  // all teams, the best first
   std::map<std::string, int> byes;   // number of byes, for teams that have had at least one
   // Points for a bye: as many as for winning all games of a meeting.

@@ -15,7 +15,7 @@ namespace {
 constexpr Range kIterationCount = {1, 9999};
 constexpr Range kTuningPairs = {1, kMostPairs};
 constexpr Range kGain = {0, 100, true};    // values above 0
-constexpr Range kDelta = {0, 50, true};    // goals
+constexpr Range kDelta = {0, 50, true};    // in goals per game
 constexpr Range kWeight = {0, 1e6, true};  // values above 0
 
 // "iterations", "pairs", "gain" and so on; without the teams and parameters.

@@ -27,14 +27,14 @@ struct TuningTest {
   int last_pair = 0;    // number of the last pair considered
   // Number of pairs up to last_pair that are left out because a game is void.
   int void_pairs = 0;
-  // Mean goal difference in the deciding pairs, in goals per game.
+  // Mean gain in the deciding pairs, in goals per game.
   std::optional<double> gain;
   std::optional<Interval> interval;  // anytime_interval()
   bool is_decided = false;
 };
 
 struct TuningState {
-  std::vector<TuningIteration> path;  // all iterations of which all games have been played
+  std::vector<TuningIteration> path;  // all iterations whose games have all been played
   // The iteration that is being played; nullopt after the last one.
   std::optional<TuningIteration> current;
   ParamValues best;  // best parameter values known so far

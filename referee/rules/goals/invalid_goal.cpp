@@ -1,7 +1,7 @@
-// A goal counts only if the ball has stayed below a height of 0.15 m since the scoring team's last
-// touch, if that team has committed no non-stopping foul in the 2 s before the goal, and if it has
-// no more robots on the field than allowed. Penalty goals always count (2026, Scoring Goals).
-// Otherwise, the restart is the same as if the ball had crossed the goal line next to the goal.
+// A goal counts only if the ball has not risen above 0.15 m since the scoring team's last touch, if
+// that team has committed no non-stopping foul in the 2 s before the goal, and if it has no more
+// robots on the field than allowed. Penalty goals always count (2026, Scoring Goals). Otherwise,
+// the restart is the same as if the ball had crossed the goal line next to the goal.
 //
 // A ball of unknown height counts as being on the ground. If an unknown robot has touched the ball
 // since the scoring team's last touch, the goal stands. The height is measured at the ball's top,

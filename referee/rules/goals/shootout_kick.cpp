@@ -37,7 +37,7 @@ std::string failure_of(RefereeState& state, const RefereeInput& input) {
   return chip ? chip->evidence : "";
 }
 
-// kGoal or kPenaltyFailed in RUN.
+// kGoal or kPenaltyKickFailed in RUN.
 std::optional<Finding> find_kick_over(RefereeState& state, const RefereeInput& input) {
   if (!state.play.kicker) return std::nullopt;  // play was joined midway
   const Side kicker = *state.play.kicker;

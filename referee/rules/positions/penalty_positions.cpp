@@ -1,6 +1,6 @@
 // At a penalty kick, the keeper must touch its goal line between the posts, and all other robots
-// except the kicker must be 400 mm behind the penalty mark (Laws 14) or 1 m behind the ball (2026,
-// Penalty Kick). Positions are judged in the last frame before the ball is in play.
+// except the kicker must be at least 400 mm behind the penalty mark (Laws 14) or 1 m behind the
+// ball (2026, Penalty Kick). Positions are judged in the last frame before the ball is in play.
 //
 // Laws 2014: the kick proceeds, and its outcome decides whether it is retaken. After a breach by
 // the kicker's side, the kick is retaken if there was a goal, which does not count. After a breach

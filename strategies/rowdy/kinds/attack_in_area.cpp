@@ -3,7 +3,7 @@
 namespace autoref::strategies::rowdy {
 namespace {
 
-constexpr double kReach_m = 2.5;     // distance from the goal's centre to the robot that waits
+constexpr double kReach_m = 2.5;     // largest distance from the goal's centre to the robot chosen
 constexpr double kPlays_m = 600_mm;  // the robot goes for the ball if it is within this distance
 constexpr double kKick_mps = 4.0;
 constexpr double kKicked_mps = 2.0;

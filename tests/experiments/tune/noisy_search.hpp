@@ -41,7 +41,7 @@ inline double valley(const Point& unit) {
 struct NoisySearch {
   Search search;
   int dimensions = 2;
-  int pairs = 4;                // of legs per score
+  int pairs = 4;                // pairs of legs per score
   double step = 0.2;            // fraction of the range
   bool against_itself = false;  // SPSA: one noisy difference instead of two noisy scores
   double noise = kPairNoise;

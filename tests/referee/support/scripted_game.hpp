@@ -63,7 +63,7 @@ class ScriptedGame {
     for (int i = 0; i < frames; ++i) step();
   }
 
-  // Skips this time: vision sees nothing.
+  // Lets this time pass without any frame from vision.
   void skip(double seconds) { next_number_ += static_cast<int>(seconds * kRate_hz + 0.5); }
 
   // Runs until a transition with that label; throws if there is none within `limit_s`.

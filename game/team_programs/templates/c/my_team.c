@@ -124,7 +124,7 @@ static struct point keep_off(const struct robot *robot, struct point place, stru
   return place;
 }
 
-/* Writes a command that brings the robot there. */
+/* Writes a command that brings the robot to its aim. */
 static void drive(const struct robot *robot, struct aim aim, double most, double latency, char *command) {
   double vx = 3 * (aim.at.x - robot->at.x - robot->velocity.x * latency);
   double vy = 3 * (aim.at.y - robot->at.y - robot->velocity.y * latency);

@@ -165,7 +165,7 @@ inline Point keep_off(const Player& robot, Point place, const Point& point) {
   return place;
 }
 
-// A command that brings the robot there.
+// A command that brings the robot to its aim.
 inline Order drive(const Player& robot, const Aim& aim, double most, double latency) {
   double vx = 3 * (aim.at.x - robot.at.x - robot.velocity.x * latency);
   double vy = 3 * (aim.at.y - robot.at.y - robot.velocity.y * latency);

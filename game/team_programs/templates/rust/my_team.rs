@@ -197,7 +197,7 @@ fn keep_off(robot: &Robot, mut place: Point, point: Point) -> Point {
     place
 }
 
-// A command that brings the robot there.
+// A command that brings the robot to its aim.
 fn drive(robot: &Robot, aim: &Aim, most: f64, latency: f64) -> Command {
     let mut vx = 3.0 * (aim.at.x - robot.at.x - robot.velocity.x * latency);
     let mut vy = 3.0 * (aim.at.y - robot.at.y - robot.velocity.y * latency);
