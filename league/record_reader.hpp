@@ -37,7 +37,7 @@ class RecordReader {
   RecordReader(LogVisitor& visitor, bool frames_are_tracked)
       : visitor_(visitor), frames_are_tracked_(frames_are_tracked) {}
 
-  // Takes the next message, parsed or not, which arrived at `now_s` on the frames' clock. Ignored
+  // Reads the next message, parsed or not, which arrived at `now_s` on the frames' clock. Ignored
   // messages and those of other kinds are not passed on. `sender` distinguishes referees that do
   // not send a name.
   ReadResult read(const ParsedMessage& message, double now_s, const std::string& sender = {});

@@ -168,19 +168,19 @@ LogRefereeResult referee_log(const std::filesystem::path& log, const RecordedFac
                              const std::vector<referee::Configuration>& configurations,
                              const DecisionWatch& watch) {
   DecisionCollector collector(facts, watch);
-  LogReferee judge(configurations, facts.teams, SignalOrder::kByTime,
-                   [&](const referee::Decision& decision) { collector.add(decision); });
-  league::read_log(log, judge, facts.log.source);
+  LogReferee log_referee(configurations, facts.teams, SignalOrder::kByTime,
+                         [&](const referee::Decision& decision) { collector.add(decision); });
+  league::read_log(log, log_referee, facts.log.source);
   const bool is_alone = configurations.front().control == referee::Control::kAutoref;
   CallMaker recorded;
   for (const RecordedCommand& command : facts.commands) {
     if (is_alone || may_be_call(command)) recorded.add(command.time_s, command.command);
   }
   LogRefereeResult result = collector.result();
-  const bool is_beside_person = judge.configuration().control != referee::Control::kAutoref;
+  const bool is_beside_person = log_referee.configuration().control != referee::Control::kAutoref;
   result.agreement = agreement_of(recorded.calls(), collector.calls(is_beside_person));
   result.control = configurations.front().control;
-  for (const PerSide<int>& half : judge.referee().goals_by_half()) {
+  for (const PerSide<int>& half : log_referee.referee().goals_by_half()) {
     for (const Side side : kSides) result.goals[side] += half[side];
   }
   return result;

@@ -41,7 +41,7 @@ void YellowEnd::add(const Frame& frame) {
   const double age_s = frame.time_s - *first_s_;
   for (const Side team : kSides) {
     for (const RobotObservation& robot : frame.robots[team]) {
-      if (age_s <= kKeepers_s && keepers_[team] == robot.number) take_keeper(team, robot);
+      if (age_s <= kKeepers_s && keepers_[team] == robot.number) add_keeper(team, robot);
     }
   }
   const SeenRobots& yellow = frame.robots[Side::kWest];
@@ -51,7 +51,7 @@ void YellowEnd::add(const Frame& frame) {
   ++frames_apart_;
 }
 
-void YellowEnd::take_keeper(Side team, const RobotObservation& keeper) {
+void YellowEnd::add_keeper(Side team, const RobotObservation& keeper) {
   if (const auto end = yellow_end_by(field_, team, keeper.position_m)) ++votes_[*end];
 }
 

@@ -34,7 +34,7 @@ class YellowEnd {
   std::optional<Side> end() const;
 
  private:
-  void take_keeper(Side team, const RobotObservation& keeper);
+  void add_keeper(Side team, const RobotObservation& keeper);
 
   Field field_;
   std::optional<double> first_s_;

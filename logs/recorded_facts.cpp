@@ -5,7 +5,7 @@
 
 #include "io/words.hpp"
 #include "league/referee_message.hpp"
-#include "logs/fact_finder.hpp"
+#include "logs/facts_collector.hpp"
 
 namespace autoref::logs {
 namespace {
@@ -118,9 +118,9 @@ RecordedFacts FactsCollector::facts(const league::LogSummary& log) const {
 }
 
 RecordedFacts facts_of(const std::filesystem::path& log, league::FrameSource source) {
-  FactsCollector finder;
-  const league::LogSummary summary = league::read_log(log, finder, source);
-  return finder.facts(summary);
+  FactsCollector collector;
+  const league::LogSummary summary = league::read_log(log, collector, source);
+  return collector.facts(summary);
 }
 
 }  // namespace autoref::logs

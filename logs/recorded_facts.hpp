@@ -67,7 +67,7 @@ struct RecordedFacts {
   bool has_ball = false;                            // whether any frame has a ball
   // Games in the log: at least one, at most kMostGames.
   std::vector<RecordedGame> games = {{}};
-  std::optional<tracking::VisionNoise> noise;     // measured (fact_finder.hpp)
+  std::optional<tracking::VisionNoise> noise;     // measured (facts_collector.hpp)
   std::vector<game::TimedGameEvent> game_events;  // game events of the recorded referee
   RecordedTeams teams;                            // found out separately (recorded_teams.hpp)
   std::int64_t unknown_signals = 0;               // packets with an unknown stage or command

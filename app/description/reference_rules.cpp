@@ -115,7 +115,8 @@ std::string events_section() {
     if (referee::is_call(entry.event) || !entry.league_event.empty()) rows.push_back(row_of(entry));
   }
   return "## Events\n\nThe calls, which a game's row counts in the columns `calls_EVENT`, and the "
-         "events that lead to cards. A call \"by the book\" stops play if fouls stop play under "
+         "events about cards and ball placement. A call \"by the book\" stops play if fouls stop "
+         "play under "
          "the rule book; otherwise the foul is counted and play continues. While play is stopped, "
          "calls only count as fouls, except where the "
          "[machine's tables](../../referee/README.md#the-machine) say more. Cards and restarts "

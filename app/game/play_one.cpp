@@ -197,8 +197,8 @@ game::GameRecord play_one(const game::GameConfiguration& game, const GameOutput&
   PageRecorder page;
   const std::optional<double> frames_per_s = pace_of(game, output);
   GameOutputs outputs(files, game::event_teams_of(game), log ? &*log : nullptr);
-  GameOnWeb shown(game, output.web);
-  game::Observers observers(shown.observer());
+  GameOnWeb game_on_web(game, output.web);
+  game::Observers observers(game_on_web.observer());
   if (files.view) observers.add(&page);
   observers.add(&outputs);
   const auto start = std::chrono::steady_clock::now();
@@ -212,7 +212,7 @@ game::GameRecord play_one(const game::GameConfiguration& game, const GameOutput&
   }
   const double wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  shown.end();
+  game_on_web.end();
   if (log) log->close();
   files.events.commit();
   files.game_events.commit();

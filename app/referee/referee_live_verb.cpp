@@ -74,7 +74,7 @@ class RefereeScreen {
  public:
   explicit RefereeScreen(std::string prefix) : prefix_(std::move(prefix)) {}
 
-  void add(const referee::Decision& decision) {
+  void report(const referee::Decision& decision) {
     const std::string line = live::call_line(decision);
     if (line.empty()) return;
     ++calls_;
@@ -175,7 +175,7 @@ class LiveRefereeOutput {
       game_events_.write(game::game_event_json(event));
     };
     watch.on_decision = [this](const referee::Decision& decision) {
-      screen_.add(decision);
+      screen_.report(decision);
       events_.write(game::decision_json(decision, teams_));
       if (page_) page_->add(recorded(decision));
     };

@@ -9,7 +9,8 @@
 
 namespace autoref::experiments {
 
-// The wall time that it took to play a game or its beginning.
+// What playing a game, or its beginning, showed: the share that was played, parts of the wall time
+// taken, and why the game is void.
 struct PlayedPart {
   double share = 1;  // share of the game that was played, above 0
   // Wall time before the first frame, for example to start programs.

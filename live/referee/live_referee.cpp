@@ -12,7 +12,7 @@
 #include "live/controller/placement_watch.hpp"
 #include "live/referee/referee_outputs.hpp"
 #include "live/referee/vision_quality.hpp"
-#include "logs/fact_finder.hpp"
+#include "logs/facts_collector.hpp"
 #include "logs/log_referee.hpp"
 #include "logs/recorded_ends.hpp"
 #include "soccer/referee_signal.hpp"
@@ -104,7 +104,7 @@ class LiveSession final : league::LogVisitor {
   LiveSession(const referee::Configuration& configuration, const logs::RecordedFacts& facts,
               bool frames_are_tracked, const LiveRefereeCallbacks& watch, RefereeOutputs& outputs);
 
-  void add(const LiveMessage& live);
+  void process(const LiveMessage& live);
 
   // Sends what is due, and calls on_idle every 50 ms. Call this often.
   void idle();
@@ -143,7 +143,7 @@ LiveSession::LiveSession(const referee::Configuration& configuration,
   status_.names = facts.names;
 }
 
-void LiveSession::add(const LiveMessage& live) {
+void LiveSession::process(const LiveMessage& live) {
   const league::ReadResult result = reader_.read(live.message, live.time_s, live.host);
   if (std::holds_alternative<league::RefereePacket>(live.message.packet) &&
       result == league::ReadResult::kUsed)
@@ -210,8 +210,8 @@ class LiveReferee::Impl {
       : options_(options), source_(options.interface, groups_of(options)) {}
 
   logs::RecordedFacts gather(const std::function<void(std::int64_t packets)>& check) {
-    logs::FactsCollector finder;
-    league::RecordReader reader(finder, is_tracked());
+    logs::FactsCollector collector;
+    league::RecordReader reader(collector, is_tracked());
     std::optional<Clock::time_point> first;
     while (!is_enough(reader, first)) {
       check(static_cast<std::int64_t>(gathered_.size()));
@@ -227,7 +227,7 @@ class LiveReferee::Impl {
     summary.frames = reader.frames();
     summary.field = reader.merger().field();
     summary.field_gaps = reader.merger().field_gaps();
-    logs::RecordedFacts facts = finder.facts(summary);
+    logs::RecordedFacts facts = collector.facts(summary);
     facts.teams.yellow_end = yellow_end(summary.field.value_or(Field{}));
     return facts;
   }
@@ -236,12 +236,12 @@ class LiveReferee::Impl {
            const LiveRefereeCallbacks& watch) {
     RefereeOutputs outputs(options_, configuration.field, facts.names);
     LiveSession session(configuration, facts, is_tracked(), watch, outputs);
-    for (const LiveMessage& live : gathered_) session.add(live);
+    for (const LiveMessage& live : gathered_) session.process(live);
     gathered_ = {};
     const auto begun = Clock::now();
     const std::chrono::duration<double> length_s(options_.seconds);
     while (options_.seconds == 0 || Clock::now() - begun < length_s) {
-      if (const std::optional<LiveMessage> live = next_message()) session.add(*live);
+      if (const std::optional<LiveMessage> live = next_message()) session.process(*live);
       session.idle();
     }
   }

@@ -36,7 +36,7 @@ bool CommandSlots::wait(const PerSide<std::int64_t>& before, const PerSide<bool>
   return is_complete;
 }
 
-TeamCommands CommandSlots::commands_for(Side side, std::int64_t frame, const SideState& state) {
+TeamCommands CommandSlots::collect_commands(Side side, std::int64_t frame, const SideState& state) {
   TeamCommands commands{};
   const std::lock_guard lock(mutex_);
   for (std::size_t number = 0; number < commands.size(); ++number) {

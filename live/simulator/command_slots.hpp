@@ -43,8 +43,9 @@ class CommandSlots {
             Clock::time_point deadline);
 
   // The commands of a side for the step after `frame`, as transmitted() sends them to robots.
-  // Commands that have arrived since the last call are attributed to `frame`.
-  TeamCommands commands_for(Side side, std::int64_t frame, const SideState& state);
+  // Commands that have arrived since the last call are attributed to `frame`; those that have
+  // lapsed are dropped.
+  TeamCommands collect_commands(Side side, std::int64_t frame, const SideState& state);
 
  private:
   struct Slot {

@@ -81,7 +81,7 @@ class LiveGame::Impl {
       const PerSide<RobotReports> reports = reports_of(game_, game.world());
       ports_.report(reports);
       wait(game.frame().number, before, reports);
-      take_commands(game, before);
+      collect_commands(game, before);
       if (!game.end_step()) break;
       control(game, programs);
     }
@@ -147,7 +147,7 @@ class LiveGame::Impl {
       wait_in_slices(
           [&](auto until) { return lock_step_.advance(frame, reports, slots_, take, until); },
           [&] {
-            if (!is_first) record_silence(lock_step_.is_awaited());
+            if (!is_first) set_faults_of_silent_teams(lock_step_.is_awaited());
             return !is_first;
           });
     } else if (options_.speed.pace == Pace::kClock) {
@@ -158,7 +158,7 @@ class LiveGame::Impl {
     } else if (has_network_teams() && frame >= sim::split_latency(game_.sim).frames) {
       wait_in_slices([&](auto until) { return slots_.wait(before, is_network_, until); },
                      [&] {
-                       record_silence(silent_since(before));
+                       set_faults_of_silent_teams(silent_since(before));
                        return true;
                      });
     }
@@ -186,19 +186,19 @@ class LiveGame::Impl {
     return silent;
   }
 
-  void record_silence(const PerSide<bool>& silent) {
+  void set_faults_of_silent_teams(const PerSide<bool>& silent) {
     for (const Side side : kSides) {
       if (is_network_[side] && silent[side])
         inputs_[side].fault = fmt::format("sent no commands for {} s", options_.answer_s);
     }
   }
 
-  void take_commands(const game::Game& game, const PerSide<std::int64_t>& before) {
+  void collect_commands(const game::Game& game, const PerSide<std::int64_t>& before) {
     const PerSide<std::int64_t> packets = slots_.packets();
     for (const Side side : kSides) {
       if (!is_network_[side]) continue;
       headings_of(game.world().state(), side, game.signal().blue_on_positive_half, states_[side]);
-      inputs_[side].commands = slots_.commands_for(side, game.frame().number, states_[side]);
+      inputs_[side].commands = slots_.collect_commands(side, game.frame().number, states_[side]);
       const bool is_new = packets[side] > before[side];
       silent_frames_[side] = is_new ? 0 : silent_frames_[side] + 1;
       ++ages_[side].at(static_cast<std::size_t>(std::min(silent_frames_[side], 2)));

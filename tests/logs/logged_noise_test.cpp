@@ -1,4 +1,4 @@
-#include "logs/fact_finder.hpp"
+#include "logs/facts_collector.hpp"
 
 #include <gtest/gtest.h>
 

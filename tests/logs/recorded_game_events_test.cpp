@@ -1,5 +1,5 @@
 // The league's game controller repeats its events in each packet for as long as they are active.
-#include "logs/fact_finder.hpp"
+#include "logs/facts_collector.hpp"
 
 #include <gtest/gtest.h>
 

@@ -114,7 +114,11 @@ TEST(GameSetups, MatchTheDivisions) {
 
 TEST(RuleTable, ContainsEveryRuleOnceInOrder) {
   int next = 0;
-  for (const RuleEntry& entry : rule_table()) EXPECT_EQ(static_cast<int>(entry.rule), next++);
+  for (const RuleEntry& entry : rule_table()) {
+    EXPECT_EQ(static_cast<int>(entry.rule), next++);
+    EXPECT_FALSE(entry.name.empty()) << next;
+    EXPECT_FALSE(entry.about.empty()) << entry.name;
+  }
   EXPECT_EQ(next, kRuleCount);
 }
 

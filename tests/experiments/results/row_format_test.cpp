@@ -83,13 +83,29 @@ TEST(RowFormat, HasTheColumnsOfAGameWithTheChecksumLast) {
 }
 
 TEST(RowFormat, HasBothTeamsPlayCounts) {
-  std::map<std::string, std::string> cells = cells_by_name(full_row());
-  EXPECT_EQ(cells["shots_a"], "1");
-  EXPECT_EQ(cells["shots_b"], "21");
-  EXPECT_EQ(cells["possession_s_a"], "5.250");
-  for (const game::CountField& field : game::count_fields()) {
-    for (const char* team : {"_a", "_b"})
-      EXPECT_TRUE(cells.contains(std::string(field.name) + team));
+  GameRow row = sample_row();
+  row.record.counts[0] = {.shots = 12,
+                          .shots_on_goal = 7,
+                          .passes_tried = 30,
+                          .passes_completed = 21,
+                          .possession_s = 301.25,
+                          .fouls = 3,
+                          .duels_won = 5};
+  row.record.counts[1] = {.shots = 8,
+                          .shots_on_goal = 2,
+                          .passes_tried = 25,
+                          .passes_completed = 9,
+                          .possession_s = 200.5,
+                          .fouls = 4,
+                          .duels_won = 6};
+  std::map<std::string, std::string> cells = cells_by_name(row);
+  const io::Cells names = {"shots",        "shots_on_goal", "passes_tried", "passes_completed",
+                           "possession_s", "fouls",         "duels_won"};
+  const io::Cells of_a = {"12", "7", "30", "21", "301.250", "3", "5"};
+  const io::Cells of_b = {"8", "2", "25", "9", "200.500", "4", "6"};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    EXPECT_EQ(cells[names[i] + "_a"], of_a[i]) << names[i];
+    EXPECT_EQ(cells[names[i] + "_b"], of_b[i]) << names[i];
   }
 }
 

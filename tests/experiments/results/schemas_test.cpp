@@ -63,7 +63,7 @@ TEST(Schemas, HaveATestForEverySection) {
   EXPECT_EQ(described, compared);
 }
 
-TEST(Schemas, LeaveTheColumnsOfCallsToTheReferencePage) {
+TEST(Schemas, FindEveryCallOnTheReferencePage) {
   WrittenNames described;
   for (const SchemaSection& section : sections_of("docs/reference/rules.md")) {
     if (section.title == "Events") described = section.names();

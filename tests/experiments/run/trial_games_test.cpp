@@ -137,7 +137,9 @@ TEST_F(TrialGames, ReportsWhatShareOfAGameItsEstimateIsFrom) {
   EXPECT_DOUBLE_EQ(trials[0].share, 0.25);
 }
 
-TEST(WholeGame, StartsOnlyOnce) { EXPECT_NEAR(estimated_game_s({{0.01, 0.53, 0.5}}), 3.5, 1e-9); }
+TEST(EstimatedGame, StartsOnlyOnce) {
+  EXPECT_NEAR(estimated_game_s({{0.01, 0.53, 0.5}}), 3.5, 1e-9);
+}
 
 Scenario roundrobin_with_a_program() {
   Scenario scenario = small_roundrobin({6, 6}, 1);
@@ -186,20 +188,20 @@ TEST(CostOfPrograms, IsNotMentionedWithoutPrograms) {
   EXPECT_EQ(cost_of_programs({{"x", 10, "", 4.0}}, 1), "");
 }
 
-TEST(WholeGame, IsExtrapolatedFromItsFirstSeconds) {
+TEST(EstimatedGame, IsExtrapolatedFromItsFirstSeconds) {
   EXPECT_DOUBLE_EQ(estimated_game_s({{0.01, 0.03}}), 3);
 }
 
 // 0.5 s for the start, and 2 s for the rest of the game.
-TEST(WholeGame, IsExtrapolatedFromTheMeanOfLongerParts) {
+TEST(EstimatedGame, IsExtrapolatedFromTheMeanOfLongerParts) {
   EXPECT_DOUBLE_EQ(estimated_game_s({{0, 0.5}, {0.25, 0.9}, {0.25, 1.1}}), 2.5);
 }
 
-TEST(WholeGame, IsTheMeanOfWholeGamesIfTheyWerePlayed) {
+TEST(EstimatedGame, IsTheMeanOfWholeGamesIfTheyWerePlayed) {
   EXPECT_DOUBLE_EQ(estimated_game_s({{0.01, 1}, {1, 3}, {1, 5}}), 4);
 }
 
-TEST(WholeGame, TakesNoLessTimeThanALongerPart) {
+TEST(EstimatedGame, TakesNoLessTimeThanALongerPart) {
   EXPECT_DOUBLE_EQ(estimated_game_s({{0.01, 2}, {0.5, 1}}), 1);
 }
 

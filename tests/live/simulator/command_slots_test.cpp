@@ -17,7 +17,7 @@ league::CommandUpdate forward(int robot, double speed_mps) {
 }
 
 double speed_of(CommandSlots& slots, int robot, std::int64_t frame) {
-  return slots.commands_for(Side::kWest, frame, {})
+  return slots.collect_commands(Side::kWest, frame, {})
       .at(static_cast<std::size_t>(robot))
       .velocity_mps.x();
 }
@@ -29,7 +29,7 @@ TEST(CommandSlots, TheNewestCommandIsTaken) {
   EXPECT_EQ(speed_of(slots, 1, 0), 1.5);
   EXPECT_EQ(speed_of(slots, 2, 0), 0.25);
   EXPECT_EQ(speed_of(slots, 3, 0), 0);
-  EXPECT_EQ(slots.commands_for(Side::kEast, 0, {})[1].velocity_mps.x(), 0);
+  EXPECT_EQ(slots.collect_commands(Side::kEast, 0, {})[1].velocity_mps.x(), 0);
 }
 
 TEST(CommandSlots, ACommandStaysUntilItLapses) {

@@ -54,7 +54,7 @@ class LockStepTest : public testing::Test {
     return lock_step_.advance(frame, {}, slots_, control, LockStep::Clock::now());
   }
 
-  double speed_of(Side side) { return slots_.commands_for(side, 0, {})[0].velocity_mps.x(); }
+  double speed_of(Side side) { return slots_.collect_commands(side, 0, {})[0].velocity_mps.x(); }
 
   CommandSlots slots_{6};
   LockStep lock_step_;

@@ -66,7 +66,7 @@ TEST_F(TeamPortsTest, AConnectionCommandsRobots) {
   ASSERT_TRUE(response.ParseFromString(team.hear()));
   ASSERT_EQ(response.errors_size(), 1);
   EXPECT_EQ(response.errors(0).code(), "ROBOT_ID");
-  EXPECT_EQ(slots_.commands_for(Side::kWest, 0, {})[0].velocity_mps.x(), 0.5);
+  EXPECT_EQ(slots_.collect_commands(Side::kWest, 0, {})[0].velocity_mps.x(), 0.5);
   EXPECT_EQ(ports_->traffic()[Side::kWest].packets, 1);
   EXPECT_EQ(ports_->traffic()[Side::kWest].wrong, 1);
 }

@@ -1,4 +1,4 @@
-#include "logs/fact_finder.hpp"
+#include "logs/facts_collector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,12 +50,12 @@ void RecordedGameEvents::add(double time_s, const league::RefereePacket& packet)
   const auto& now = packet.game_events();
   if (!std::equal(now.begin(), now.end(), current_.begin(), current_.end())) {
     current_.assign(now.begin(), now.end());
-    take_new(time_s, packet);
+    add_new(time_s, packet);
   }
   is_first_ = false;
 }
 
-void RecordedGameEvents::take_new(double time_s, const league::RefereePacket& packet) {
+void RecordedGameEvents::add_new(double time_s, const league::RefereePacket& packet) {
   std::set<std::string> shown;
   for (GameEvent& event : league::game_events_of(packet)) {
     std::string key = key_of(event);

@@ -33,7 +33,7 @@ class RecordedGameEvents {
   const std::vector<game::TimedGameEvent>& events() const { return events_; }
 
  private:
-  void take_new(double time_s, const league::RefereePacket& packet);
+  void add_new(double time_s, const league::RefereePacket& packet);
 
   bool is_first_ = true;
   std::vector<std::string> current_;  // the serialised events of the last packet
