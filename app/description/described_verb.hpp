@@ -10,7 +10,7 @@ namespace autoref::app {
 
 struct DescribedOption {
   std::vector<std::string> names;  // "-o", "--output"; an argument has one name
-  std::string value;               // placeholder for the value, such as "FILE"; empty for a flag
+  std::string value;               // what help calls the value, such as "FILE"; empty for a flag
   std::string description;
   bool is_positional = false;
   std::vector<std::string> allowed_words = {};  // the words that the help lists, if any

@@ -24,7 +24,7 @@ struct TeamCheckArguments {
   bool json = false;
 };
 
-// The quantile of the sorted values at `share`; 0 if there are no values.
+// The quantile of the sorted values at `share`; 0 for an empty list.
 double answer_quantile_ms(const std::vector<double>& sorted, double share) {
   if (sorted.empty()) return 0;
   const auto index = static_cast<std::size_t>(share * static_cast<double>(sorted.size()));

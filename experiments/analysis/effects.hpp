@@ -30,7 +30,7 @@ struct Effect {
   std::size_t pairs = 0;             // number of pairs used: those without a void or missing leg
   double mean = 0;                   // goals per game
   std::optional<Interval> interval;  // 95 %; nullopt for one pair, or if all pairs agree
-  std::optional<double> p;           // nullopt if there is no interval
+  std::optional<double> p;           // nullopt without an interval
   std::optional<double> p_holm;      // Holm's correction over all effects with a p
 };
 
@@ -48,8 +48,8 @@ std::string effect_name(const Effect& effect);
 // effects.csv: one row per effect.
 std::string effects_csv(const std::vector<Effect>& effects);
 
-// The effects as a text table. Interactions are left out if there are too many for a screen. Empty
-// if there are no effects.
+// The effects as a text table; empty without effects. Interactions are left out if there are too
+// many for a screen.
 io::TextBlocks effects_table(const std::vector<Effect>& effects);
 
 }  // namespace autoref::experiments

@@ -39,7 +39,7 @@ DifferenceByPair pair_differences_of(const Group& group) {
   return differences;
 }
 
-// "1.50 ± 1.00": mean and standard deviation of the goals; "-" if there are no games.
+// "1.50 ± 1.00": mean and standard deviation of the goals; "-" without games.
 std::string mean_goals_text(const std::vector<double>& goals) {
   if (goals.empty()) return "-";
   const std::optional<double> deviation = standard_deviation(goals);

@@ -22,7 +22,7 @@
 
 namespace autoref::experiments {
 
-// The interval's bounds; both nullopt if there is no interval.
+// The interval's bounds; both are nullopt without an interval.
 inline std::pair<std::optional<double>, std::optional<double>> bounds_of(
     const std::optional<Interval>& interval) {
   if (!interval) return {};
