@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "referee/geometry/restarts.hpp"
@@ -79,6 +80,13 @@ std::string mm_text(double distance_m) {
 std::string gap_text(double signed_distance_m) {
   const char* where = signed_distance_m < 0 ? "inside" : "from";
   return fmt::format("{} {}", mm_text(std::abs(signed_distance_m)), where);
+}
+
+std::string ordinal(int number) {
+  constexpr std::array kEndings = {"th", "st", "nd", "rd"};
+  const bool is_teen = number % 100 / 10 == 1;
+  const int last = is_teen ? 0 : number % 10;
+  return fmt::format("{}{}", number, kEndings[last < 4 ? static_cast<std::size_t>(last) : 0]);
 }
 
 }  // namespace autoref::referee

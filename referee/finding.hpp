@@ -108,4 +108,7 @@ std::string mm_text(double distance_m);
 // "83 mm from", or "302 mm inside" if the signed distance to the defence area is negative.
 std::string gap_text(double signed_distance_m);
 
+// "1st", "2nd", "3rd", "4th" ... "11th".
+std::string ordinal(int number);
+
 }  // namespace autoref::referee

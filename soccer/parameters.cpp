@@ -28,6 +28,13 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kUnits =
     {"_s", "s"},
 }};
 
+// An ending of the name and its unit; both are empty if the name has no unit.
+std::pair<std::string_view, std::string_view> unit_at_end_of(std::string_view name) {
+  for (const auto& one : kUnits)
+    if (name.ends_with(one.first)) return one;
+  return {};
+}
+
 }  // namespace
 
 std::string text_of(const Range& range, std::string_view unit) {
@@ -37,11 +44,10 @@ std::string text_of(const Range& range, std::string_view unit) {
       range.low, range.high, space, unit);
 }
 
-std::string_view unit_of(std::string_view name) {
-  for (const auto& [ending, unit] : kUnits) {
-    if (name.ends_with(ending)) return unit;
-  }
-  return "";
+std::string_view unit_of(std::string_view name) { return unit_at_end_of(name).second; }
+
+std::string_view without_unit(std::string_view name) {
+  return name.substr(0, name.size() - unit_at_end_of(name).first.size());
 }
 
 void refuse_value(const std::string& path, double value, const std::string& allowed) {

@@ -66,6 +66,9 @@ struct Parameter {
 // The unit at the end of a name: "m/s" for "shot_mps"; empty if the name has no unit.
 std::string_view unit_of(std::string_view name);
 
+// The name without its unit: "shot" for "shot_mps".
+std::string_view without_unit(std::string_view name);
+
 // A visitor that accepts every parameter and does nothing.
 struct AnyParameter {
   template <typename Value>

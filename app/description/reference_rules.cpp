@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <type_traits>
 
 #include "app/description/reference_pages.hpp"
 #include "referee/event.hpp"
@@ -68,23 +69,33 @@ std::vector<std::string> numbers_called(std::string_view name) {
   return values;
 }
 
+// The values that a number can have: "above 0 and at most 5 m".
+template <typename Number>
+std::string allowed_text(const Number& /*any*/, const Parameter& about) {
+  if constexpr (std::is_same_v<Number, bool>) return "yes or no";
+  return text_of(about.range, unit_of(about.name));
+}
+
 std::string numbers_section() {
   Rows rows = table_with_books("number");
-  rows.front().insert(rows.front().end(), {"meaning", "source"});
+  rows.front().insert(rows.front().end(), {"value", "meaning", "source"});
   const RuleBook any;
-  RuleBook::visit(any, [&rows](const auto& /*number*/, const Parameter& about) {
+  RuleBook::visit(any, [&rows](const auto& number, const Parameter& about) {
     std::vector<std::string> row = {code_span(std::string(about.name))};
     for (std::string& value : numbers_called(about.name)) row.push_back(std::move(value));
+    row.push_back(allowed_text(number, about));
     row.emplace_back(about.about);
     row.emplace_back(about.source);
     rows.push_back(std::move(row));
   });
-  return "## Numbers\n\nThe numeric values in each rule book, as programs receive them in the "
-         "message "
-         "START ([team-programs.md](../team-programs.md)), which also has the edition and the "
-         "rules in force; 1 is yes, 0 is no. The source says where the first rule book's value "
-         "comes from, then what other texts say; \"2016\" is the authors' later public "
-         "referee.\n\n" +
+  return "## Numbers\n\nThe numeric values in each rule book. `match.rule.NAME` changes a number "
+         "for "
+         "a game ([rule-laboratory.md](../rule-laboratory.md)), except that `extra_half_s` and "
+         "`change_ends` are settings in `match`. Programs receive the numbers in the message START "
+         "([team-programs.md](../team-programs.md)), which also has the edition and the rules in "
+         "force. 1 is yes, 0 is no; settings use `true` and `false`. The source says where the "
+         "first rule book's value comes from, then what other texts say; \"2016\" is the authors' "
+         "later public referee.\n\n" +
          reference_table(rows);
 }
 

@@ -8,6 +8,7 @@
 #include "experiments/kinds/all_kinds.hpp"
 #include "experiments/kinds/scenario.hpp"
 #include "game/settings/fields.hpp"
+#include "soccer/rules/rule_changes.hpp"
 
 namespace autoref::app {
 namespace {
@@ -96,6 +97,7 @@ std::vector<std::pair<std::string, Rows>> branches_of(const std::vector<game::Se
   std::vector<std::pair<std::string, Rows>> branches;
   for (const game::Setting& setting : settings) {
     if (setting.path.starts_with("teams.b.")) continue;  // described as settings of team a
+    if (setting.path.starts_with(kRuleNumbers)) continue;
     const std::string path = shown_path(setting.path);
     const std::string branch(path.find('.') == std::string::npos ? "" : game::branch_of(path));
     auto found = std::find_if(branches.begin(), branches.end(),
@@ -125,9 +127,14 @@ std::vector<std::string> values_with(const std::string& path, const std::string&
   return values;
 }
 
+// The page of rules has their values in each rule book.
+bool is_on_rules_page(const game::Setting& setting) {
+  return setting.path.starts_with(kRuleSwitches) || setting.path.starts_with(kRuleNumbers);
+}
+
 bool is_shown_for_presets(const game::Setting& setting) {
   return !game::is_preset(setting) && !setting.path.starts_with("teams.b.") &&
-         !setting.path.starts_with("match.switch.");
+         !is_on_rules_page(setting);
 }
 
 // A table with a row for each key that depends on the preset and a column for each preset.
@@ -171,7 +178,9 @@ std::string settings_page() {
   for (const auto& [branch, rows] : branches_of(game::settings_of(game))) {
     page += fmt::format("## {}\n\n", heading_of(branch)) + reference_table(rows);
   }
-  page += "The page [Rules](rules.md) lists the rules in force in each rule book.\n\n";
+  page +=
+      "The page [Rules](rules.md) lists the rules in force in each rule book, and all keys of "
+      "`match.rule`, the numbers of the rule book.\n\n";
   for (const char* preset :
        {"match.rules", "sim.camera", "sim.ball.preset", "sim.kicker.preset", "sim.dribbler.preset"})
     page += preset_section(preset);

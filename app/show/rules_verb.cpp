@@ -5,11 +5,15 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "app/shared_options.hpp"
 #include "app/verbs.hpp"
+#include "game/settings/assignments.hpp"
+#include "game/settings/game_settings.hpp"
 #include "io/errors.hpp"
 #include "io/json.hpp"
 #include "io/terminal.hpp"
@@ -21,7 +25,9 @@ namespace autoref::app {
 namespace {
 
 struct RulesArguments {
-  std::string book;      // empty: list the rule books
+  std::string book;  // empty: list the rule books
+  std::vector<std::string> sets;
+  bool numbers = false;  // print the numbers instead of the rules
   bool machine = false;  // print the state machine as a graph instead
   bool json = false;
 };
@@ -29,6 +35,19 @@ struct RulesArguments {
 std::string threshold_text(const RuleBook& rules, const RuleEntry& entry) {
   if (entry.threshold == nullptr) return "";
   return fmt::format("{:g} {}", rules.*entry.threshold, entry.unit());
+}
+
+std::string heading_of(const RuleBook& rules, const std::vector<RuleChange>& changes) {
+  if (changes.empty()) return fmt::format("Rules in force in '{}':\n\n", rules.name);
+  return fmt::format("Rules in force in '{}', {}:\n\n", rules.name, text_of(changes));
+}
+
+// "0.05 m", "yes".
+template <typename Number>
+std::string value_text(const Number& number, const Parameter& about) {
+  if constexpr (std::is_same_v<Number, bool>) return number ? "yes" : "no";
+  const std::string_view unit = unit_of(about.name);
+  return fmt::format("{:g}{}{}", static_cast<double>(number), unit.empty() ? "" : " ", unit);
 }
 
 io::Json json_of(const RuleBook& rules, const RuleEntry& entry) {
@@ -41,34 +60,71 @@ io::Json json_of(const RuleBook& rules, const RuleEntry& entry) {
           {"about", entry.about}};
 }
 
-int rules_verb(const RulesArguments& arguments) {
-  if (arguments.machine) {
-    if (!arguments.book.empty() || arguments.json)
-      throw io::InputError({"--machine"}, "",
-                           "prints a graph that all rule books share: leave out BOOK and --json");
-    fmt::print("{}", referee::machine_graph());
-    return io::kDone;
-  }
-  if (arguments.book.empty()) {
-    fmt::print("{}", arguments.json ? books_json() : books_text());
-    return io::kDone;
-  }
-  const std::optional<RuleBook> rules = find_rule_book(arguments.book);
-  if (!rules) {
+// A game under the rule book of that name.
+game::GameSettings game_under(const std::string& book) {
+  if (!find_rule_book(book)) {
     const std::vector<std::string> known = rule_book_names();
-    const std::string nearest = io::suggestion(arguments.book, known);
+    const std::string nearest = io::suggestion(book, known);
     throw io::InputError({}, "",
-                         fmt::format("unknown rule book '{}'{} Known here: {}", arguments.book,
+                         fmt::format("unknown rule book '{}'{} Known here: {}", book,
                                      nearest.empty() ? "." : nearest, io::listed(known)));
   }
-  fmt::print("{}", arguments.json ? rules_json(*rules)
-                                  : io::text_of(rules_text(*rules), io::text_width(stdout)));
+  game::GameSettings game;
+  game::choose_rules(book, game);
+  return game;
+}
+
+// The other settings do not change rules.
+void refuse_others(const game::Assignments& assignments) {
+  for (const game::Assignment& assignment : assignments) {
+    const std::string& path = assignment.path;
+    if (path == "match.rules")
+      throw io::InputError({assignment.flag}, "", "give the rule book as the argument BOOK");
+    if (path.starts_with("match.") || path.starts_with("field.")) continue;
+    throw io::InputError(
+        {assignment.flag}, "",
+        "not a setting of the rules; expected one of the branches match and field");
+  }
+}
+
+int print_machine(const RulesArguments& arguments) {
+  if (!arguments.book.empty() || arguments.json || arguments.numbers || !arguments.sets.empty())
+    throw io::InputError({"--machine"}, "",
+                         "prints a graph that all rule books share: leave out BOOK and the other "
+                         "options");
+  fmt::print("{}", referee::machine_graph());
+  return io::kDone;
+}
+
+int print_books(const RulesArguments& arguments) {
+  if (arguments.numbers || !arguments.sets.empty())
+    throw io::InputError({"BOOK"}, "", "--numbers and --set need the name of a rule book");
+  fmt::print("{}", arguments.json ? books_json() : books_text());
+  return io::kDone;
+}
+
+int rules_verb(const RulesArguments& arguments) {
+  if (arguments.machine) return print_machine(arguments);
+  if (arguments.book.empty()) return print_books(arguments);
+  game::GameSettings game = game_under(arguments.book);
+  const game::Assignments assignments = game::assignments_in(arguments.sets);
+  refuse_others(assignments);
+  game::assign_all(assignments, game);
+  const RuleBook& rules = game.match.rules;
+  const std::vector<RuleChange> changes = rule_changes(rules, game.field);
+  if (arguments.json) {
+    fmt::print("{}", rules_json(rules, changes));
+  } else {
+    fmt::print("{}",
+               io::text_of(arguments.numbers ? numbers_text(rules) : rules_text(rules, changes),
+                           io::text_width(stdout)));
+  }
   return io::kDone;
 }
 
 }  // namespace
 
-io::TextBlocks rules_text(const RuleBook& rules) {
+io::TextBlocks rules_text(const RuleBook& rules, const std::vector<RuleChange>& changes) {
   std::vector<std::string_view> others;
   io::TextTable table{{},
                       {io::Align::kLeft, io::Align::kLeft, io::Align::kRight, io::Align::kLeft}};
@@ -80,15 +136,43 @@ io::TextBlocks rules_text(const RuleBook& rules) {
       others.push_back(entry.name);
     }
   }
-  return {fmt::format("Rules in force in '{}':\n\n", rules.name), std::move(table),
+  return {heading_of(rules, changes), std::move(table),
           fmt::format("\nNot in force (enable one with match.switch.NAME: true):\n{}\n",
                       fmt::join(others, ", "))};
 }
 
-std::string rules_json(const RuleBook& rules) {
+io::TextBlocks numbers_text(const RuleBook& rules) {
+  io::TextTable table{{},
+                      {io::Align::kLeft, io::Align::kRight, io::Align::kLeft, io::Align::kLeft}};
+  const std::optional<RuleBook> official = find_rule_book(rules.name);
+  RuleBook::visit(rules, [&](const auto& number, const Parameter& about) {
+    const std::string value = value_text(number, about);
+    std::string its;
+    RuleBook::visit(*official, [&](const auto& other, const Parameter& its_about) {
+      if (its_about.name == about.name) its = value_text(other, about);
+    });
+    table.rows.push_back({path_of_number(about.name), value,
+                          its == value ? "" : fmt::format("officially {}", its),
+                          std::string(about.about)});
+  });
+  return {fmt::format("Numbers of '{}':\n\n", rules.name), std::move(table)};
+}
+
+std::string rules_json(const RuleBook& rules, const std::vector<RuleChange>& changes) {
   io::Json entries = io::Json::array();
   for (const RuleEntry& entry : rule_table()) entries.push_back(json_of(rules, entry));
-  return io::json_text({{"name", rules.name}, {"rules", std::move(entries)}}) + "\n";
+  io::Json numbers;
+  RuleBook::visit(rules, [&numbers](const auto& number, const Parameter& about) {
+    numbers[std::string(about.name)] = number;
+  });
+  io::Json changed = io::Json::array();
+  for (const RuleChange& change : changes)
+    changed.push_back({{"setting", change.path}, {"text", change.text}});
+  return io::json_text({{"name", rules.name},
+                        {"rules", std::move(entries)},
+                        {"numbers", std::move(numbers)},
+                        {"changes", std::move(changed)}}) +
+         "\n";
 }
 
 std::string books_text() {
@@ -118,11 +202,15 @@ void add_rules_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb = app.add_subcommand("rules", "List the rule books, or the rules of one.");
   auto arguments = std::make_shared<RulesArguments>();
   verb->add_option("BOOK", arguments->book, "Name of a rule book. Default: list all rule books.");
+  add_set_option(*verb, arguments->sets);
+  verb->add_flag("--numbers", arguments->numbers,
+                 "Instead of the rules, list the numbers, each with its setting.");
   add_json_flag(*verb, arguments->json);
   verb->add_flag("--machine", arguments->machine,
                  "Instead, print the referee's state machine as a graph for Graphviz's `dot`.");
   verb->footer(
       "Examples:\n  autoref show rules 2014\n"
+      "  autoref show rules 2026-b --set match.rule.double_touch_m=0.15\n"
       "  autoref show rules --machine | dot -Tsvg > machine.svg");
   choose(*verb, chosen, arguments, rules_verb);
 }

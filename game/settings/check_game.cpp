@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 #include "game/settings/fields.hpp"
@@ -10,6 +11,7 @@
 #include "io/checksum.hpp"
 #include "io/words.hpp"
 #include "soccer/parameters.hpp"
+#include "soccer/rules/rule_changes.hpp"
 #include "strategies/registry.hpp"
 
 namespace autoref::game {
@@ -99,6 +101,23 @@ void check_world(const std::string& branch, const Part& part) {
   }
 }
 
+void check_rule_numbers(const GameSettings& game) {
+  try {
+    check_rules(game.match.rules, game.field);
+  } catch (const OutOfRange& error) {
+    throw SettingError(std::string(kRuleNumbers) + error.path(), error.text());
+  }
+}
+
+// The numbers of a rule book that differ from the official ones, by path. The others follow from
+// the book's name.
+std::set<std::string> changed_numbers(const GameSettings& game) {
+  std::set<std::string> paths;
+  for (RuleChange& change : rule_changes(game.match.rules, game.field))
+    if (change.path.starts_with(kRuleNumbers)) paths.insert(std::move(change.path));
+  return paths;
+}
+
 // The hash covers the values that types change, but not the types' names.
 bool is_given_by_changes(const Setting& setting) {
   return std::holds_alternative<TypeName>(setting.target) ||
@@ -183,6 +202,7 @@ void check_game(const GameSettings& game) {
   check_team(game, game.a, "teams.a");
   check_team(game, game.b, "teams.b");
   check_world("", game.field);
+  check_rule_numbers(game);
   check_world("sim.", game.sim);
   check_world("sim.", game.robot);
 }
@@ -190,10 +210,12 @@ void check_game(const GameSettings& game) {
 std::uint64_t configuration_hash(const GameSettings& game) {
   GameSettings copy = game;
   std::string text;
+  const std::set<std::string> changed = changed_numbers(game);
   // Hashes a canonical text, one line per setting, so the hash depends neither on memory layout nor
   // on how the settings were given.
   for (const Setting& setting : settings_of(copy)) {
     if (is_alias(setting) || is_given_by_changes(setting) || names_no_content(setting)) continue;
+    if (setting.path.starts_with(kRuleNumbers) && !changed.contains(setting.path)) continue;
     text += fmt::format("{}={}\n", setting.path, value_of(setting));
   }
   text += team_text(game, "teams.a", game.a) + team_text(game, "teams.b", game.b);

@@ -6,6 +6,7 @@
 #include "game/settings/mapping.hpp"
 #include "sim/presets.hpp"
 #include "soccer/rules/rule_book.hpp"
+#include "soccer/rules/rule_changes.hpp"
 #include "strategies/registry.hpp"
 
 namespace autoref::game {
@@ -85,27 +86,31 @@ void list_team(TeamSettings& team, const RobotTypes& types, Branch to) {
   to.add("params", &team.params, {-1e9, 1e9}, "parameters of the strategy, by name");
 }
 
-// Lists the numeric values in a rule book that are settings of a match.
-void list_rules(RuleBook& rules, Branch to) {
-  for (const std::string_view name : {"extra_half_s", "change_ends"}) {
-    RuleBook::visit(rules, [name, &to](auto& value, const Parameter& about) {
-      if (about.name == name) to.parameter(value, about);
-    });
-  }
+// Lists the numbers of a rule book whose settings are directly in `branch`.
+void list_rule_numbers(RuleBook& rules, std::string_view branch, std::vector<Setting>& list) {
+  RuleBook::visit(rules, [&](auto& value, const Parameter& about) {
+    const std::string path = path_of_number(about.name);
+    if (path.size() == branch.size() + about.name.size() && path.starts_with(branch))
+      list.push_back(setting_of(path, value, about));
+  });
 }
 
-void list_match(GameSettings& game, Branch to) {
+constexpr std::string_view kMatch = "match.";
+
+void list_match(GameSettings& game, std::vector<Setting>& list) {
+  Branch to(list, std::string(kMatch));
   to.word("rules", RulesChoice{&game}, rule_book_names(),
-          "rule book; also sets switch, half_s, extra_half_s, change_ends, field, robots, kickers, "
-          "dribblers and latency_error_s");
-  referee::Match::visit(game.match, [&to](auto& value, const Parameter& about) {
+          "rule book; also sets rule, switch, half_s, extra_half_s, change_ends, field, robots, "
+          "kickers, dribblers and latency_error_s");
+  referee::Match::visit(game.match, [&](auto& value, const Parameter& about) {
     if constexpr (std::is_same_v<std::remove_reference_t<decltype(value)>, RuleBook>) {
-      list_rules(value, to);
+      list_rule_numbers(value, kMatch, list);
     } else {
       to.parameter(value, about);
     }
   });
-  Branch switches = to.below("switch");
+  list_rule_numbers(game.match.rules, kRuleNumbers, list);
+  Branch switches(list, std::string(kRuleSwitches));
   for (const RuleEntry& entry : rule_table())
     switches.parameter(game.match.rules.in_force[entry.rule], {entry.name, entry.about});
 }
@@ -147,7 +152,7 @@ std::vector<Setting> settings_of(GameSettings& game) {
   list_types(game.types, Branch(list, ""));
   list_team(game.a, game.types, Branch(list, "teams.a."));
   list_team(game.b, game.types, Branch(list, "teams.b."));
-  list_match(game, Branch(list, "match."));
+  list_match(game, list);
   Branch(list, "field.").parameters(game.field);
   list_world(game, list);
   Branch(list, "").parameter(game.seed, {"seed", {0, 0x1p64}, "the game's random seed"});

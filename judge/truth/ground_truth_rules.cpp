@@ -52,9 +52,10 @@ void WorstRobot::consider(RobotId id, const sim::RobotState& state, double its_e
 
 bool TeamFoul::watch(const TrueFrame& frame, Side side, const WorstRobot& worst, TrueEvents& all) {
   const bool is_near = worst.robot && worst.excess > -margin_;
-  if (!is_near || !has_passed(frame, raised_s_[side], kTeamGrace_s)) return false;
+  const double grace_s = frame.rules.*grace_s_;
+  if (!is_near || !has_passed(frame, raised_s_[side], grace_s)) return false;
   const bool is_foul = worst.excess > 0;
-  if (!is_foul && !has_passed(frame, nearly_s_[side], kTeamGrace_s)) return false;
+  if (!is_foul && !has_passed(frame, nearly_s_[side], grace_s)) return false;
   nearly_s_[side] = frame.time_s;
   if (is_foul) raised_s_[side] = frame.time_s;
   add_measured(all, {name_, frame.time_s, side, worst.robot, worst.position_m}, worst.excess,

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "judge/truth/true_frame.hpp"
-#include "soccer/units.hpp"
 
 namespace autoref::judge::ground_truth {
 
@@ -18,9 +17,6 @@ namespace autoref::judge::ground_truth {
 
 // The ground-truth rules for this rule book.
 std::vector<std::unique_ptr<GroundTruthRule>> ground_truth_rules_of(const RuleBook& rules);
-
-// 2026 rules, "Offenses": a team's grace period before the same foul is raised again.
-inline constexpr double kTeamGrace_s = 2_s;
 
 // Whether `duration_s` has passed since `since_s`, with a tolerance of half a frame because time is
 // quantised to frames.
@@ -36,14 +32,16 @@ struct WorstRobot {
 };
 
 // A foul of the 2026 rules that is counted per team, whichever of its robots commits it. Several
-// offending robots of a team within the grace period count as a single foul. After the grace
-// period, the foul is raised again as soon as the team commits it again, or immediately if the team
-// still commits it.
+// offending robots of a team within the grace period (2026 rules, "Offenses") count as a single
+// foul. After the grace period, the foul is raised again as soon as the team commits it again, or
+// immediately if the team still commits it.
 class TeamFoul {
  public:
   // `margin`: distance to the threshold within which the rules leave a foul open to interpretation,
-  // in the threshold's unit.
-  TeamFoul(std::string_view name, double margin) : name_(name), margin_(margin) {}
+  // in the threshold's unit. `grace_s` is the rule book's grace period.
+  TeamFoul(std::string_view name, double margin,
+           double RuleBook::*grace_s = &RuleBook::foul_repeat_s)
+      : name_(name), margin_(margin), grace_s_(grace_s) {}
 
   // Call in every frame in which the rule applies. Returns whether the foul is raised in this
   // frame.
@@ -54,6 +52,7 @@ class TeamFoul {
  private:
   std::string_view name_;
   double margin_;
+  double RuleBook::*grace_s_;
   PerSide<double> raised_s_{{-1e9, -1e9}};
   PerSide<double> nearly_s_{{-1e9, -1e9}};  // time of the latest foul or near miss
 };

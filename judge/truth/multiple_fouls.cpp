@@ -65,7 +65,8 @@ class MultipleFouls final : public GroundTruthRule {
   }
 
   void count(const TrueFrame& frame, Side side, TrueEvents& all) {
-    if (++fouls_[side] < frame.rules.fouls_per_card) return;
+    const int due = frame.rules.fouls_per_card;
+    if (due == 0 || ++fouls_[side] < due) return;
     fouls_[side] = 0;
     due_s_[side] = frame.time_s;
     const std::string_view card = is_last_straw(frame, side) ? "multiple_cards" : "multiple_fouls";

@@ -8,8 +8,6 @@ namespace {
 
 // The ball's radius: the rules leave open whether distances end at its centre or its surface.
 constexpr double kRestartMargin_m = 25_mm;
-// Play is halted at a team's second such foul in the same stop or free kick.
-constexpr int kMostNearArea = 2;
 
 // 2026 rules, "Attacker Too Close To Defense Area": during stop, and during free kicks until the
 // ball is in play. A team's grace period starts with the stop, however late a robot arrives, and
@@ -24,7 +22,7 @@ class AttackersNearArea final : public GroundTruthRule {
     if (play.is_stop && awaits_kickoff(frame.signal)) return;
     if (play.stop_count != stop_) begin(play);
     for (const Side side : kSides) {
-      if (fouls_[side] == kMostNearArea) continue;
+      if (fouls_[side] == frame.rules.attacker_fouls) continue;
       if (near_.watch(frame, side, nearest(frame, side), all)) ++fouls_[side];
     }
   }
@@ -51,7 +49,7 @@ class AttackersNearArea final : public GroundTruthRule {
 
   int stop_ = -1;
   PerSide<int> fouls_;  // number of fouls in this stop and the following free kick
-  TeamFoul near_{"attacker_stays_near_area", kRestartMargin_m};
+  TeamFoul near_{"attacker_stays_near_area", kRestartMargin_m, &RuleBook::attacker_grace_s};
 };
 
 // 2026 rules, "Defender Too Close To Kick Point": during the opponents' kick-off or free kick,

@@ -10,14 +10,15 @@
 namespace autoref::judge::ground_truth {
 namespace {
 
-// Decides when a non-stopping violation of the 2026 rules is raised: when it starts, and every 2 s
-// while it lasts. After it has ended, the next one counts immediately.
+// Decides when a non-stopping violation of the 2026 rules is raised: when it starts, and every
+// `foul_repeat_s` while it lasts. After it has ended, the next one counts immediately.
 class NonStopping {
  public:
   // Call in each frame in which a robot commits the violation. Returns whether it is raised.
   bool is_raised(const TrueFrame& frame, RobotId id) {
     const auto known = raised_s_.find(id);
-    if (known != raised_s_.end() && !has_passed(frame, known->second, kRaisedAgain_s)) return false;
+    if (known != raised_s_.end() && !has_passed(frame, known->second, frame.rules.foul_repeat_s))
+      return false;
     raised_s_[id] = frame.time_s;
     return true;
   }
@@ -27,8 +28,6 @@ class NonStopping {
   void clear() { raised_s_.clear(); }
 
  private:
-  // 2026 rules, "Non-Stopping Fouls".
-  static constexpr double kRaisedAgain_s = 2_s;
   std::map<RobotId, double> raised_s_;
 };
 

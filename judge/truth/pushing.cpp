@@ -9,8 +9,6 @@ namespace autoref::judge::ground_truth {
 namespace {
 
 constexpr double kPushMargin_m = 20_mm;
-// A robot that was moving away from the pusher faster than this was not pushed.
-constexpr double kOwnSpeed_mps = 0.1_mps;
 constexpr double kOwnMargin_mps = 0.1_mps;
 
 // Two opponents in contact, with the time and their positions when the contact began. The first
@@ -83,12 +81,13 @@ class Pushing final : public GroundTruthRule {
     const double own_mps =
         west_pushes ? contact.east_mps.dot(east_of) : -contact.west_mps.dot(east_of);
     const double excess_m = std::max(path_m, back_m) - frame.rules.pushing_m;
-    if (own_mps > kOwnSpeed_mps + kOwnMargin_mps || excess_m <= -kPushMargin_m) return;
+    const double most_mps = frame.rules.pushing_own_mps;
+    if (own_mps > most_mps + kOwnMargin_mps || excess_m <= -kPushMargin_m) return;
     contact.is_reported = excess_m > 0;
     const RobotId pusher = west_pushes ? contact.west : contact.east;
     const TrueEvent push{"bot_pushed_bot", frame.time_s, pusher.side, pusher,
                          Vec2((a.position_m + b.position_m) / 2.0)};
-    const bool is_own_motion = own_mps > kOwnSpeed_mps;
+    const bool is_own_motion = own_mps > most_mps;
     add_measured(all, push, is_own_motion ? -kPushMargin_m / 2 : excess_m, kPushMargin_m);
   }
 

@@ -4,13 +4,9 @@
 #include <vector>
 
 #include "judge/truth/ground_truth_rules.hpp"
-#include "soccer/units.hpp"
 
 namespace autoref::judge::ground_truth {
 namespace {
-
-// 2026 rules, "Number Of Robots": grace period when play is started with too many robots.
-constexpr double kStartGrace_s = 2_s;
 
 // Laws of 2014: reports a surplus once it has lasted for `too_many_s`.
 class TooManyRobots final : public GroundTruthRule {
@@ -57,8 +53,8 @@ class TooManyRobots2026 final : public GroundTruthRule {
 
   bool has_grace(const TrueFrame& frame, Side side) const {
     const bool has_just_started =
-        frame.play.is_on && !has_passed(frame, frame.play.began_s, kStartGrace_s);
-    return has_just_started || !has_passed(frame, raised_s_[side], kTeamGrace_s);
+        frame.play.is_on && !has_passed(frame, frame.play.began_s, frame.rules.too_many_start_s);
+    return has_just_started || !has_passed(frame, raised_s_[side], frame.rules.foul_repeat_s);
   }
 
   // The maximum number allowed during the grace periods of the side's cards.

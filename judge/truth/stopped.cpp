@@ -100,7 +100,6 @@ class ConditionTimer {
 constexpr double kStopMargin_m = 25_mm;
 constexpr double kStopMargin_mps = 0.1_mps;
 constexpr double kTooFastFor_s = 0.1;
-constexpr double kBallAtTargetFor_s = 2_s;
 
 class StopSpeed final : public GroundTruthRule {
  public:
@@ -126,7 +125,7 @@ class StopDistance final : public GroundTruthRule {
       return;
     }
     if (!since_s_) since_s_ = frame.time_s;
-    if (frame.time_s - *since_s_ >= kBallAtTargetFor_s - frame.frame_s / 2) {
+    if (frame.time_s - *since_s_ >= frame.rules.stop_distance_grace_s - frame.frame_s / 2) {
       for_each_robot(frame.now, [&](RobotId id, const sim::RobotState& robot) {
         const double gap_m = hull_to_ball_m(robot, frame.now.ball);
         near_.watch(frame, id, robot, frame.rules.opponents_to_ball_m - gap_m, 0.0, all);

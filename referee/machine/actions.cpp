@@ -14,9 +14,6 @@ constexpr Command kStop{CommandKind::kStop, Side::kWest};
 constexpr Command kHalt{CommandKind::kHalt, Side::kWest};
 constexpr Command kNormalStart{CommandKind::kNormalStart, Side::kWest};
 
-// Robots stop within 2 s of a HALT (2026, Halt).
-constexpr double kHaltLasts_s = 2;
-
 Command kickoff_of(Side side) { return {CommandKind::kPrepareKickoff, side}; }
 
 void start_clock(RefereeState& state, const RefereeInput& input) {
@@ -176,7 +173,7 @@ void halt_for_foul(RefereeState& state, const RefereeInput& input, const Finding
   end_play(state);
   give_restart(state, input, finding);
   send(state, input, kHalt);
-  state.delay_ends_s = input.time_s() + kHaltLasts_s;
+  state.delay_ends_s = input.time_s() + input.configuration.rules.halt_s;
 }
 
 void show_card(RefereeState& state, const RefereeInput& input, const Finding& finding) {

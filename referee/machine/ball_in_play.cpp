@@ -10,8 +10,6 @@ void mark_position(PlayState& play, const RefereeInput& input) {
   play.stuck_since_s = input.time_s();
 }
 
-constexpr int kMostRetakes = 3;
-
 bool is_taken_again(Event event) {
   return event == Event::kDefenderTooCloseToKickPoint || event == Event::kKickoffPositions ||
          event == Event::kPenaltyPositions;
@@ -52,11 +50,16 @@ void watch_play(PlayState& play, const RefereeInput& input) {
     play.ball_from_m = input.ball->position_m;
     mark_position(play, input);
   }
-  if (!play.in_play && (input.ball->position_m - *play.ball_from_m).norm() > rules.in_play_m) {
+  const double moved_m = (input.ball->position_m - *play.ball_from_m).norm();
+  if (!play.in_play && moved_m > rules.in_play_m) {
     play.in_play = true;
     play.entered_now = true;
     play.in_play_since_s = input.time_s();
     mark_position(play, input);
+  }
+  if (play.in_play && !play.kick_ended_s && moved_m > rules.double_touch_m &&
+      has_passed(play.in_play_since_s, rules.double_touch_s, input.time_s())) {
+    play.kick_ended_s = input.time_s();
   }
   // The reference position moves only when the ball is `stuck_distance_m` away from this position,
   // so neither noise nor rolling to and fro restarts the timer.
@@ -81,7 +84,9 @@ bool is_straight_from_restart(const PlayState& play) {
   return touch == nullptr || !touch->side || touch->side == play.kicker;
 }
 
-bool may_be_taken_again(const RefereeState& state) { return state.retakes.count < kMostRetakes; }
+bool may_be_taken_again(const RefereeState& state, const RuleBook& rules) {
+  return state.retakes.count < rules.retakes;
+}
 
 void take_again(Finding& finding, const PlayState& play) {
   finding.restart = play.restart;

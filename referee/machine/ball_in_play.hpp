@@ -35,9 +35,8 @@ bool is_straight_from_restart(const PlayState& play);
 // Restarts that are retaken because their own rules were broken: opponents too near, robots in the
 // wrong half, robots out of position at a penalty kick (Laws 8, 13 and 14).
 
-// Whether the current restart can be retaken. AutoRef's own limit is three retakes, so that a team
-// that always breaks the rules cannot hang a game. After that, play continues.
-bool may_be_taken_again(const RefereeState& state);
+// Whether the current restart can be retaken (RuleBook::retakes). If not, play continues.
+bool may_be_taken_again(const RefereeState& state, const RuleBook& rules);
 
 // Makes the finding's restart a retake of the current restart, from the same position.
 void take_again(Finding& finding, const PlayState& play);

@@ -13,16 +13,6 @@
 namespace autoref::referee {
 namespace {
 
-// Our choice: the teams see STOP before they are ordered to place the ball.
-constexpr double kOrderAfter_s = 1_s;
-// Our choice: a ball that rolls near its target may come to rest there within this time.
-constexpr double kRollsOn_s = 3_s;
-// Our choice: a ball that has rested out of the robots' reach for this time is placed by hand.
-constexpr double kGiveUp_s = 2_s;
-// Our choice: robots cannot reach a ball that is nearer to both walls of a corner, or to a goal's
-// side.
-constexpr double kCorner_m = 150_mm;
-
 // The referee draws no random numbers; the parity of the number of commands sent so far serves as
 // the lot.
 Side drawn_side(const RefereeState& state) {
@@ -70,11 +60,14 @@ bool is_near_enough(const RefereeState& state, const RefereeInput& input) {
 }
 
 // "The ball ... must not be inside a field corner, a goal corner or behind the goal."
-bool is_out_of_reach(const Field& field, const Vec2& ball_m) {
+bool is_out_of_reach(const RefereeInput& input) {
+  const Field& field = input.configuration.field;
+  const Vec2& ball_m = input.ball->position_m;
+  const double corner_m = input.configuration.rules.placement_corner_m;
   const Vec2 to_wall_m(field.wall_x_m() - std::abs(ball_m.x()),
                        field.wall_y_m() - std::abs(ball_m.y()));
-  const bool is_in_corner = to_wall_m.x() < kCorner_m && to_wall_m.y() < kCorner_m;
-  const double flank_m = field.half_goal_m() + field.goal_wall_thickness_m + kCorner_m;
+  const bool is_in_corner = to_wall_m.x() < corner_m && to_wall_m.y() < corner_m;
+  const double flank_m = field.half_goal_m() + field.goal_wall_thickness_m + corner_m;
   const bool is_at_goal =
       std::abs(ball_m.x()) > field.half_length_m() && std::abs(ball_m.y()) < flank_m;
   return is_in_corner || is_at_goal;
@@ -82,15 +75,16 @@ bool is_out_of_reach(const Field& field, const Vec2& ball_m) {
 
 PlacementStep next_step(const RefereeState& state, const RefereeInput& input) {
   const TeamPlacement& placing = state.placing;
+  const RuleBook& rules = input.configuration.rules;
   const bool rests = is_at_rest(placing, input);
   const double stopped_s = state.signal.command_time_s;
   if (is_near_enough(state, input)) {
     if (rests) return PlacementStep::kStays;
-    if (!has_passed(stopped_s, kRollsOn_s, input.time_s())) return PlacementStep::kUndecided;
+    if (!has_passed(stopped_s, rules.placement_rolling_s, input.time_s()))
+      return PlacementStep::kUndecided;
   }
-  if (!may_place(state, input.configuration.rules, placing.side)) return PlacementStep::kByHand;
-  if (!is_out_of_reach(input.configuration.field, input.ball->position_m))
-    return PlacementStep::kByTeam;
+  if (!may_place(state, rules, placing.side)) return PlacementStep::kByHand;
+  if (!is_out_of_reach(input)) return PlacementStep::kByTeam;
   return rests ? PlacementStep::kByHand : PlacementStep::kUndecided;
 }
 
@@ -152,9 +146,9 @@ Finding step_of(const RefereeState& state, const RefereeInput& input) {
 
 // Whether the ball has come to rest where robots cannot reach it.
 bool is_lost(const RefereeState& state, const RefereeInput& input) {
-  return is_out_of_reach(input.configuration.field, input.ball->position_m) &&
-         has_passed(std::max(state.placing.still_since_s, state.signal.command_time_s), kGiveUp_s,
-                    input.time_s());
+  const double since_s = std::max(state.placing.still_since_s, state.signal.command_time_s);
+  return is_out_of_reach(input) &&
+         has_passed(since_s, input.configuration.rules.placement_lost_s, input.time_s());
 }
 
 // Orders the team to place the ball.
@@ -302,7 +296,9 @@ bool is_placement_due(const RefereeState& state) {
 std::optional<Finding> find_placement_step(RefereeState& state, const RefereeInput& input) {
   if (!input.ball) return std::nullopt;
   watch_rest(state.placing, input);
-  if (!has_passed(state.signal.command_time_s, kOrderAfter_s, input.time_s())) return std::nullopt;
+  if (!has_passed(state.signal.command_time_s, input.configuration.rules.placement_order_s,
+                  input.time_s()))
+    return std::nullopt;
   state.placing.step = next_step(state, input);
   if (state.placing.step == PlacementStep::kUndecided) return std::nullopt;
   return step_of(state, input);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 namespace autoref::referee {
 namespace {
@@ -23,14 +22,6 @@ void show(RefereeState& state, const RefereeInput& input, Side side, Card card) 
   ++state.signal.yellow_cards[side];
   if (cards.yellow_ends_s.size() == cards.yellow_ends_s.capacity()) return;
   cards.yellow_ends_s.push_back(state.play_clock.at_s(input.time_s()) + rules.card_s);
-}
-
-// "1st", "2nd", "3rd", "4th" ... "11th".
-std::string ordinal(int number) {
-  constexpr std::array kEndings = {"th", "st", "nd", "rd"};
-  const bool is_teen = number % 100 / 10 == 1;
-  const int last = is_teen ? 0 : number % 10;
-  return fmt::format("{}{}", number, kEndings[last < 4 ? static_cast<std::size_t>(last) : 0]);
 }
 
 std::string offence_text(const Finding& finding, const RuleBook& rules) {

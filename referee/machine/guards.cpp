@@ -112,8 +112,9 @@ bool fouls_stop_play(const RefereeState& /*state*/, const RefereeInput& input) {
   return input.configuration.rules.fouls_stop_play;
 }
 
-bool is_second_near_area(const RefereeState& state, const RefereeInput& /*input*/) {
-  return state.watch.attacker_too_close_to_defense_area.is_second();
+bool is_second_near_area(const RefereeState& state, const RefereeInput& input) {
+  return state.watch.attacker_too_close_to_defense_area.has_team_with(
+      input.configuration.rules.attacker_fouls);
 }
 
 bool fouls_decide_penalty(const RefereeState& state, const RefereeInput& input) {

@@ -35,8 +35,10 @@ struct PlayState {
   bool in_play = false;             // the ball has moved, or need not move for this restart
   bool entered_now = false;         // the ball entered play in this frame
   double in_play_since_s = 0;       // meaningless until the ball is in play
-  TouchHistory touches;             // touches since play began
-  Vec2 stuck_at_m{0, 0};            // the ball has stayed near this position since `stuck_since_s`
+  // When the kick that took the restart was over: later touches by the kicker are double touches.
+  std::optional<double> kick_ended_s;
+  TouchHistory touches;   // touches since play began
+  Vec2 stuck_at_m{0, 0};  // the ball has stayed near this position since `stuck_since_s`
   double stuck_since_s = 0;
   // Only at penalty kicks: how far the ball has got towards the goal, and the sides that have
   // committed a foul that can decide the kick.

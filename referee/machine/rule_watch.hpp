@@ -171,7 +171,10 @@ struct AttackerNearAreaWatch {
   PerSide<std::optional<double>> grace_from_s;
   PerSide<int> fouls;
 
-  bool is_second() const { return fouls[Side::kWest] > 1 || fouls[Side::kEast] > 1; }
+  // Whether a team has committed at least `count` fouls.
+  bool has_team_with(int count) const {
+    return fouls[Side::kWest] >= count || fouls[Side::kEast] >= count;
+  }
 };
 
 struct RestartDistanceWatch {

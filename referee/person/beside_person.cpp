@@ -13,8 +13,7 @@
 namespace autoref::referee {
 namespace {
 
-constexpr double kSlowDown_s = 2_s;  // 2026: robots have 2 s to slow down after a STOP
-constexpr double kGoesOn_s = 1_s;    // our choice
+constexpr double kGoesOn_s = 1_s;  // our choice
 // Longest wait for the person's answer to a call; our choice.
 constexpr double kLongestWait_s = 15_s;
 constexpr double kCalledFor_s = 1_s;             // our choice: after this time, the event is a new
@@ -83,7 +82,8 @@ std::optional<Finding> BesidePerson::find_before_rules(const RefereeInput& input
   // Since there was no signal, play was still on when the ball left the field.
   const bool has_left = !is_exit_called_ && is_ball_out(input);
   const bool goes_on =
-      has_left || (has_passed(called_s, kSlowDown_s, now_s) && visibly_goes_on(now_s));
+      has_left || (has_passed(called_s, input.configuration.rules.stop_grace_s, now_s) &&
+                   visibly_goes_on(now_s));
   if (!goes_on && !has_passed(called_s, kLongestWait_s, now_s)) return std::nullopt;
   Finding finding;
   finding.event = Event::kOverruled;

@@ -1,7 +1,8 @@
-// The kicker of a restart must not touch the ball again, once it is in play, before another robot
-// has touched it (Laws 2014, laws 8 and 13 to 17; 2026, Double Touch). "Again" means after ball and
-// robot have separated, so several contacts during the kick count as one touch. A touch by an
-// unknown robot may have been made by another robot, so it is not penalised.
+// The kicker of a restart must not touch the ball again, once the kick is over, before another
+// robot has touched it (Laws 2014, laws 8 and 13 to 17; 2026, Double Touch). The kick is over when
+// the ball is in play and has moved RuleBook::double_touch_m. "Again" means after ball and robot
+// have separated, so several contacts during the kick count as one touch. A touch by an unknown
+// robot may have been made by another robot, so it is not penalised.
 #include <fmt/format.h>
 
 #include "referee/machine/ball_in_play.hpp"
@@ -17,20 +18,21 @@ bool stays_in_contact(const PlayState& play, const RefereeInput& input) {
   const BallTouch* touch = play.touches.newest();
   if (play.touches.count() != 1 || !touch->robot) return false;
   const double carried_m = (touch->ended_m - *play.ball_from_m).norm();
-  return touch->began_s <= play.in_play_since_s && touch->ended_s > play.in_play_since_s &&
-         carried_m > input.configuration.rules.in_play_m + 3 * input.configuration.noise.ball_m;
+  return touch->began_s <= *play.kick_ended_s && touch->ended_s > *play.kick_ended_s &&
+         carried_m >
+             input.configuration.rules.double_touch_m + 3 * input.configuration.noise.ball_m;
 }
 
 bool touches_again(const PlayState& play, const RefereeInput& input) {
   if (play.touches.count() < 2) return false;
   const BallTouch& again = *play.touches.newest();
-  return again.began_s > play.in_play_since_s && is_settled(again, input.time_s());
+  return again.began_s > *play.kick_ended_s && is_settled(again, input.time_s());
 }
 
 std::optional<Finding> find_attacker_double_touched_ball(RefereeState& state,
                                                          const RefereeInput& input) {
   const PlayState& play = state.play;
-  if (!play.in_play || !is_straight_from_restart(play)) return std::nullopt;
+  if (!play.kick_ended_s || !is_straight_from_restart(play)) return std::nullopt;
   // The rule of 2026 applies "following a kick-off or free kick". At penalty kicks, the rule
   // applies only under the Laws.
   const bool is_2026 = input.configuration.rules.edition == Edition::kRules2026;

@@ -70,17 +70,18 @@ void follow(PushContact& contact, const TrackedRobot& west, const TrackedRobot& 
   if (!was_seen_to_begin) contact.before_mps = {{west.velocity_mps, east.velocity_mps}};
 }
 
-// How far `side`'s robot has pushed the other one back, if that is farther than `limit_m`.
+// How far `side`'s robot has pushed the other one back, if that is farther than allowed.
 std::optional<Push> push_by(Side side, PushContact& contact, const TrackedRobot& pusher,
-                            const TrackedRobot& pushed, double limit_m) {
+                            const TrackedRobot& pushed, const RuleBook& rules) {
   const Side other = opponent_of(side);
   const Vec2 line = direction_of(pushed.position_m - pusher.position_m, Vec2(1, 0));
   // Uses the shorter of the two paths, because a push moves both robots along the line of their
   // centres.
   const double path_m = std::min((pusher.position_m - contact.from_m[side]).dot(line),
                                  (pushed.position_m - contact.from_m[other]).dot(line));
-  if (!(path_m > limit_m)) return std::nullopt;
-  if (contact.before_mps[other].dot(line) > kOwnSpeed_mps) contact.drove_itself[other] = true;
+  if (!(path_m > rules.pushing_m)) return std::nullopt;
+  if (contact.before_mps[other].dot(line) > rules.pushing_own_mps)
+    contact.drove_itself[other] = true;
   if (contact.drove_itself[other]) return std::nullopt;
   return Push{{side, pusher.number},
               {other, pushed.number},
@@ -147,8 +148,8 @@ std::optional<Push> watch_robots(PushingWatch& watch, const RefereeInput& input)
              distance_m > kRobotRadius_m &&
                  are_in_contact(west, east, watch.with_ball, rules.edition));
       if (!contact->are_in_contact) continue;
-      longest.take_in(push_by(Side::kWest, *contact, west, east, rules.pushing_m));
-      longest.take_in(push_by(Side::kEast, *contact, east, west, rules.pushing_m));
+      longest.take_in(push_by(Side::kWest, *contact, west, east, rules));
+      longest.take_in(push_by(Side::kEast, *contact, east, west, rules));
     }
   }
   const auto is_over = [](const PushContact& contact) { return !contact.is_near; };

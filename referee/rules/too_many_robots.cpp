@@ -28,8 +28,6 @@ bool reaches_field(const Field& field, const Vec2& position_m) {
 // Vision sometimes detects robots that are not there, but not for as long as this. A robot that
 // vision no longer sees is still tracked for half a second.
 constexpr double kPatternLasts_s = 1_s;
-// Time to remove surplus robots after a start without a card (2026).
-constexpr double kAfterStart_s = 2_s;
 
 bool is_at_fault(RefereeState& state, const RefereeInput& input, Side side) {
   CardBook& cards = state.cards[side];
@@ -44,7 +42,7 @@ bool is_at_fault(RefereeState& state, const RefereeInput& input, Side side) {
   if (cards.fewer_since_s)
     return has_passed(*cards.fewer_since_s, rules.too_many_s, input.time_s());
   return rules.edition == Edition::kRules2026 && state.machine_state == State::kRun &&
-         has_passed(state.play.began_s, kAfterStart_s, input.time_s());
+         has_passed(state.play.began_s, rules.too_many_start_s, input.time_s());
 }
 
 Finding fault_of(const PerSide<bool>& sides, const RefereeInput& input) {

@@ -9,8 +9,8 @@
 // 2026, Attacker Too Close To Defense Area: during stop and free kicks, robots keep 0.2 m away from
 // the opponents' defence area. They have 2 s to leave after the start of the stop. After that, a
 // violation gives the opponents a free kick, and the team has another 2 s to leave. The team's
-// second foul in the same stop or free kick halts the game. A free kick belongs to the stop before
-// it until the ball is in play.
+// second foul (RuleBook::attacker_fouls) in the same stop or free kick halts the game. A free kick
+// belongs to the stop before it until the ball is in play.
 #include <fmt/format.h>
 #include <algorithm>
 
@@ -95,10 +95,10 @@ std::optional<Offence> overdue(Side side, AttackerNearAreaWatch& watch, const Re
 
 void add(Finding& finding, const Offence& offence, int fouls) {
   finding.robots.push_back(offence.robot);
-  finding.evidence += fmt::format("{}The hull of {} is {} the opponents' area{}.",
-                                  finding.evidence.empty() ? "" : " ", text_of(offence.robot),
-                                  gap_text(offence.distance_m),
-                                  fouls > 1 ? ", the team's second such foul in this stop" : "");
+  finding.evidence += fmt::format(
+      "{}The hull of {} is {} the opponents' area{}.", finding.evidence.empty() ? "" : " ",
+      text_of(offence.robot), gap_text(offence.distance_m),
+      fouls > 1 ? fmt::format(", the team's {} such foul in this stop", ordinal(fouls)) : "");
 }
 
 // A free kick for the opponents from the ball's position. If both sides foul, the restart does not

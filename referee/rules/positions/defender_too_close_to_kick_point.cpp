@@ -66,7 +66,9 @@ std::optional<Finding> find_when_taken(RefereeState& state, const RefereeInput& 
     before = too_near(opponent_of(*state.play.kicker), state.play, input);
     return std::nullopt;
   }
-  if (!state.play.entered_now || !before.any() || !may_be_taken_again(state)) return std::nullopt;
+  if (!state.play.entered_now || !before.any() ||
+      !may_be_taken_again(state, input.configuration.rules))
+    return std::nullopt;
   return taken_again(before, state, input);
 }
 

@@ -77,7 +77,8 @@ std::optional<Finding> find_kickoff_positions(RefereeState& state, const Referee
     return std::nullopt;
   }
   const bool any = before[Side::kWest].any() || before[Side::kEast].any();
-  if (!play.entered_now || !any || !may_be_taken_again(state)) return std::nullopt;
+  if (!play.entered_now || !any || !may_be_taken_again(state, input.configuration.rules))
+    return std::nullopt;
   return taken_again(before, state, input);
 }
 

@@ -152,7 +152,8 @@ std::optional<Finding> check(RefereeState& state, const RefereeInput& input) {
   const PerSide<bool> at_fault = sides_at_fault(state);
   const Side side = is_goal ? attacker : opponent_of(attacker);
   const bool both = at_fault[Side::kWest] && at_fault[Side::kEast];
-  if (!(at_fault[side] || both) || !may_be_taken_again(state)) return std::nullopt;
+  if (!(at_fault[side] || both) || !may_be_taken_again(state, input.configuration.rules))
+    return std::nullopt;
   Finding finding = breach_of(state, input, side, both);
   take_again(finding, state.play);
   finding.evidence += fmt::format("and the outcome is {}.", is_goal ? "a goal" : "no goal");

@@ -1,6 +1,6 @@
 // While play is stopped, every robot must keep 500 mm away from the ball (Laws 9). This is judged
-// once the ball has been at its position for 2 s, because robots cannot know where it will be
-// placed. Each robot is called once per stop.
+// once the ball has been at its position for a while (RuleBook::stop_distance_grace_s), because
+// robots cannot know where it will be placed. Each robot is called once per stop.
 #include <fmt/format.h>
 
 #include "referee/geometry/hull.hpp"
@@ -10,13 +10,13 @@
 namespace autoref::referee {
 namespace {
 
-constexpr double kBallAtTargetFor_s = 2_s;
 constexpr double kAtOnce_s = 0;
 
 bool is_judged(const RefereeState& state, const RefereeInput& input) {
   return state.signal.command.kind == CommandKind::kStop && input.tracks.ball &&
          state.ball_in_position_since_s &&
-         has_passed(*state.ball_in_position_since_s, kBallAtTargetFor_s, input.time_s());
+         has_passed(*state.ball_in_position_since_s,
+                    input.configuration.rules.stop_distance_grace_s, input.time_s());
 }
 
 // The distance to the ball's centre, as at restarts.

@@ -40,6 +40,28 @@ TEST(TrueDoubleTouch, IncludesContactThatLastsBeyondFiftyMillimetres) {
   }
 }
 
+TEST(TrueDoubleTouch, FollowsTheNumbersOfTheBook) {
+  RuleBook rules = book("2026-b");
+  rules.double_touch_m = 0.15;
+  StagedGame longer(rules);
+  const double from_x_m = lay_ball(longer, {0, 0});
+  longer.command(CommandKind::kDirectFree, Side::kWest);
+  push_restart(longer, from_x_m, 0.14);
+  EXPECT_FALSE(longer.has(kAgain));
+  push_restart(longer, from_x_m, 0.16);
+  EXPECT_TRUE(longer.has(kAgain));
+
+  rules = book("2026-b");
+  rules.double_touch_s = 0.5;  // 150 mm at 0.3 m/s
+  StagedGame later(rules);
+  lay_ball(later, {0, 0});
+  later.command(CommandKind::kDirectFree, Side::kWest);
+  push_restart(later, from_x_m, 0.15);
+  EXPECT_FALSE(later.has(kAgain));
+  push_restart(later, from_x_m, 0.3);
+  EXPECT_TRUE(later.has(kAgain));
+}
+
 // "Following a kick-off or free kick" (2026); at penalty kicks, the attacker may dribble.
 TEST(TrueDoubleTouch, IsAllowedAtPenaltyKicksOf2026) {
   for (const char* rules : {"2014", "2026-b"}) {

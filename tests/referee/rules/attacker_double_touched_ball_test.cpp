@@ -41,6 +41,22 @@ TEST(DoubleTouch, IsAllowedBeforeTheBallIsInPlay) {
   EXPECT_FALSE(is_called(game, "attacker_double_touched_ball"));
 }
 
+// A longer distance and a time in which touches still belong to the kick.
+TEST(DoubleTouch, FollowsTheNumbersOfTheBook) {
+  const auto is_called_with = [](double RuleBook::*number, double value, double path_m) {
+    Configuration configuration = by_book("2014");
+    configuration.rules.*number = value;
+    ScriptedGame game = kicked_off(configuration, path_m);
+    game.kick(Side::kWest, 1, {0, 1});
+    return is_called(game, "attacker_double_touched_ball");
+  };
+  EXPECT_TRUE(is_called_with(&RuleBook::double_touch_m, 0.05, 0.1));
+  EXPECT_FALSE(is_called_with(&RuleBook::double_touch_m, 0.15, 0.1));
+  EXPECT_TRUE(is_called_with(&RuleBook::double_touch_m, 0.15, 0.3));
+  EXPECT_FALSE(is_called_with(&RuleBook::double_touch_s, 1, 0.3));
+  EXPECT_TRUE(is_called_with(&RuleBook::double_touch_s, 0.2, 0.3));
+}
+
 // Whether a double touch is called if that robot touches the ball between the kicker's touches.
 bool is_called_after_touch_by(RobotId other) {
   ScriptedGame game = kicked_off(by_book("2014"), 0.3);

@@ -1,0 +1,38 @@
+// How a game's rules differ from the official ones: the rule book of the same name, and its field.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "soccer/field.hpp"
+#include "soccer/rules/rule_book.hpp"
+
+namespace autoref {
+
+// One number of a rule book or measure of the field, or one rule that was switched on or off.
+struct RuleChange {
+  std::string path;  // its setting: "match.rule.double_touch_m", "field.goal_width_m"
+  std::string text;  // the value, and the official one in brackets: "double touch 150 mm (50)"
+};
+
+// The branches of settings with the numbers of a rule book, and with its rules.
+inline constexpr std::string_view kRuleNumbers = "match.rule.";
+inline constexpr std::string_view kRuleSwitches = "match.switch.";
+
+// The setting for a number of a rule book: "match.rule.double_touch_m". Two numbers are settings of
+// the match itself: "match.extra_half_s" and "match.change_ends".
+std::string path_of_number(std::string_view name);
+
+// All changes, in the order of the settings: numbers, switches, field. Empty for a book without an
+// official one.
+std::vector<RuleChange> rule_changes(const RuleBook& rules, const Field& field);
+
+// "not the official rules: double touch 150 mm (50); offside yes (no)"; empty without changes.
+std::string text_of(const std::vector<RuleChange>& changes);
+
+// Throws OutOfRange if two numbers contradict each other, or if a changed number leaves no room on
+// the field. Its path is that of the number to correct, below kRuleNumbers.
+void check_rules(const RuleBook& rules, const Field& field);
+
+}  // namespace autoref

@@ -1,0 +1,73 @@
+// The numbers of a rule book, turned up and down: the ground truth has fewer events where the rules
+// allow more, and the referee still agrees with it. scripts/rule-numbers does this for all numbers.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "game/settings/fields.hpp"
+#include "judge/evaluate_calls.hpp"
+#include "judge/judge_tally.hpp"
+#include "soccer/rules/rule_book.hpp"
+
+namespace autoref::judge {
+namespace {
+
+// A number that decides how often an event happens.
+struct DecisiveNumber {
+  const char* book;
+  const char* name;
+  const char* event;
+  double strict;  // the event happens more often
+  double lenient;
+};
+
+constexpr DecisiveNumber kDecisive[] = {
+    {"2026-b", "kick_limit_mps", "bot_kicked_ball_too_fast", 4, 8},
+    {"2026-b", "opponents_to_ball_m", "defender_too_close_to_kick_point", 0.8, 0.25},
+    {"2026-b", "attacker_to_area_m", "attacker_stays_near_area", 0.8, 0.05},
+    {"2026-b", "stop_speed_mps", "bot_too_fast_in_stop", 0.8, 3},
+    {"2026-b", "foul_repeat_s", "defender_too_close_to_kick_point", 0.5, 6},
+    {"2026-b", "double_touch_m", "attacker_double_touched_ball", 0.05, 1},
+    {"2014", "dribbling_m", "bot_dribbled_ball_too_far", 0.25, 1.5},
+    {"2014", "stop_distance_grace_s", "stop_distance", 0.5, 8},
+};
+
+EventTally judged(const DecisiveNumber& number, double value) {
+  constexpr int kGames = 3;
+  EventTally tally;
+  for (int seed = 1; seed <= kGames; ++seed) {
+    game::GameSettings settings;
+    for (const auto& [path, text] : std::vector<std::pair<std::string, std::string>>{
+             {"match.rules", number.book},
+             {"a.strategy", "rowdy"},
+             {"b.strategy", "rowdy"},
+             {"match.half_s", "60"},
+             {"seed", std::to_string(seed)},
+             {std::string("match.rule.") + number.name, std::to_string(value)}}) {
+      game::set_by_path(settings, path, text);
+    }
+    const EvaluatedGame game = evaluate_calls(game::resolved(settings));
+    CameraTally games;
+    games.add(game.record, game.evaluation);
+    tally.add(games.events[number.event]);
+  }
+  return tally;
+}
+
+TEST(RuleNumbersJudged, AreFollowedByRefereeAndGroundTruth) {
+  EventTally all;
+  for (const DecisiveNumber& number : kDecisive) {
+    const EventTally strict = judged(number, number.strict);
+    const EventTally lenient = judged(number, number.lenient);
+    EXPECT_GT(strict.happened(), lenient.happened()) << number.book << " " << number.name;
+    EXPECT_GT(strict.calls(), lenient.calls()) << number.book << " " << number.name;
+    all.add(strict);
+    all.add(lenient);
+  }
+  EXPECT_GT(all.happened(), 50);
+  EXPECT_GT(all.f1().value(), 0.95);
+}
+
+}  // namespace
+}  // namespace autoref::judge
