@@ -7,7 +7,9 @@
 #include <ctime>
 #include <optional>
 
+#include "game/settings/fields.hpp"
 #include "game/settings/game_settings.hpp"
+#include "soccer/rules/rule_changes.hpp"
 
 namespace autoref::logs {
 namespace {
@@ -104,12 +106,19 @@ game::GameSettings logged_game(const std::string& book, const RecordedFacts& fac
   return game;
 }
 
+game::EventGame event_game_of(const PerSide<std::string>& names, const RuleBook& rules) {
+  const std::optional<GameSetup> official = find_game_setup(rules.name);
+  return {{{game::EventTeam{"", names[Side::kWest]}, game::EventTeam{"", names[Side::kEast]}}},
+          official ? list_of(rule_changes(rules, official->field)) : ""};
+}
+
 void check_judged(const game::GameSettings& game) {
   constexpr double kAnyRunOff_m = 2;
   Field field = game.field;
   field.run_off_m = kAnyRunOff_m;
   field.goal_line_run_off_m = kAnyRunOff_m;
   sim::validate(field);
+  game::check_rule_numbers(game);
   referee::Referee{game::referee_configuration(game::resolved(game))};
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "game/loop/event_log.hpp"
 #include "game/settings/game_settings.hpp"
 #include "league/log_contents.hpp"
 #include "logs/recorded_facts.hpp"
@@ -34,6 +35,10 @@ Field field_in(const league::LogSummary& log, const Field& of_book);
 // is one of the log's games. Throws std::invalid_argument for an unknown rule book.
 game::GameSettings logged_game(const std::string& book, const RecordedFacts& facts,
                                const RecordedGame& recorded);
+
+// What the event lines of a recorded game say about the game. The field is the log's, so only rules
+// and their numbers can differ from the official ones.
+game::EventGame event_game_of(const PerSide<std::string>& names, const RuleBook& rules);
 
 // Throws std::invalid_argument if a referee cannot judge a game with these settings; the message
 // begins with the invalid setting. Unlike in a simulation, there need not be space for a robot

@@ -6,6 +6,7 @@
 #include "game/loop/event_log.hpp"
 #include "game/loop/game_event_fields.hpp"
 #include "league/referee_message.hpp"
+#include "logs/log_game.hpp"
 #include "soccer/referee_signal.hpp"
 
 namespace autoref::logs {
@@ -47,10 +48,9 @@ class OwnCalls {
 // Collects AutoRef's decisions in a log.
 class DecisionCollector {
  public:
-  DecisionCollector(const RecordedFacts& facts, const DecisionWatch& watch)
+  DecisionCollector(const RecordedFacts& facts, const RuleBook& rules, const DecisionWatch& watch)
       : watch_(watch),
-        log_(PerSide<game::EventTeam>{{game::EventTeam{"", facts.names[Side::kWest]},
-                                       game::EventTeam{"", facts.names[Side::kEast]}}}),
+        log_(event_game_of(facts.names, rules)),
         game_events_(1e-9 * static_cast<double>(facts.log.first_ns)) {}
 
   void add(const referee::Decision& decision) {
@@ -167,7 +167,7 @@ void LogReferee::judge(const Frame& frame) {
 LogRefereeResult referee_log(const std::filesystem::path& log, const RecordedFacts& facts,
                              const std::vector<referee::Configuration>& configurations,
                              const DecisionWatch& watch) {
-  DecisionCollector collector(facts, watch);
+  DecisionCollector collector(facts, configurations.front().rules, watch);
   LogReferee log_referee(configurations, facts.teams, SignalOrder::kByTime,
                          [&](const referee::Decision& decision) { collector.add(decision); });
   league::read_log(log, log_referee, facts.log.source);

@@ -148,7 +148,7 @@ class PythonGame {
     const GameConfiguration game = game::resolved(settings_in(seed, settings));
     externals_ = {};
     lines_.clear();
-    teams_ = game::event_teams_of(game);
+    events_ = game::event_game_of(game);
     game_.emplace(game, &observer_, maker(game.match.a_plays));
     is_played_ = game_->begin_step();
   }
@@ -239,7 +239,7 @@ class PythonGame {
    public:
     explicit Lines(PythonGame& game) : game_(&game) {}
     void on_decision(const referee::Decision& decision) override {
-      game_->lines_.push_back(game::decision_json(decision, game_->teams_));
+      game_->lines_.push_back(game::decision_json(decision, game_->events_));
     }
 
    private:
@@ -285,7 +285,7 @@ class PythonGame {
 
   std::array<bool, 2> is_external_{};
   std::array<External, 2> externals_;
-  PerSide<game::EventTeam> teams_;
+  game::EventGame events_;
   std::vector<std::string> lines_;
   Lines observer_{*this};
   std::optional<game::Game> game_;

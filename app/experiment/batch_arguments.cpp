@@ -11,6 +11,7 @@
 #include "experiments/run/program_versions.hpp"
 #include "game/settings/assignments.hpp"
 #include "io/errors.hpp"
+#include "io/terminal.hpp"
 #include "io/words.hpp"
 
 namespace autoref::app {
@@ -85,6 +86,12 @@ void add_override_options(CLI::App& verb, BatchArguments& arguments) {
       ->type_name("N");
   verb.add_option("--seed", arguments.seed, "Seed of the experiment, overriding the file.")
       ->type_name("N");
+}
+
+void print_rule_notes(const experiments::ExperimentReport& report) {
+  const std::size_t width = io::text_width(stdout);
+  for (const std::string& note : report.rule_notes) fmt::print("{}\n", io::wrapped(note, width));
+  if (!report.rule_notes.empty()) fmt::print("\n");
 }
 
 }  // namespace autoref::app

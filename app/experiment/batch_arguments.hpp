@@ -1,4 +1,4 @@
-// Arguments of the verbs that play many games.
+// Arguments of the verbs that play many games, and what they print in common.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "experiments/kinds/scenario.hpp"
+#include "experiments/run/run_experiment.hpp"
 
 namespace autoref::app {
 
@@ -34,5 +35,8 @@ void add_override_options(CLI::App& verb, BatchArguments& arguments);
 // Reads an experiment that `autoref run` plays, and applies --set, --pairs and --seed. Throws
 // InputError for a scenario of another kind, naming the verb that plays it.
 experiments::Scenario read_experiment(const BatchArguments& arguments);
+
+// Prints which games were not played by the official rules, and an empty line; nothing if all were.
+void print_rule_notes(const experiments::ExperimentReport& report);
 
 }  // namespace autoref::app

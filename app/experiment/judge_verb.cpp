@@ -74,6 +74,7 @@ int judge_verb(const JudgeArguments& arguments) {
     fmt::print("{}\n", judge::json_of(report));
   } else {
     print_judged(report);
+    print_rule_notes(run);
     print_judged_files(folder);
   }
   return static_cast<double>(report.void_games.size()) <= io::kMostVoid * run.games

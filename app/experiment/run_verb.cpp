@@ -61,6 +61,7 @@ void print_results(const experiments::Scenario& scenario,
   const std::size_t width = io::text_width(stdout);
   if (!scenario.about.empty()) fmt::print("{}\n\n", io::wrapped(scenario.about, width));
   fmt::print("{}\n", io::text_of(report.results.table, width));
+  print_rule_notes(report);
   fmt::print("{}   one row per game\n", (folder / "results.csv").string());
   for (const experiments::ResultFile& file : report.results.files) {
     fmt::print("{}   {}\n", (folder / file.name).string(), file.about);

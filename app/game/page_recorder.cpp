@@ -11,6 +11,7 @@
 #include "io/checksum.hpp"
 #include "io/errors.hpp"
 #include "soccer/referee_signal.hpp"
+#include "soccer/rules/rule_changes.hpp"
 #include "view/page.hpp"
 
 namespace autoref::app {
@@ -42,7 +43,8 @@ std::string PageRecorder::page(const game::GameConfiguration& game,
 }
 
 std::vector<view::PageFact> facts_of(const game::GameConfiguration& game) {
-  return {{"rules", game.match.rules.name},
+  const std::string changes = not_official_text(game::rule_changes_in(game));
+  return {{"rules", game.match.rules.name + (changes.empty() ? "" : ", " + changes)},
           {"seed", std::to_string(game.seed)},
           {"build", std::string(io::build_id())}};
 }

@@ -48,8 +48,8 @@ void end_soon(int signal) {
 // Writes the game's files while it is played. After Ctrl-C, ends the game at its next frame.
 class GameOutputs final : public game::Observer {
  public:
-  GameOutputs(GameFiles& files, const PerSide<game::EventTeam>& teams, league::GameLog* log)
-      : files_(&files), teams_(teams), log_(log) {
+  GameOutputs(GameFiles& files, const game::EventGame& events, league::GameLog* log)
+      : files_(&files), events_(events), log_(log) {
     note_interrupts();
   }
   void on_other_detections(const OtherDetections& others) override {
@@ -61,7 +61,7 @@ class GameOutputs final : public game::Observer {
     check_interrupt();
   }
   void on_decision(const referee::Decision& decision) override {
-    if (files_->events.is_open()) files_->events.add(game::decision_json(decision, teams_));
+    if (files_->events.is_open()) files_->events.add(game::decision_json(decision, events_));
     if (files_->game_events.is_open()) add_game_event(decision);
     if (log_ != nullptr) log_decision(decision);
   }
@@ -79,7 +79,7 @@ class GameOutputs final : public game::Observer {
   }
 
   GameFiles* files_;
-  PerSide<game::EventTeam> teams_;
+  game::EventGame events_;
   league::GameLog* log_;  // null unless a log is written
 };
 
@@ -196,7 +196,7 @@ game::GameRecord play_one(const game::GameConfiguration& game, const GameOutput&
   open_log(log, game, output.log);
   PageRecorder page;
   const std::optional<double> frames_per_s = pace_of(game, output);
-  GameOutputs outputs(files, game::event_teams_of(game), log ? &*log : nullptr);
+  GameOutputs outputs(files, game::event_game_of(game), log ? &*log : nullptr);
   GameOnWeb game_on_web(game, output.web);
   game::Observers observers(game_on_web.observer());
   if (files.view) observers.add(&page);

@@ -21,7 +21,9 @@
 #include "io/terminal.hpp"
 #include "live/referee/referee_outputs.hpp"
 #include "live/web/live_page.hpp"
+#include "logs/log_game.hpp"
 #include "logs/user_log.hpp"
+#include "soccer/rules/rule_changes.hpp"
 
 namespace autoref::app {
 namespace {
@@ -120,11 +122,11 @@ class RefereeScreen {
 
 // Opens the page for watching the game. `names` and `field` are the initial values.
 void open_page(std::optional<live::WebView>& page, const WebFlags& web, const Field& field,
-               const PerSide<std::string>& names, const std::string& book) {
+               const PerSide<std::string>& names, const std::string& rules) {
   if (web.address.empty()) return;
   const view::GameRecording nothing_yet;
   page.emplace(web_options_of(web),
-               view::PageContent{nothing_yet, field, names, {{"rules", book}}});
+               view::PageContent{nothing_yet, field, names, {{"rules", rules}}});
   io::write_message(stderr, fmt::format("autoref: watch at {}\n", page->url()));
 }
 
@@ -164,9 +166,10 @@ class LiveRefereeOutput {
 
   // Shows the game to browsers at `web`, unless its address is empty.
   void show_page(const WebFlags& web, const Field& field, const PerSide<std::string>& names,
-                 const std::string& book) {
-    teams_ = {{game::EventTeam{"", names[Side::kWest]}, game::EventTeam{"", names[Side::kEast]}}};
-    open_page(page_, web, field, names, book);
+                 const RuleBook& rules) {
+    events_of_game_ = logs::event_game_of(names, rules);
+    const std::string changes = not_official_text(events_of_game_.rule_changes);
+    open_page(page_, web, field, names, rules.name + (changes.empty() ? "" : ", " + changes));
   }
 
   live::LiveRefereeCallbacks watch() {
@@ -176,7 +179,7 @@ class LiveRefereeOutput {
     };
     watch.on_decision = [this](const referee::Decision& decision) {
       screen_.report(decision);
-      events_.write(game::decision_json(decision, teams_));
+      events_.write(game::decision_json(decision, events_of_game_));
       if (page_) page_->add(recorded(decision));
     };
     watch.on_frame = [this](const Frame& frame, const RefereeSignal& signal) {
@@ -198,7 +201,7 @@ class LiveRefereeOutput {
   LineFile events_;
   LineFile game_events_;
   RefereeScreen screen_;
-  PerSide<game::EventTeam> teams_;
+  game::EventGame events_of_game_;
   std::optional<live::WebView> page_;
 };
 
@@ -249,7 +252,7 @@ int referee_live_verb(const RefereeLiveArguments& arguments) {
         referee.gather([&](std::int64_t packets) { waiting.say(packets); });
     const std::string book = book_of(arguments, facts, kNetwork);
     const game::GameSettings game = live_game_of(arguments, book, assignments, facts);
-    output.show_page(arguments.web, game.field, facts.names, book);
+    output.show_page(arguments.web, game.field, facts.names, game.match.rules);
     referee.run(game::referee_configuration(game::resolved(game)), facts, output.watch());
   } catch (const io::Interrupted&) {
     // The verb usually ends with this exception.

@@ -39,7 +39,8 @@ std::string threshold_text(const RuleBook& rules, const RuleEntry& entry) {
 
 std::string heading_of(const RuleBook& rules, const std::vector<RuleChange>& changes) {
   if (changes.empty()) return fmt::format("Rules in force in '{}':\n\n", rules.name);
-  return fmt::format("Rules in force in '{}', {}:\n\n", rules.name, text_of(changes));
+  return fmt::format("Rules in force in '{}', {}:\n\n", rules.name,
+                     not_official_text(list_of(changes)));
 }
 
 // "0.05 m", "yes".

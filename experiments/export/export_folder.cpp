@@ -145,15 +145,15 @@ std::vector<std::size_t> games_with_events(const ResultFolder& folder) {
 // The event rows of one game, in a separate database.
 class DecisionRows final : public game::Observer {
  public:
-  DecisionRows(std::string id, const PerSide<game::EventTeam>& teams)
-      : id_(std::move(id)), teams_(teams) {
+  DecisionRows(std::string id, const game::EventGame& events)
+      : id_(std::move(id)), events_(events) {
     file_.execute("BEGIN");
   }
 
   void on_decision(const referee::Decision& decision) override {
     Row row = {id_, ++number_};
     for (const game::DecisionField& field : game::decision_fields())
-      if (field.has_column()) row.push_back(value_of(field.value(decision, teams_)));
+      if (field.has_column()) row.push_back(value_of(field.value(decision, events_)));
     table_.add(row);
   }
 
@@ -165,7 +165,7 @@ class DecisionRows final : public game::Observer {
 
  private:
   std::string id_;
-  PerSide<game::EventTeam> teams_;
+  game::EventGame events_;
   std::int64_t number_ = 0;
   SqliteFile file_;
   SqliteTable table_{file_, kEvents, columns_of_events()};
@@ -179,7 +179,7 @@ class Replays {
   // Called in a worker. Writes the game's events to a file and returns the hash of its final state.
   std::string play_again(std::size_t game) const {
     const game::GameConfiguration configuration = resolved(folder_.games[game]);
-    DecisionRows events(folder_.games[game].id, game::event_teams_of(configuration));
+    DecisionRows events(folder_.games[game].id, game::event_game_of(configuration));
     game::GamePrograms programs = recorded_programs(configuration, folder_.path);
     game::GameRecord record = game::play(configuration, &events, programs.maker());
     programs.finish(record);

@@ -136,6 +136,8 @@ Section played_section(const ResultFolder& folder, const ExperimentResults& resu
   }
   add_rows_that_do_not_count(table, folder);
   Section section = {Heading{"What was played"}, table};
+  if (List notes{rule_notes(folder.completed_games.done)}; !notes.items.empty())
+    section.emplace_back(std::move(notes));
   if (!folder.is_complete()) {
     section.emplace_back(Paragraph{fmt::format("{} games are missing. {}",
                                                folder.needed - folder.completed_games.done.size(),

@@ -220,6 +220,12 @@ std::vector<Column> played_columns() {
           return row.record.events[index];
         }));
   }
+  for (const game::GameCount& one : game::game_counts()) {
+    columns.push_back(integer_column(
+        std::string(one.name), [member = one.count](auto& row) -> auto& {
+          return row.record.*member;
+        }));
+  }
   for (const game::CountField& field : game::count_fields()) add_count_columns(columns, field);
   columns.push_back(shootout_column("shootout_a", 0));
   columns.push_back(shootout_column("shootout_b", 1));
@@ -301,6 +307,8 @@ std::vector<Column> game_columns(const std::vector<std::string>& factors) {
   columns.push_back(side_column());
   columns.push_back(integer_column(
       "seed", [](auto& row) -> auto& { return row.seed; }));
+  columns.push_back(text_column(
+      "rule_changes", [](auto& row) -> auto& { return row.rule_changes; }));
   return columns;
 }
 

@@ -8,6 +8,7 @@
 #include "experiments/results/game_row.hpp"
 #include "io/checksum.hpp"
 #include "io/json.hpp"
+#include "soccer/rules/rule_changes.hpp"
 #include "soccer/side.hpp"
 
 namespace autoref::experiments {
@@ -157,6 +158,7 @@ std::string end_text(const game::GameConfiguration& game, const game::GameRecord
 
 std::string json_of(const GameReport& report) {
   const game::GameRecord& record = report.record;
+  const std::string changes = game::rule_changes_in(report.configuration);
   io::Json json = {
       {"goals_a", record.goals_a},
       {"goals_b", record.goals_b},
@@ -166,9 +168,11 @@ std::string json_of(const GameReport& report) {
       {"status", name_of(record.status)},
       {"void_reason", record.void_reason.empty() ? io::Json() : io::Json(record.void_reason)},
       {"rules", report.configuration.match.rules.name},
+      {"rule_changes", changes.empty() ? io::Json() : io::Json(changes)},
       {"seed", report.configuration.seed},
       {"teams", teams_json(report.configuration)},
       {"calls", calls_json(record)}};
+  for (const game::GameCount& one : game::game_counts()) json[one.name] = record.*one.count;
   for (const game::CountField& field : game::count_fields()) add_counts(json, record, field);
   for (const game::MeasuredTime& time : game::measured_times())
     json[time.name] = record.*time.seconds;
@@ -190,6 +194,8 @@ std::string text_of(const GameReport& report) {
   if (record.shootout) {
     text += fmt::format("   shoot-out {}:{}", (*record.shootout)[0], (*record.shootout)[1]);
   }
+  const std::string rules = not_official_text(game::rule_changes_in(game));
+  if (!rules.empty()) text += "\n" + rules;
   text += fmt::format("\nended: {}", end_text(game, record));
   text += fmt::format("\ncalls: {}", calls_text(record));
   text += counts_text(record);

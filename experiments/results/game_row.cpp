@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "game/settings/fields.hpp"
+#include "soccer/rules/rule_changes.hpp"
 
 namespace autoref::experiments {
 
@@ -16,8 +17,22 @@ GameRow row_of(const ScheduledGame& game) {
   row.team_b = game.team_b;
   row.side_a = game.settings.leg().a_plays;
   row.seed = game.settings.leg().seed;
-  row.config_hash = game::configuration_hash(game.settings.combined());
+  const game::GameSettings settings = game.settings.combined();
+  row.rule_changes = list_of(rule_changes(settings.match.rules, settings.field));
+  row.config_hash = game::configuration_hash(settings);
   return row;
+}
+
+std::vector<std::string> rule_notes(const RowsById& rows) {
+  std::map<std::string, std::size_t> games;
+  for (const auto& [id, row] : rows)
+    if (!row.rule_changes.empty()) ++games[row.rule_changes];
+  std::vector<std::string> notes;
+  for (const auto& [changes, count] : games) {
+    notes.push_back(not_official_text(changes));
+    if (count < rows.size()) notes.back() += fmt::format(" in {} of {} games", count, rows.size());
+  }
+  return notes;
 }
 
 game::GameRecord void_record(const std::string& reason) {

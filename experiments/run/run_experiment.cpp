@@ -130,6 +130,7 @@ class ExperimentRun {
       report.killed_games += is_killed(row) ? 1 : 0;
       report.unrepeatable_games += row.record.is_repeatable.value_or(true) ? 0 : 1;
     }
+    report.rule_notes = rule_notes(rows);
     report.is_waiting = schedule.needed > schedule.games.size() && !report.is_interrupted;
     if (report.is_complete && !options_.outcomes)
       report.results = write_results(options_.folder, scenario_, format_, rows);

@@ -65,7 +65,8 @@ struct ExperimentReport {
   int done = 0;    // number of games played by this run and earlier ones
   int played = 0;  // number of games played by this run
   int void_games = 0;
-  int killed_games = 0;        // number of void games that the next run replays
+  int killed_games = 0;                 // number of void games that the next run replays
+  std::vector<std::string> rule_notes;  // rule_notes() (experiments/results/game_row.hpp)
   int unrepeatable_games = 0;  // number of games whose programs did not repeat their commands
   ExperimentResults results;   // the results, if the experiment is complete
 };

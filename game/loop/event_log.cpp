@@ -21,7 +21,7 @@ using referee::HalfClock;
 using referee::LastTouch;
 using referee::ShootoutKick;
 using In = const Decision&;
-using Teams = const PerSide<EventTeam>&;
+using Whole = const EventGame&;
 
 using column_type::kInteger;
 using column_type::kReal;
@@ -65,48 +65,48 @@ io::Json part(const Object& object, const Member& member) {
 }
 
 template <auto kMember>
-io::Json of_decision(In d, Teams) {
+io::Json of_decision(In d, Whole) {
   return json_of(std::invoke(kMember, d));
 }
 
 template <auto kMember>
-io::Json of_finding(In d, Teams) {
+io::Json of_finding(In d, Whole) {
   return json_of(std::invoke(kMember, d.finding));
 }
 
 template <auto kMember>
-io::Json of_clock(In d, Teams) {
+io::Json of_clock(In d, Whole) {
   return d.clock ? json_of(std::invoke(kMember, *d.clock)) : io::Json();
 }
 
 template <auto kMember>
-io::Json measurement(In d, Teams) {
+io::Json measurement(In d, Whole) {
   return d.finding.unit.empty() ? io::Json() : json_of(std::invoke(kMember, d.finding));
 }
 
-io::Json confidence_in(In d, Teams) {
+io::Json confidence_in(In d, Whole) {
   return is_call(d.finding.event) ? io::Json(d.finding.confidence) : io::Json();
 }
 
-io::Json card_in(In d, Teams) {
+io::Json card_in(In d, Whole) {
   return d.finding.card != referee::Card::kNone ? json_of(d.finding.card) : io::Json();
 }
 
 template <Side kSide>
-io::Json shootout_goals(In d, Teams) {
+io::Json shootout_goals(In d, Whole) {
   return part(d.stage == Stage::kShootout ? &d.shootout_goals : nullptr,
               [](const PerSide<int>& goals) { return goals[kSide]; });
 }
 
 template <int kAxis>
-io::Json coordinate(In d, Teams) {
+io::Json coordinate(In d, Whole) {
   return part(d.finding.position_m, [&](const Vec2& position_m) {
     return published(position_m, d.blue_on_positive_half)[kAxis];
   });
 }
 
 template <auto kMember>
-io::Json of_touch(In d, Teams) {
+io::Json of_touch(In d, Whole) {
   const LastTouch& touch = d.last_touch;
   const bool is_before_first = !touch.side && touch.time_s == 0;
   return part(is_before_first ? nullptr : &touch, kMember);
@@ -121,13 +121,13 @@ std::optional<int> touching_robot(const LastTouch& touch) {
 }
 
 template <auto kMember>
-io::Json of_kick(In d, Teams) {
+io::Json of_kick(In d, Whole) {
   return part(d.shootout_kick, kMember);
 }
 
 template <Side kSide, auto kMember>
-io::Json of_team(In, Teams teams) {
-  return text_or_null(std::invoke(kMember, teams[kSide]));
+io::Json of_team(In, Whole game) {
+  return text_or_null(std::invoke(kMember, game.teams[kSide]));
 }
 
 constexpr DecisionField kFields[] = {
@@ -135,8 +135,8 @@ constexpr DecisionField kFields[] = {
     {"/stage", kText, of_decision<&Decision::stage>},
     {"/clock_s", kReal, of_clock<&HalfClock::played_s>},
     {"/clock_left_s", kReal, of_clock<&HalfClock::left_s>},
-    {"/score/yellow", kInteger, [](In d, Teams) -> io::Json { return d.goals[Side::kWest]; }},
-    {"/score/blue", kInteger, [](In d, Teams) -> io::Json { return d.goals[Side::kEast]; }},
+    {"/score/yellow", kInteger, [](In d, Whole) -> io::Json { return d.goals[Side::kWest]; }},
+    {"/score/blue", kInteger, [](In d, Whole) -> io::Json { return d.goals[Side::kEast]; }},
     {"/shootout/yellow", kInteger, shootout_goals<Side::kWest>},
     {"/shootout/blue", kInteger, shootout_goals<Side::kEast>},
     {"/transition", kText, of_decision<&Decision::transition>},
@@ -145,20 +145,20 @@ constexpr DecisionField kFields[] = {
     {"/command", kText, of_decision<&Decision::command>},
     {"/event", kText, of_finding<&Finding::event>},
     {"/league_event", kText,
-     [](In d, Teams) { return text_or_null(entry_of(d.finding.event).league_event); }},
+     [](In d, Whole) { return text_or_null(entry_of(d.finding.event).league_event); }},
     {"/rule", kText, of_finding<&Finding::rule>},
     {"/value", kReal, measurement<&Finding::value>},
     {"/threshold", kReal, measurement<&Finding::threshold>},
-    {"/unit", kText, [](In d, Teams) { return text_or_null(d.finding.unit); }},
+    {"/unit", kText, [](In d, Whole) { return text_or_null(d.finding.unit); }},
     {"/confidence", kReal, confidence_in},
     {"/robots", kText, of_finding<&Finding::robots>},
     {"/offender", kText, of_finding<&Finding::offender>},
     {"/card", kText, card_in},
-    {"/card_reason", kText, [](In d, Teams) { return text_or_null(d.card_reason); }},
+    {"/card_reason", kText, [](In d, Whole) { return text_or_null(d.card_reason); }},
     {"/position_m/0", kReal, coordinate<0>, "position_x_m"},
     {"/position_m/1", kReal, coordinate<1>, "position_y_m"},
     {"/yellow_defends", kText,
-     [](In d, Teams) -> io::Json { return end_of_yellow(d.blue_on_positive_half); }},
+     [](In d, Whole) -> io::Json { return end_of_yellow(d.blue_on_positive_half); }},
     {"/restart", kText, of_decision<&Decision::restart>},
     {"/last_touch/colour", kText, of_touch<touching_colour>},
     {"/last_touch/robot", kInteger, of_touch<touching_robot>},
@@ -167,10 +167,12 @@ constexpr DecisionField kFields[] = {
     {"/last_touch/speed_change_mps", kReal, of_touch<&LastTouch::speed_change_mps>},
     {"/last_touch/runner_up", kText, of_touch<&LastTouch::runner_up>},
     {"/last_touch/kept", kReal, of_touch<&LastTouch::kept>, kNoColumn},
-    {"/evidence", kText, [](In d, Teams) { return text_or_null(d.finding.evidence); }},
+    {"/evidence", kText, [](In d, Whole) { return text_or_null(d.finding.evidence); }},
     {"/shootout_kick/kicker", kText, of_kick<&ShootoutKick::kicker>, "shootout_kicker"},
     {"/shootout_kick/number", kInteger, of_kick<&ShootoutKick::number>, "shootout_kick"},
     {"/shootout_kick/scored", kInteger, of_kick<&ShootoutKick::has_scored>, "shootout_scored"},
+    {"/rule_changes", kText, [](In, Whole game) { return text_or_null(game.rule_changes); },
+     kNoColumn},
     {"/teams/yellow/team", kText, of_team<Side::kWest, &EventTeam::letter>, "team_yellow"},
     {"/teams/yellow/name", kText, of_team<Side::kWest, &EventTeam::name>, kNoColumn},
     {"/teams/blue/team", kText, of_team<Side::kEast, &EventTeam::letter>, "team_blue"},
@@ -179,13 +181,13 @@ constexpr DecisionField kFields[] = {
 
 }  // namespace
 
-PerSide<EventTeam> event_teams_of(const GameConfiguration& game) {
-  PerSide<EventTeam> teams;
+EventGame event_game_of(const GameConfiguration& game) {
+  EventGame events{{}, rule_changes_in(game)};
   const PerSide<std::string> names = shown_names(game);
   for (const Side side : kSides) {
-    teams[side] = {side == game.match.a_plays ? "a" : "b", names[side]};
+    events.teams[side] = {side == game.match.a_plays ? "a" : "b", names[side]};
   }
-  return teams;
+  return events;
 }
 
 std::span<const DecisionField> decision_fields() { return kFields; }
@@ -197,11 +199,11 @@ std::string column_of(const DecisionField& field) {
   return name;
 }
 
-io::Json decision_object(const Decision& decision, const PerSide<EventTeam>& teams) {
+io::Json decision_object(const Decision& decision, const EventGame& game) {
   io::Json object;
   for (const DecisionField& field : kFields) {
     const io::Json::json_pointer path(field.path);
-    io::Json value = field.value(decision, teams);
+    io::Json value = field.value(decision, game);
     if (value.is_discarded())
       object[path.parent_pointer()] = io::Json();
     else
@@ -210,8 +212,8 @@ io::Json decision_object(const Decision& decision, const PerSide<EventTeam>& tea
   return object;
 }
 
-std::string decision_json(const Decision& decision, const PerSide<EventTeam>& teams) {
-  return io::json_text(decision_object(decision, teams));
+std::string decision_json(const Decision& decision, const EventGame& game) {
+  return io::json_text(decision_object(decision, game));
 }
 
 void GameEventLog::on_decision(const referee::Decision& decision) {

@@ -20,8 +20,14 @@ struct EventTeam {
   std::string name;
 };
 
-// The teams of a game, with the names returned by shown_names() (game_configuration.hpp).
-PerSide<EventTeam> event_teams_of(const GameConfiguration& game);
+// What lines say about the whole game.
+struct EventGame {
+  PerSide<EventTeam> teams;
+  std::string rule_changes;  // rule_changes_in() (game_configuration.hpp)
+};
+
+// The teams have the names returned by shown_names() (game_configuration.hpp).
+EventGame event_game_of(const GameConfiguration& game);
 
 // Types of columns in a database.
 namespace column_type {
@@ -37,7 +43,7 @@ struct DecisionField {
   const char* type;  // type of the field's column in a database
   // The field's value; null if unknown or inapplicable. A field is discarded if the object that
   // contains it is null.
-  io::Json (*value)(const referee::Decision& decision, const PerSide<EventTeam>& teams);
+  io::Json (*value)(const referee::Decision& decision, const EventGame& game);
   // Name of the column; null: derived from the path; empty: no column.
   const char* column = nullptr;
 
@@ -53,22 +59,22 @@ std::span<const DecisionField> decision_fields();
 std::string column_of(const DecisionField& field);
 
 // A line of the event log as an object. All lines have the same keys.
-io::Json decision_object(const referee::Decision& decision, const PerSide<EventTeam>& teams = {});
+io::Json decision_object(const referee::Decision& decision, const EventGame& game = {});
 
 // The line as text, without the newline.
-std::string decision_json(const referee::Decision& decision, const PerSide<EventTeam>& teams = {});
+std::string decision_json(const referee::Decision& decision, const EventGame& game = {});
 
 // Collects the lines of a game.
 class EventLog final : public Observer {
  public:
-  explicit EventLog(PerSide<EventTeam> teams = {}) : teams_(std::move(teams)) {}
+  explicit EventLog(EventGame game = {}) : game_(std::move(game)) {}
   void on_decision(const referee::Decision& decision) override {
-    text_ += decision_json(decision, teams_) + "\n";
+    text_ += decision_json(decision, game_) + "\n";
   }
   const std::string& text() const { return text_; }
 
  private:
-  PerSide<EventTeam> teams_;
+  EventGame game_;
   std::string text_;
 };
 

@@ -46,6 +46,20 @@ std::optional<EndReason> reason_of(referee::Event event) {
   }
 }
 
+// Whether the decision stops play before the time is up.
+bool is_stop(const referee::Decision& decision) {
+  using referee::Event;
+  const Event event = decision.finding.event;
+  const bool is_time_up = event == Event::kHalfOver || event == Event::kGameOver ||
+                          event == Event::kExtraTime || event == Event::kShootout;
+  return decision.from == referee::State::kRun && decision.to != referee::State::kRun &&
+         !is_time_up;
+}
+
+bool is_doubtful(const referee::Finding& finding) {
+  return is_call(finding.event) && finding.confidence < kDoubtful;
+}
+
 }  // namespace
 
 class Game::Impl {
@@ -233,6 +247,8 @@ class Game::Impl {
       take_result(record_);
     }
     ++record_.events[static_cast<std::size_t>(decision.finding.event)];
+    record_.stops += is_stop(decision) ? 1 : 0;
+    record_.doubtful_calls += is_doubtful(decision.finding) ? 1 : 0;
     if (std::find(record_.transitions.begin(), record_.transitions.end(), decision.transition) ==
         record_.transitions.end()) {
       record_.transitions.emplace_back(decision.transition);

@@ -9,6 +9,7 @@
 #include "referee/machine/penalty_outcome.hpp"
 #include "sim/camera.hpp"
 #include "soccer/rules/rule_book.hpp"
+#include "soccer/rules/rule_changes.hpp"
 
 namespace autoref::game {
 namespace {
@@ -77,6 +78,10 @@ PerSide<std::string> shown_names(const GameConfiguration& game) {
     if (name_of(game.a) == name_of(game.b)) names[side] += fmt::format(" ({})", letter);
   }
   return names;
+}
+
+std::string rule_changes_in(const GameConfiguration& game) {
+  return list_of(rule_changes(game.match.rules, game.field));
 }
 
 referee::Configuration referee_configuration(const GameConfiguration& game) {

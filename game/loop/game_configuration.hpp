@@ -69,6 +69,10 @@ std::string name_of(const TeamConfiguration& team);
 // the same one.
 PerSide<std::string> shown_names(const GameConfiguration& game);
 
+// How the game's rules differ from the official ones, as a list (soccer/rules/rule_changes.hpp);
+// empty for official rules.
+std::string rule_changes_in(const GameConfiguration& game);
+
 // The referee's part of the configuration.
 referee::Configuration referee_configuration(const GameConfiguration& game);
 

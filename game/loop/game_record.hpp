@@ -36,6 +36,9 @@ constexpr auto names_of(Status /*any*/) {
 
 using autoref::name_of;
 
+// Calls with a lower confidence are doubtful.
+inline constexpr double kDoubtful = 0.7;
+
 struct GameRecord {
   int goals_a = 0;
   int goals_b = 0;
@@ -46,6 +49,8 @@ struct GameRecord {
   std::string void_reason;                         // empty unless void or forfeited
   std::array<int, referee::kEventCount> events{};  // how often each event occurred
   int count(referee::Event event) const { return events[static_cast<std::size_t>(event)]; }
+  int stops = 0;           // how often play was stopped, not counting the ends of halves
+  int doubtful_calls = 0;  // calls with a confidence below kDoubtful
   // Labels of the transitions taken, without duplicates. The texts live as long as the program.
   std::vector<std::string_view> transitions;
   std::array<PlayCounts, 2> counts{};  // [a, b]
@@ -60,6 +65,19 @@ struct GameRecord {
   // Number of starts of the game's programs, which restart if they are killed from outside.
   int attempts = 1;
 };
+
+// A count of a game, such as "stops".
+struct GameCount {
+  std::string_view name;
+  int GameRecord::*count;
+};
+
+// All counts besides calls and those of the teams, in the order used in rows and JSON.
+inline std::span<const GameCount> game_counts() {
+  static constexpr std::array kCounts = {GameCount{"stops", &GameRecord::stops},
+                                         GameCount{"doubtful_calls", &GameRecord::doubtful_calls}};
+  return kCounts;
+}
 
 // A time measured in a game, such as "sim_s".
 struct MeasuredTime {

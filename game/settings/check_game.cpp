@@ -101,14 +101,6 @@ void check_world(const std::string& branch, const Part& part) {
   }
 }
 
-void check_rule_numbers(const GameSettings& game) {
-  try {
-    check_rules(game.match.rules, game.field);
-  } catch (const OutOfRange& error) {
-    throw SettingError(std::string(kRuleNumbers) + error.path(), error.text());
-  }
-}
-
 // The numbers of a rule book that differ from the official ones, by path. The others follow from
 // the book's name.
 std::set<std::string> changed_numbers(const GameSettings& game) {
@@ -190,6 +182,14 @@ void check_team(const GameSettings& game, const TeamSettings& team, std::string_
   refuse_two_teams(game, team, path.substr(path.rfind('.') + 1));
   check_params(team, path);
   check_robots(game, team, path);
+}
+
+void check_rule_numbers(const GameSettings& game) {
+  try {
+    check_rules(game.match.rules, game.field);
+  } catch (const OutOfRange& error) {
+    throw SettingError(std::string(kRuleNumbers) + error.path(), error.text());
+  }
 }
 
 void check_game(const GameSettings& game) {

@@ -244,6 +244,9 @@ void check_game(const GameSettings& game);
 // "teams.a".
 void check_team(const GameSettings& game, const TeamSettings& team, std::string_view path);
 
+// check_game() for the numbers of the rule book (check_rules()).
+void check_rule_numbers(const GameSettings& game);
+
 // A hash over all settings. In one build, games with equal hashes are identical.
 std::uint64_t configuration_hash(const GameSettings& game);
 

@@ -23,6 +23,7 @@ _TEXTS = {
     "team_a",
     "team_b",
     "side_a",
+    "rule_changes",
     "end_reason",
     "status",
     "void_reason",

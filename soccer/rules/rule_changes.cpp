@@ -140,11 +140,14 @@ std::vector<RuleChange> rule_changes(const RuleBook& rules, const Field& field) 
   return changes;
 }
 
-std::string text_of(const std::vector<RuleChange>& changes) {
-  std::string text;
-  for (const RuleChange& change : changes)
-    text += (text.empty() ? "not the official rules: " : "; ") + change.text;
-  return text;
+std::string list_of(const std::vector<RuleChange>& changes) {
+  std::string list;
+  for (const RuleChange& change : changes) list += (list.empty() ? "" : "; ") + change.text;
+  return list;
+}
+
+std::string not_official_text(const std::string& list) {
+  return list.empty() ? "" : "not the official rules: " + list;
 }
 
 void check_rules(const RuleBook& rules, const Field& field) {

@@ -28,8 +28,12 @@ std::string path_of_number(std::string_view name);
 // official one.
 std::vector<RuleChange> rule_changes(const RuleBook& rules, const Field& field);
 
-// "not the official rules: double touch 150 mm (50); offside yes (no)"; empty without changes.
-std::string text_of(const std::vector<RuleChange>& changes);
+// The texts of all changes: "double touch 150 mm (50); offside yes (no)".
+std::string list_of(const std::vector<RuleChange>& changes);
+
+// "not the official rules: double touch 150 mm (50)", for a list_of() changes; empty for an empty
+// list.
+std::string not_official_text(const std::string& list);
 
 // Throws OutOfRange if two numbers contradict each other, or if a changed number leaves no room on
 // the field. Its path is that of the number to correct, below kRuleNumbers.

@@ -13,7 +13,7 @@ namespace {
 struct ChangedGame {
   explicit ChangedGame(const std::string& book)
       : rules(find_rule_book(book).value()), field(find_game_setup(book)->field) {}
-  std::string text() const { return text_of(rule_changes(rules, field)); }
+  std::string text() const { return not_official_text(list_of(rule_changes(rules, field))); }
   // The path and text of the contradiction; empty if there is none.
   std::string refusal() const {
     try {

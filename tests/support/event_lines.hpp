@@ -28,7 +28,7 @@ struct PlayedEvents {
 };
 
 inline PlayedEvents played_events(const game::GameConfiguration& game) {
-  game::EventLog log(game::event_teams_of(game));
+  game::EventLog log(game::event_game_of(game));
   PlayedEvents events{game::play(game, &log), log.text(), {}};
   std::istringstream text(events.text);
   for (std::string line; std::getline(text, line);) events.lines.push_back(YAML::Load(line));

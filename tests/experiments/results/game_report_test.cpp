@@ -32,12 +32,25 @@ TEST(GameReport, NamesTheTeamsTheSeedAndTheRuleBook) {
   game.match.rules = *find_rule_book("2014");
   game.seed = 7;
   const std::string json = json_of({game, {}, 2.0, "x"});
-  EXPECT_NE(json.find(R"x("rules": "2014", "seed": 7, "teams": {"a": {"name": "basic (a)", )x"
-                      R"x("strategy": "basic", "colour": "blue", "side": "east"}, "b": {)x"
-                      R"x("name": "basic (b)", "strategy": "basic", "colour": "yellow", )x"
-                      R"x("side": "west"}})x"),
-            std::string::npos)
+  EXPECT_NE(
+      json.find(
+          R"x("rules": "2014", "rule_changes": null, "seed": 7, "teams": {"a": {"name": "basic (a)", )x"
+          R"x("strategy": "basic", "colour": "blue", "side": "east"}, "b": {)x"
+          R"x("name": "basic (b)", "strategy": "basic", "colour": "yellow", )x"
+          R"x("side": "west"}})x"),
+      std::string::npos)
       << json;
+}
+
+TEST(GameReport, SaysThatTheRulesAreNotTheOfficialOnes) {
+  game::GameConfiguration game;
+  game.match.rules = *find_rule_book("2014");
+  game.match.rules.double_touch_m = 0.15;
+  const std::string json = json_of({game, {}, 2.0, "x"});
+  EXPECT_NE(json.find(R"x("rule_changes": "double touch 150 mm (50)")x"), std::string::npos);
+  EXPECT_NE(text_of({game, {}, 2.0, "x"})
+                .find("\nnot the official rules: double touch 150 mm (50)\nended: "),
+            std::string::npos);
 }
 
 TEST(GameReport, ShowsTheScore) {

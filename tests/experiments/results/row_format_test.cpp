@@ -43,10 +43,13 @@ GameRow full_row() {
       if (field.seconds != nullptr) record.counts[team].*field.seconds = ++next + 0.25;
     }
   }
+  int next_count = 60;
+  for (const game::GameCount& one : game::game_counts()) record.*one.count = ++next_count;
   record.transitions = {"begin", "goal", "start"};
   double time_s = 700.125;
   for (const game::MeasuredTime& time : game::measured_times()) record.*time.seconds = time_s++;
   row.side_a = Side::kEast;
+  row.rule_changes = "double touch 150 mm (50); offside yes (no)";
   return row;
 }
 
@@ -73,10 +76,10 @@ TEST(Csv, RefusesUnbalancedQuotes) {
 
 TEST(RowFormat, HasTheColumnsOfAGameWithTheChecksumLast) {
   const std::string head = io::csv_line(kFormat.names());
-  EXPECT_TRUE(
-      head.starts_with("game_id,pair,leg,b.robots,team_a,team_b,side_a,seed,goals_a,goals_b,"
-                       "goal_diff,first_half_goals_a,first_half_goals_b,end_reason,status,"
-                       "void_reason,calls_goal,"));
+  EXPECT_TRUE(head.starts_with(
+      "game_id,pair,leg,b.robots,team_a,team_b,side_a,seed,rule_changes,goals_a,goals_b,"
+      "goal_diff,first_half_goals_a,first_half_goals_b,end_reason,status,"
+      "void_reason,calls_goal,"));
   EXPECT_TRUE(head.ends_with(
       ",ball_in_play_s,sim_s,frames,state_hash,config_hash,build,host,cpu,repeatable,"
       "wall_s,attempt,shard,row_crc"));
@@ -129,12 +132,27 @@ TEST(RowFormat, ReadsBackTypedValues) {
   EXPECT_EQ(read.record.end_reason, game::EndReason::kForfeitB);
   EXPECT_EQ(read.record.status, game::Status::kForfeit);
   EXPECT_EQ(read.record.counts, row.record.counts);
+  EXPECT_EQ(read.rule_changes, row.rule_changes);
+  for (const game::GameCount& one : game::game_counts())
+    EXPECT_EQ(read.record.*one.count, row.record.*one.count) << one.name;
   for (const game::MeasuredTime& time : game::measured_times())
     EXPECT_DOUBLE_EQ(read.record.*time.seconds, row.record.*time.seconds) << time.name;
   EXPECT_EQ(read.record.transitions, row.record.transitions);
   EXPECT_EQ(read.record.state_hash, row.record.state_hash);
   EXPECT_EQ(read.circumstances.cpu, "A, \"fast\" CPU");
   EXPECT_EQ(read.circumstances.attempt, 2);
+}
+
+TEST(RuleNotes, SayWhichRulesAreNotTheOfficialOnes) {
+  GameRow official = sample_row();
+  GameRow other = official;
+  other.rule_changes = "double touch 150 mm (50)";
+  EXPECT_EQ(rule_notes({{"1", official}, {"2", official}}), std::vector<std::string>{});
+  EXPECT_EQ(rule_notes({{"1", other}, {"2", other}}),
+            std::vector<std::string>{"not the official rules: double touch 150 mm (50)"});
+  EXPECT_EQ(
+      rule_notes({{"1", other}, {"2", official}}),
+      std::vector<std::string>{"not the official rules: double touch 150 mm (50) in 1 of 2 games"});
 }
 
 TEST(RowFormat, KeepsAReasonOnOneLine) {

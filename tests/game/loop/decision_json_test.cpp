@@ -19,7 +19,7 @@ TEST(DecisionJson, WritesNullForUnknownValues) {
       R"("event": "begin", "league_event": null, "rule": "paper 4.2", "value": null, "threshold": null, )"
       R"("unit": null, "confidence": null, "robots": [], "offender": null, "card": null, "card_reason": null, )"
       R"("position_m": null, "yellow_defends": "west", "restart": null, "last_touch": null, "evidence": null, )"
-      R"("shootout_kick": null, "teams": {"yellow": {"team": null, "name": null}, )"
+      R"("shootout_kick": null, "rule_changes": null, "teams": {"yellow": {"team": null, "name": null}, )"
       R"("blue": {"team": null, "name": null}}})");
 }
 
@@ -78,9 +78,10 @@ bool fits(const io::Json& value, std::string_view type) {
 }
 
 TEST(DecisionFields, HaveValuesOfTheirTypes) {
-  const PerSide<EventTeam> teams = {{EventTeam{"a", "zone"}, EventTeam{"b", "bold"}}};
+  const EventGame game = {{{EventTeam{"a", "zone"}, EventTeam{"b", "bold"}}},
+                          "dribbling 1 m (0.5)"};
   for (const DecisionField& field : decision_fields()) {
-    const io::Json value = field.value(full_decision(), teams);
+    const io::Json value = field.value(full_decision(), game);
     EXPECT_TRUE(fits(value, field.type)) << field.path << ": " << io::json_text(value);
   }
 }

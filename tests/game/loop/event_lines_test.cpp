@@ -36,6 +36,35 @@ TEST(EventLines, AllHaveTheSameKeys) {
   }
 }
 
+TEST(EventLines, SayThatTheRulesAreNotTheOfficialOnes) {
+  GameConfiguration game = foul_game("2014", 2, 10);
+  EXPECT_TRUE(played_events(game).lines.front()["rule_changes"].IsNull());
+  game.match.rules.double_touch_m = 0.15;
+  const PlayedEvents events = played_events(game);
+  for (const YAML::Node& line : events.lines)
+    EXPECT_EQ(line["rule_changes"].as<std::string>(), "double touch 150 mm (50)");
+}
+
+// A stop ends play before the time is up; a doubtful call has a confidence below 0.7.
+TEST(EventLines, HaveTheStopsAndDoubtfulCallsOfTheRecord) {
+  GameConfiguration game = foul_game("2026-b", 2, 60);
+  game.sim.vision.ball_noise_m = 0.01;
+  const PlayedEvents events = played_events(game);
+  int stops = 0;
+  int doubtful = 0;
+  for (const YAML::Node& line : events.lines) {
+    const std::string transition = line["transition"].as<std::string>();
+    const bool is_end = transition == "half_over" || transition == "game_over";
+    stops +=
+        line["from"].as<std::string>() == "RUN" && line["to"].as<std::string>() != "RUN" && !is_end;
+    const YAML::Node confidence = line["confidence"];
+    doubtful += !confidence.IsNull() && confidence.as<double>() < 0.7;
+  }
+  EXPECT_GT(stops, 5);
+  EXPECT_EQ(events.record.stops, stops);
+  EXPECT_EQ(events.record.doubtful_calls, doubtful);
+}
+
 TEST(EventLines, ContainTheScoreAfterTheEvent) {
   const PlayedEvents events = played_events(foul_game("paper", 3, 300));
   PerSide<int> goals;
