@@ -11,12 +11,8 @@
 
 namespace autoref::app {
 
-void add_set_option(CLI::App& verb, std::vector<std::string>& sets) {
-  verb.add_option("--set", sets,
-                  "Change a setting, such as match.half_s=60 or b.robots=5 (for a named team: "
-                  "teams.NAME.robots=5). May be repeated.")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+void add_set_option(CLI::App& verb, std::vector<std::string>& sets, const std::string& about) {
+  verb.add_option("--set", sets, about)->type_name("KEY=VALUE")->allow_extra_args(false);
 }
 
 void add_json_flag(CLI::App& verb, bool& json) {

@@ -7,8 +7,11 @@
 
 namespace autoref::app {
 
-// Adds --set.
-void add_set_option(CLI::App& verb, std::vector<std::string>& sets);
+// Adds --set. `about` is its help text.
+void add_set_option(CLI::App& verb, std::vector<std::string>& sets,
+                    const std::string& about =
+                        "Change a setting, such as match.half_s=60 or b.robots=5 (for a named "
+                        "team: teams.NAME.robots=5). May be repeated.");
 
 // Adds --json.
 void add_json_flag(CLI::App& verb, bool& json);

@@ -109,7 +109,7 @@ game::GameSettings logged_game(const std::string& book, const RecordedFacts& fac
 game::EventGame event_game_of(const PerSide<std::string>& names, const RuleBook& rules) {
   const std::optional<GameSetup> official = find_game_setup(rules.name);
   return {{{game::EventTeam{"", names[Side::kWest]}, game::EventTeam{"", names[Side::kEast]}}},
-          official ? list_of(rule_changes(rules, official->field)) : ""};
+          official ? text_of(rule_changes(rules, official->field)) : ""};
 }
 
 void check_judged(const game::GameSettings& game) {

@@ -72,13 +72,13 @@ std::vector<std::string> numbers_called(std::string_view name) {
 // The values that a number can have: "above 0 and at most 5 m".
 template <typename Number>
 std::string allowed_text(const Number& /*any*/, const Parameter& about) {
-  if constexpr (std::is_same_v<Number, bool>) return "yes or no";
+  if constexpr (std::is_same_v<Number, bool>) return "true or false";
   return text_of(about.range, unit_of(about.name));
 }
 
 std::string numbers_section() {
   Rows rows = table_with_books("number");
-  rows.front().insert(rows.front().end(), {"value", "meaning", "source"});
+  rows.front().insert(rows.front().end(), {"allowed", "meaning", "source"});
   const RuleBook any;
   RuleBook::visit(any, [&rows](const auto& number, const Parameter& about) {
     std::vector<std::string> row = {code_span(std::string(about.name))};
@@ -93,7 +93,7 @@ std::string numbers_section() {
          "a game ([rule-laboratory.md](../rule-laboratory.md)), except that `extra_half_s` and "
          "`change_ends` are settings in `match`. Programs receive the numbers in the message START "
          "([team-programs.md](../team-programs.md)), which also has the edition and the rules in "
-         "force. 1 is yes, 0 is no; settings use `true` and `false`. The source says where the "
+         "force. In this table and in START, 1 is true and 0 is false. The source says where the "
          "first rule book's value comes from, then what other texts say; \"2016\" is the authors' "
          "later public referee.\n\n" +
          reference_table(rows);

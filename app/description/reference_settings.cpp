@@ -97,7 +97,7 @@ std::vector<std::pair<std::string, Rows>> branches_of(const std::vector<game::Se
   std::vector<std::pair<std::string, Rows>> branches;
   for (const game::Setting& setting : settings) {
     if (setting.path.starts_with("teams.b.")) continue;  // described as settings of team a
-    if (setting.path.starts_with(kRuleNumbers)) continue;
+    if (setting.path.starts_with(kRuleNumberBranch)) continue;
     const std::string path = shown_path(setting.path);
     const std::string branch(path.find('.') == std::string::npos ? "" : game::branch_of(path));
     auto found = std::find_if(branches.begin(), branches.end(),
@@ -129,7 +129,7 @@ std::vector<std::string> values_with(const std::string& path, const std::string&
 
 // The page of rules has their values in each rule book.
 bool is_on_rules_page(const game::Setting& setting) {
-  return setting.path.starts_with(kRuleSwitches) || setting.path.starts_with(kRuleNumbers);
+  return setting.path.starts_with(kRuleSwitchBranch) || setting.path.starts_with(kRuleNumberBranch);
 }
 
 bool is_shown_for_presets(const game::Setting& setting) {

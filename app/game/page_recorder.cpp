@@ -43,8 +43,7 @@ std::string PageRecorder::page(const game::GameConfiguration& game,
 }
 
 std::vector<view::PageFact> facts_of(const game::GameConfiguration& game) {
-  const std::string changes = not_official_text(game::rule_changes_in(game));
-  return {{"rules", game.match.rules.name + (changes.empty() ? "" : ", " + changes)},
+  return {{"rules", name_with_changes(game.match.rules.name, game::rule_changes_in(game))},
           {"seed", std::to_string(game.seed)},
           {"build", std::string(io::build_id())}};
 }

@@ -168,8 +168,8 @@ class LiveRefereeOutput {
   void show_page(const WebFlags& web, const Field& field, const PerSide<std::string>& names,
                  const RuleBook& rules) {
     events_of_game_ = logs::event_game_of(names, rules);
-    const std::string changes = not_official_text(events_of_game_.rule_changes);
-    open_page(page_, web, field, names, rules.name + (changes.empty() ? "" : ", " + changes));
+    open_page(page_, web, field, names,
+              name_with_changes(rules.name, events_of_game_.rule_changes));
   }
 
   live::LiveRefereeCallbacks watch() {

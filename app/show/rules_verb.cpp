@@ -37,12 +37,6 @@ std::string threshold_text(const RuleBook& rules, const RuleEntry& entry) {
   return fmt::format("{:g} {}", rules.*entry.threshold, entry.unit());
 }
 
-std::string heading_of(const RuleBook& rules, const std::vector<RuleChange>& changes) {
-  if (changes.empty()) return fmt::format("Rules in force in '{}':\n\n", rules.name);
-  return fmt::format("Rules in force in '{}', {}:\n\n", rules.name,
-                     not_official_text(list_of(changes)));
-}
-
 // "0.05 m", "yes".
 template <typename Number>
 std::string value_text(const Number& number, const Parameter& about) {
@@ -84,7 +78,7 @@ void refuse_others(const game::Assignments& assignments) {
     if (path.starts_with("match.") || path.starts_with("field.")) continue;
     throw io::InputError(
         {assignment.flag}, "",
-        "not a setting of the rules; expected one of the branches match and field");
+        "does not change the rules; give a setting that starts with match. or field.");
   }
 }
 
@@ -99,7 +93,8 @@ int print_machine(const RulesArguments& arguments) {
 
 int print_books(const RulesArguments& arguments) {
   if (arguments.numbers || !arguments.sets.empty())
-    throw io::InputError({"BOOK"}, "", "--numbers and --set need the name of a rule book");
+    throw io::InputError({arguments.numbers ? "--numbers" : "--set"}, "",
+                         "needs a rule book, for example: autoref show rules 2014 --numbers");
   fmt::print("{}", arguments.json ? books_json() : books_text());
   return io::kDone;
 }
@@ -116,9 +111,9 @@ int rules_verb(const RulesArguments& arguments) {
   if (arguments.json) {
     fmt::print("{}", rules_json(rules, changes));
   } else {
-    fmt::print("{}",
-               io::text_of(arguments.numbers ? numbers_text(rules) : rules_text(rules, changes),
-                           io::text_width(stdout)));
+    fmt::print("{}", io::text_of(arguments.numbers ? numbers_text(rules, changes)
+                                                   : rules_text(rules, changes),
+                                 io::text_width(stdout)));
   }
   return io::kDone;
 }
@@ -137,26 +132,29 @@ io::TextBlocks rules_text(const RuleBook& rules, const std::vector<RuleChange>& 
       others.push_back(entry.name);
     }
   }
-  return {heading_of(rules, changes), std::move(table),
+  return {fmt::format("Rules in force in {}:\n\n", name_with_changes(rules.name, text_of(changes))),
+          std::move(table),
           fmt::format("\nNot in force (enable one with match.switch.NAME: true):\n{}\n",
                       fmt::join(others, ", "))};
 }
 
-io::TextBlocks numbers_text(const RuleBook& rules) {
+io::TextBlocks numbers_text(const RuleBook& rules, const std::vector<RuleChange>& changes) {
   io::TextTable table{{},
                       {io::Align::kLeft, io::Align::kRight, io::Align::kLeft, io::Align::kLeft}};
   const std::optional<RuleBook> official = find_rule_book(rules.name);
   RuleBook::visit(rules, [&](const auto& number, const Parameter& about) {
     const std::string value = value_text(number, about);
-    std::string its;
+    std::string official_value;
     RuleBook::visit(*official, [&](const auto& other, const Parameter& its_about) {
-      if (its_about.name == about.name) its = value_text(other, about);
+      if (its_about.name == about.name) official_value = value_text(other, about);
     });
-    table.rows.push_back({path_of_number(about.name), value,
-                          its == value ? "" : fmt::format("officially {}", its),
-                          std::string(about.about)});
+    table.rows.push_back(
+        {path_of_number(about.name), value,
+         official_value == value ? "" : fmt::format("officially {}", official_value),
+         std::string(about.about)});
   });
-  return {fmt::format("Numbers of '{}':\n\n", rules.name), std::move(table)};
+  return {fmt::format("Numbers of {}:\n\n", name_with_changes(rules.name, text_of(changes))),
+          std::move(table)};
 }
 
 std::string rules_json(const RuleBook& rules, const std::vector<RuleChange>& changes) {
@@ -203,9 +201,11 @@ void add_rules_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb = app.add_subcommand("rules", "List the rule books, or the rules of one.");
   auto arguments = std::make_shared<RulesArguments>();
   verb->add_option("BOOK", arguments->book, "Name of a rule book. Default: list all rule books.");
-  add_set_option(*verb, arguments->sets);
+  add_set_option(*verb, arguments->sets,
+                 "Change a setting in match or field, such as match.rule.dribbling_m=2. May be "
+                 "repeated.");
   verb->add_flag("--numbers", arguments->numbers,
-                 "Instead of the rules, list the numbers, each with its setting.");
+                 "List the numbers instead of the rules, each with its setting.");
   add_json_flag(*verb, arguments->json);
   verb->add_flag("--machine", arguments->machine,
                  "Instead, print the referee's state machine as a graph for Graphviz's `dot`.");

@@ -15,7 +15,7 @@ namespace autoref::app {
 io::TextBlocks rules_text(const RuleBook& rules, const std::vector<RuleChange>& changes = {});
 
 // One line per number: name, value with its unit, official value if it differs, and meaning.
-io::TextBlocks numbers_text(const RuleBook& rules);
+io::TextBlocks numbers_text(const RuleBook& rules, const std::vector<RuleChange>& changes = {});
 
 // The rules, their numbers and the changes as one JSON object.
 std::string rules_json(const RuleBook& rules, const std::vector<RuleChange>& changes = {});

@@ -220,7 +220,7 @@ std::vector<Column> played_columns() {
           return row.record.events[index];
         }));
   }
-  for (const game::GameCount& one : game::game_counts()) {
+  for (const game::GameTotal& one : game::game_totals()) {
     columns.push_back(integer_column(
         std::string(one.name), [member = one.count](auto& row) -> auto& {
           return row.record.*member;

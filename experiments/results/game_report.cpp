@@ -172,7 +172,7 @@ std::string json_of(const GameReport& report) {
       {"seed", report.configuration.seed},
       {"teams", teams_json(report.configuration)},
       {"calls", calls_json(record)}};
-  for (const game::GameCount& one : game::game_counts()) json[one.name] = record.*one.count;
+  for (const game::GameTotal& one : game::game_totals()) json[one.name] = record.*one.count;
   for (const game::CountField& field : game::count_fields()) add_counts(json, record, field);
   for (const game::MeasuredTime& time : game::measured_times())
     json[time.name] = record.*time.seconds;

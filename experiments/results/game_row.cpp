@@ -18,7 +18,7 @@ GameRow row_of(const ScheduledGame& game) {
   row.side_a = game.settings.leg().a_plays;
   row.seed = game.settings.leg().seed;
   const game::GameSettings settings = game.settings.combined();
-  row.rule_changes = list_of(rule_changes(settings.match.rules, settings.field));
+  row.rule_changes = text_of(rule_changes(settings.match.rules, settings.field));
   row.config_hash = game::configuration_hash(settings);
   return row;
 }
@@ -29,8 +29,9 @@ std::vector<std::string> rule_notes(const RowsById& rows) {
     if (!row.rule_changes.empty()) ++games[row.rule_changes];
   std::vector<std::string> notes;
   for (const auto& [changes, count] : games) {
-    notes.push_back(not_official_text(changes));
-    if (count < rows.size()) notes.back() += fmt::format(" in {} of {} games", count, rows.size());
+    const std::string text = not_official_text(changes);
+    notes.push_back(
+        count == rows.size() ? text : fmt::format("{} of {} games: {}", count, rows.size(), text));
   }
   return notes;
 }

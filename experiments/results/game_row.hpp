@@ -36,7 +36,7 @@ struct GameRow {
   std::string team_b;
   Side side_a = Side::kWest;  // side on which team a played the first half
   std::uint64_t seed = 0;
-  std::string rule_changes;  // game::rule_changes_in()
+  std::string rule_changes;  // text_of() the game's changes (soccer/rules/rule_changes.hpp)
 
   // A record read from a file contains only what the columns store: the events that are calls, the
   // goals of the first half, and times rounded to milliseconds. The
@@ -54,8 +54,8 @@ using RowsById = std::map<std::string, GameRow>;
 // moves its node, without another allocation.
 using RowsInFiles = std::multimap<std::string, GameRow>;
 
-// One line for each list of changes in the rows: "not the official rules: double touch 150 mm (50)
-// in 40 of 80 games"; without the number of games if it concerns all rows.
+// One line for each list of changes in the rows: "40 of 80 games: not the official rules: double
+// touch 150 mm (50)"; without the numbers of games if it concerns all rows.
 std::vector<std::string> rule_notes(const RowsById& rows);
 
 // The row for a scheduled game that has not been played.

@@ -20,7 +20,7 @@ struct EventTeam {
   std::string name;
 };
 
-// What lines say about the whole game.
+// Facts about the game that every line repeats.
 struct EventGame {
   PerSide<EventTeam> teams;
   std::string rule_changes;  // rule_changes_in() (game_configuration.hpp)

@@ -57,7 +57,7 @@ bool is_stop(const referee::Decision& decision) {
 }
 
 bool is_doubtful(const referee::Finding& finding) {
-  return is_call(finding.event) && finding.confidence < kDoubtful;
+  return is_call(finding.event) && finding.confidence < kDoubtfulBelow;
 }
 
 }  // namespace
@@ -74,7 +74,8 @@ class Game::Impl {
         tracker_(referee_configuration(configuration_).noise),
         referee_(referee_configuration(configuration_)),
         situation_(configuration_.match.rules),
-        substitution_controller_(configuration_.field, robots_of(configuration_)),
+        substitution_controller_(configuration_.field, robots_of(configuration_),
+                                 configuration_.match.rules.opponents_to_ball_m),
         tracks_(sim::split_latency(configuration_.sim).frames),
         statistics_(configuration_.field, configuration_.sim.ball, rate_hz()),
         players_{{TeamController(configuration_, Side::kWest, make_team),

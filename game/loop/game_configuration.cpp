@@ -38,6 +38,16 @@ double failed_placements_s(const referee::Match& match) {
   return 2 * match.halves * rules.placement_failures * 2 * rules.placement_time_s;
 }
 
+// How many times longer than under the official rules the referee may wait in a stop.
+double waiting_factor(const RuleBook& rules) {
+  const RuleBook usual;
+  return std::max(
+      {1.0, rules.ready_timeout_s / usual.ready_timeout_s,
+       rules.start_timeout_s / usual.start_timeout_s, rules.halt_s / usual.ready_timeout_s,
+       rules.placement_time_s / usual.placement_time_s, rules.interference_s / usual.interference_s,
+       static_cast<double>(rules.retakes) / usual.retakes});
+}
+
 double longest_shootout_s(const RuleBook& rules) {
   const double kick_s = 2 * rules.ready_timeout_s + rules.penalty_time_s;
   return 2 * referee::kMostShootoutKicks * kick_s;
@@ -81,7 +91,7 @@ PerSide<std::string> shown_names(const GameConfiguration& game) {
 }
 
 std::string rule_changes_in(const GameConfiguration& game) {
-  return list_of(rule_changes(game.match.rules, game.field));
+  return text_of(rule_changes(game.match.rules, game.field));
 }
 
 referee::Configuration referee_configuration(const GameConfiguration& game) {
@@ -103,7 +113,7 @@ double longest_s(const referee::Match& match) {
   const RuleBook& rules = match.rules;
   const bool teams_place = match.placement == referee::PlacedBy::kTeams;
   const double standstill = teams_place ? kStandstillOfTeams : kStandstill;
-  const double stretch = rules.clock_stops ? standstill : 1;
+  const double stretch = rules.clock_stops ? standstill * waiting_factor(rules) : 1;
   double longest_s = match.halves * (match.half_s * stretch + match.break_s) + kSlack_s +
                      failed_placements_s(match);
   if (rules.has(RuleId::kTimeouts)) longest_s += 2 * (rules.timeouts_s + rules.extra_timeouts_s);

@@ -37,7 +37,7 @@ constexpr auto names_of(Status /*any*/) {
 using autoref::name_of;
 
 // Calls with a lower confidence are doubtful.
-inline constexpr double kDoubtful = 0.7;
+inline constexpr double kDoubtfulBelow = 0.7;
 
 struct GameRecord {
   int goals_a = 0;
@@ -50,7 +50,7 @@ struct GameRecord {
   std::array<int, referee::kEventCount> events{};  // how often each event occurred
   int count(referee::Event event) const { return events[static_cast<std::size_t>(event)]; }
   int stops = 0;           // how often play was stopped, not counting the ends of halves
-  int doubtful_calls = 0;  // calls with a confidence below kDoubtful
+  int doubtful_calls = 0;  // calls with a confidence below kDoubtfulBelow
   // Labels of the transitions taken, without duplicates. The texts live as long as the program.
   std::vector<std::string_view> transitions;
   std::array<PlayCounts, 2> counts{};  // [a, b]
@@ -66,16 +66,16 @@ struct GameRecord {
   int attempts = 1;
 };
 
-// A count of a game, such as "stops".
-struct GameCount {
+// A count of a game that belongs to neither an event nor a team, such as "stops".
+struct GameTotal {
   std::string_view name;
   int GameRecord::*count;
 };
 
-// All counts besides calls and those of the teams, in the order used in rows and JSON.
-inline std::span<const GameCount> game_counts() {
-  static constexpr std::array kCounts = {GameCount{"stops", &GameRecord::stops},
-                                         GameCount{"doubtful_calls", &GameRecord::doubtful_calls}};
+// All such counts, in the order used in rows and JSON.
+inline std::span<const GameTotal> game_totals() {
+  static constexpr std::array kCounts = {GameTotal{"stops", &GameRecord::stops},
+                                         GameTotal{"doubtful_calls", &GameRecord::doubtful_calls}};
   return kCounts;
 }
 

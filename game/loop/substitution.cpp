@@ -12,7 +12,6 @@ constexpr double kNotice_s = 1.0;              // time for the team to choose th
 constexpr double kFromHalfwayLine_m = 200_mm;  // distance to the first return position
 constexpr double kNextPosition_m = 200_mm;     // distance between return positions
 constexpr double kFromWall_m = 20_mm;          // distance from hull to wall
-constexpr double kFromBall_m = 500_mm;         // distance from hull to ball, as at every restart
 
 bool is_stopped(CommandKind command) {
   switch (command) {
@@ -40,9 +39,10 @@ int leaver(const sim::World& world, Side side, const TeamRequests& requests) {
                                                          : highest;
 }
 
-bool is_off_ball(const Vec2& position_m, const RefereeSignal& signal, const sim::World& world) {
+bool is_off_ball(const Vec2& position_m, const RefereeSignal& signal, const sim::World& world,
+                 double from_ball_m) {
   const auto keeps_from = [&](const Vec2& ball_m) {
-    return (position_m - ball_m).norm() > kFromBall_m + kRobotRadius_m;
+    return (position_m - ball_m).norm() > from_ball_m + kRobotRadius_m;
   };
   return keeps_from(world.state().ball.position_m) &&
          (!signal.placement || keeps_from(signal.placement->target_m));
@@ -51,7 +51,7 @@ bool is_off_ball(const Vec2& position_m, const RefereeSignal& signal, const sim:
 }  // namespace
 
 std::optional<Vec2> return_position(const Field& field, Side side, const RefereeSignal& signal,
-                                    const sim::World& world) {
+                                    const sim::World& world, double from_ball_m) {
   const double turn = -goal_sign(side);  // 1 in the west, -1 in the east
   // In the middle of the run-off, or nearer to the field if the wall is too close.
   const double off_line_m =
@@ -63,7 +63,8 @@ std::optional<Vec2> return_position(const Field& field, Side side, const Referee
       // With a rotation by 180 degrees, both sides have the same positions as seen from their own
       // goals.
       const Vec2 position_m = turn * Vec2(-kFromHalfwayLine_m - kNextPosition_m * i, y_m);
-      if (world.is_free(position_m) && is_off_ball(position_m, signal, world)) return position_m;
+      if (world.is_free(position_m) && is_off_ball(position_m, signal, world, from_ball_m))
+        return position_m;
     }
   }
   return std::nullopt;
@@ -93,7 +94,7 @@ void SubstitutionController::note_allowance(Side side, int allowed, double time_
 
 void SubstitutionController::call_back(Side side, const RefereeSignal& signal,
                                        sim::World& world) const {
-  const std::optional<Vec2> position_m = return_position(field_, side, signal, world);
+  const std::optional<Vec2> position_m = return_position(field_, side, signal, world, from_ball_m_);
   if (!position_m) return;
   int number = 0;
   const auto is_kept_off = [&](int robot) {

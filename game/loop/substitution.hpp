@@ -14,9 +14,10 @@ namespace autoref::game {
 
 class SubstitutionController {
  public:
-  // `robots` is the number of robots in each side's team.
-  SubstitutionController(const Field& field, const PerSide<int>& robots)
-      : field_(field), robots_(robots) {}
+  // `robots` is the number of robots in each side's team; `from_ball_m` is the distance that
+  // returning robots keep from the ball.
+  SubstitutionController(const Field& field, const PerSide<int>& robots, double from_ball_m)
+      : field_(field), robots_(robots), from_ball_m_(from_ball_m) {}
 
   // Sets whether a robot is kept off: it then does not return until this is set to false.
   void keep_off(RobotId robot, bool is_kept_off) {
@@ -37,6 +38,7 @@ class SubstitutionController {
 
   Field field_;
   PerSide<int> robots_;
+  double from_ball_m_;
   PerSide<std::bitset<kMaxRobots>> kept_off_;
   PerSide<int> allowed_{{kMaxRobots, kMaxRobots}};
   PerSide<double> fell_s_{};  // when the allowance last fell
@@ -44,9 +46,9 @@ class SubstitutionController {
 
 // Returns a free position in the run-off for a returning robot of `side`. The position is in the
 // side's own half, as near as possible to the halfway line. The touch line to the right of the
-// side's goalkeeper is tried first. At that position, the robot's hull is more than 500 mm from the
-// ball and from the ball placement target. Returns nullopt if every position is taken.
+// side's goalkeeper is tried first. At that position, the robot's hull is more than `from_ball_m`
+// from the ball and from the ball placement target. Returns nullopt if every position is taken.
 std::optional<Vec2> return_position(const Field& field, Side side, const RefereeSignal& signal,
-                                    const sim::World& world);
+                                    const sim::World& world, double from_ball_m);
 
 }  // namespace autoref::game

@@ -106,7 +106,7 @@ void check_world(const std::string& branch, const Part& part) {
 std::set<std::string> changed_numbers(const GameSettings& game) {
   std::set<std::string> paths;
   for (RuleChange& change : rule_changes(game.match.rules, game.field))
-    if (change.path.starts_with(kRuleNumbers)) paths.insert(std::move(change.path));
+    if (change.path.starts_with(kRuleNumberBranch)) paths.insert(std::move(change.path));
   return paths;
 }
 
@@ -188,7 +188,7 @@ void check_rule_numbers(const GameSettings& game) {
   try {
     check_rules(game.match.rules, game.field);
   } catch (const OutOfRange& error) {
-    throw SettingError(std::string(kRuleNumbers) + error.path(), error.text());
+    throw SettingError(std::string(kRuleNumberBranch) + error.path(), error.text());
   }
 }
 
@@ -215,7 +215,7 @@ std::uint64_t configuration_hash(const GameSettings& game) {
   // on how the settings were given.
   for (const Setting& setting : settings_of(copy)) {
     if (is_alias(setting) || is_given_by_changes(setting) || names_no_content(setting)) continue;
-    if (setting.path.starts_with(kRuleNumbers) && !changed.contains(setting.path)) continue;
+    if (setting.path.starts_with(kRuleNumberBranch) && !changed.contains(setting.path)) continue;
     text += fmt::format("{}={}\n", setting.path, value_of(setting));
   }
   text += team_text(game, "teams.a", game.a) + team_text(game, "teams.b", game.b);

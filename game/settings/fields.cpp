@@ -109,8 +109,8 @@ void list_match(GameSettings& game, std::vector<Setting>& list) {
       to.parameter(value, about);
     }
   });
-  list_rule_numbers(game.match.rules, kRuleNumbers, list);
-  Branch switches(list, std::string(kRuleSwitches));
+  list_rule_numbers(game.match.rules, kRuleNumberBranch, list);
+  Branch switches(list, std::string(kRuleSwitchBranch));
   for (const RuleEntry& entry : rule_table())
     switches.parameter(game.match.rules.in_force[entry.rule], {entry.name, entry.about});
 }

@@ -15,8 +15,9 @@ constexpr double kHoldingMargin_s = 0.2;
 constexpr double kContactLead_s = 0.05;
 
 // Double touch: the kicker of a restart touches the ball, again or still, after the ball has moved
-// more than `double_touch_m` from its position and before another robot touches it (Laws 2014, law
-// 9, decision 1; 2026, Double Touch). In 2026, this does not apply to penalty kicks.
+// more than `double_touch_m` from its position and has been in play for `double_touch_s`, and
+// before another robot touches it (Laws 2014, law 9, decision 1; 2026, Double Touch). In 2026, this
+// does not apply to penalty kicks.
 class DoubleTouch final : public GroundTruthRule {
  public:
   void watch(const TrueFrame& frame, TrueEvents& all) override {
@@ -46,7 +47,7 @@ class DoubleTouch final : public GroundTruthRule {
     is_over_ = is_over_ || touch.robot != *kicker_ || touch.robot.side != frame.play.taker;
     if (is_over_) return;
     farthest_m_ = std::max(farthest_m_, (touch.ball_m - frame.play.ball_from_m).norm());
-    if (!has_had_time(frame)) return;
+    if (!is_kick_time_over(frame)) return;
     const double excess_m = farthest_m_ - frame.rules.double_touch_m;
     if (reported_at_) {
       if (excess_m > kAgainMargin_m) all[*reported_at_].is_borderline = false;
@@ -61,8 +62,8 @@ class DoubleTouch final : public GroundTruthRule {
         excess_m, kAgainMargin_m);
   }
 
-  // Whether the kicker has had all the time that it may have for its kick.
-  static bool has_had_time(const TrueFrame& frame) {
+  // Whether the ball has been in play for `double_touch_s`.
+  static bool is_kick_time_over(const TrueFrame& frame) {
     const double time_s = frame.rules.double_touch_s;
     return time_s == 0 || (frame.play.in_play && has_passed(frame, frame.play.entered_s, time_s));
   }

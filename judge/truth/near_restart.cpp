@@ -22,7 +22,7 @@ class AttackersNearArea final : public GroundTruthRule {
     if (play.is_stop && awaits_kickoff(frame.signal)) return;
     if (play.stop_count != stop_) begin(play);
     for (const Side side : kSides) {
-      if (fouls_[side] == frame.rules.attacker_fouls) continue;
+      if (fouls_[side] == frame.rules.area_fouls_per_halt) continue;
       if (near_.watch(frame, side, nearest(frame, side), all)) ++fouls_[side];
     }
   }

@@ -50,14 +50,14 @@ void watch_play(PlayState& play, const RefereeInput& input) {
     play.ball_from_m = input.ball->position_m;
     mark_position(play, input);
   }
-  const double moved_m = (input.ball->position_m - *play.ball_from_m).norm();
-  if (!play.in_play && moved_m > rules.in_play_m) {
+  play.moved_m = std::max(play.moved_m, (input.ball->position_m - *play.ball_from_m).norm());
+  if (!play.in_play && play.moved_m > rules.in_play_m) {
     play.in_play = true;
     play.entered_now = true;
     play.in_play_since_s = input.time_s();
     mark_position(play, input);
   }
-  if (play.in_play && !play.kick_ended_s && moved_m > rules.double_touch_m &&
+  if (play.in_play && !play.kick_ended_s && play.moved_m > rules.double_touch_m &&
       has_passed(play.in_play_since_s, rules.double_touch_s, input.time_s())) {
     play.kick_ended_s = input.time_s();
   }

@@ -148,7 +148,7 @@ Finding step_of(const RefereeState& state, const RefereeInput& input) {
 bool is_lost(const RefereeState& state, const RefereeInput& input) {
   const double since_s = std::max(state.placing.still_since_s, state.signal.command_time_s);
   return is_out_of_reach(input) &&
-         has_passed(since_s, input.configuration.rules.placement_lost_s, input.time_s());
+         has_passed(since_s, input.configuration.rules.placement_unreachable_s, input.time_s());
 }
 
 // Orders the team to place the ball.
@@ -296,7 +296,7 @@ bool is_placement_due(const RefereeState& state) {
 std::optional<Finding> find_placement_step(RefereeState& state, const RefereeInput& input) {
   if (!input.ball) return std::nullopt;
   watch_rest(state.placing, input);
-  if (!has_passed(state.signal.command_time_s, input.configuration.rules.placement_order_s,
+  if (!has_passed(state.signal.command_time_s, input.configuration.rules.placement_command_s,
                   input.time_s()))
     return std::nullopt;
   state.placing.step = next_step(state, input);

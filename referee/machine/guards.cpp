@@ -112,9 +112,9 @@ bool fouls_stop_play(const RefereeState& /*state*/, const RefereeInput& input) {
   return input.configuration.rules.fouls_stop_play;
 }
 
-bool is_second_near_area(const RefereeState& state, const RefereeInput& input) {
+bool has_fouls_for_halt(const RefereeState& state, const RefereeInput& input) {
   return state.watch.attacker_too_close_to_defense_area.has_team_with(
-      input.configuration.rules.attacker_fouls);
+      input.configuration.rules.area_fouls_per_halt);
 }
 
 bool fouls_decide_penalty(const RefereeState& state, const RefereeInput& input) {

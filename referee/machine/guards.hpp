@@ -27,7 +27,7 @@ bool is_in_shootout(const RefereeState& state, const RefereeInput& input);
 bool game_was_last(const RefereeState& state, const RefereeInput& input);
 bool new_game_follows(const RefereeState& state, const RefereeInput& input);
 bool fouls_stop_play(const RefereeState& state, const RefereeInput& input);
-bool is_second_near_area(const RefereeState& state, const RefereeInput& input);
+bool has_fouls_for_halt(const RefereeState& state, const RefereeInput& input);
 bool fouls_decide_penalty(const RefereeState& state, const RefereeInput& input);
 bool fouls_decide_kick(const RefereeState& state, const RefereeInput& input);
 bool fouls_are_noted(const RefereeState& state, const RefereeInput& input);
@@ -44,7 +44,7 @@ inline constexpr Guard kGameWasLast{"no new game follows", game_was_last};
 inline constexpr Guard kNewGameFollows{"a new game follows", new_game_follows};
 inline constexpr Guard kFoulsStopPlay{"fouls stop play", fouls_stop_play};
 inline constexpr Guard kSecondNearArea{"the team's second in this stop or free kick",
-                                       is_second_near_area};
+                                       has_fouls_for_halt};
 inline constexpr Guard kFoulsDecidePenalty{"fouls decide the penalty kick", fouls_decide_penalty};
 inline constexpr Guard kFoulsDecideKick{"fouls decide the penalty kick, or in a shoot-out",
                                         fouls_decide_kick};

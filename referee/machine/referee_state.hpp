@@ -32,10 +32,12 @@ struct PlayState {
   std::optional<Side> kicker;       // the side that takes the restart; nullopt after a force start
   double began_s = 0;               // when the restart was signalled
   std::optional<Vec2> ball_from_m;  // where the ball was at `began_s`; nullopt until it is seen
+  double moved_m = 0;               // largest distance of the ball from there
   bool in_play = false;             // the ball has moved, or need not move for this restart
   bool entered_now = false;         // the ball entered play in this frame
   double in_play_since_s = 0;       // meaningless until the ball is in play
-  // When the kick that took the restart was over: later touches by the kicker are double touches.
+  // When the kick that took the restart was over. After that, a touch by the kicker before any
+  // other robot's is a double touch.
   std::optional<double> kick_ended_s;
   TouchHistory touches;   // touches since play began
   Vec2 stuck_at_m{0, 0};  // the ball has stayed near this position since `stuck_since_s`

@@ -1,8 +1,9 @@
 // The kicker of a restart must not touch the ball again, once the kick is over, before another
-// robot has touched it (Laws 2014, laws 8 and 13 to 17; 2026, Double Touch). The kick is over when
-// the ball is in play and has moved RuleBook::double_touch_m. "Again" means after ball and robot
-// have separated, so several contacts during the kick count as one touch. A touch by an unknown
-// robot may have been made by another robot, so it is not penalised.
+// robot has touched it (Laws 2014, laws 8 and 13 to 17; 2026, Double Touch). The kick is over once
+// the ball has been in play for RuleBook::double_touch_s and has moved farther than
+// RuleBook::double_touch_m. "Again" means after ball and robot have separated, so several contacts
+// during the kick count as one touch. A touch by an unknown robot may have been made by another
+// robot, so it is not penalised.
 #include <fmt/format.h>
 
 #include "referee/machine/ball_in_play.hpp"
@@ -16,7 +17,7 @@ namespace {
 bool stays_in_contact(const PlayState& play, const RefereeInput& input) {
   if (input.configuration.rules.edition != Edition::kRules2026) return false;
   const BallTouch* touch = play.touches.newest();
-  if (play.touches.count() != 1 || !touch->robot) return false;
+  if (touch == nullptr || !touch->robot) return false;
   const double carried_m = (touch->ended_m - *play.ball_from_m).norm();
   return touch->began_s <= *play.kick_ended_s && touch->ended_s > *play.kick_ended_s &&
          carried_m >

@@ -26,8 +26,6 @@ constexpr double kNear_m = 2 * kRobotRadius_m + 60_mm;
 // Largest gap between the ball's surface and each hull when the ball comes between the robots. The
 // ball counts as between them until it is visibly apart from one of them (touch_candidates.hpp).
 constexpr double kAtBall_m = 5_mm;
-// A robot that was already driving away from the pusher faster than this was not pushed.
-constexpr double kOwnSpeed_mps = 0.1_mps;
 // Pushes that differ by less than this count as equally long, since they may differ by rounding
 // only.
 constexpr double kPushSame_m = 1e-9;

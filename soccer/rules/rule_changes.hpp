@@ -17,8 +17,8 @@ struct RuleChange {
 };
 
 // The branches of settings with the numbers of a rule book, and with its rules.
-inline constexpr std::string_view kRuleNumbers = "match.rule.";
-inline constexpr std::string_view kRuleSwitches = "match.switch.";
+inline constexpr std::string_view kRuleNumberBranch = "match.rule.";
+inline constexpr std::string_view kRuleSwitchBranch = "match.switch.";
 
 // The setting for a number of a rule book: "match.rule.double_touch_m". Two numbers are settings of
 // the match itself: "match.extra_half_s" and "match.change_ends".
@@ -29,14 +29,18 @@ std::string path_of_number(std::string_view name);
 std::vector<RuleChange> rule_changes(const RuleBook& rules, const Field& field);
 
 // The texts of all changes: "double touch 150 mm (50); offside yes (no)".
-std::string list_of(const std::vector<RuleChange>& changes);
+std::string text_of(const std::vector<RuleChange>& changes);
 
-// "not the official rules: double touch 150 mm (50)", for a list_of() changes; empty for an empty
+// "not the official rules: double touch 150 mm (50)", for a text_of() changes; empty for an empty
 // list.
 std::string not_official_text(const std::string& list);
 
-// Throws OutOfRange if two numbers contradict each other, or if a changed number leaves no room on
-// the field. Its path is that of the number to correct, below kRuleNumbers.
+// The book's name, and its changes if there are any: "2026-b, not the official rules: double touch
+// 150 mm (50)".
+std::string name_with_changes(const std::string& book, const std::string& list);
+
+// Throws OutOfRange if a changed number contradicts another one or leaves no room on the field. The
+// error's path is the number's name, without the branch. Official numbers are valid on any field.
 void check_rules(const RuleBook& rules, const Field& field);
 
 }  // namespace autoref

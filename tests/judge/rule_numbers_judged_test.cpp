@@ -1,5 +1,5 @@
 // The numbers of a rule book, turned up and down: the ground truth has fewer events where the rules
-// allow more, and the referee still agrees with it. scripts/rule-numbers does this for all numbers.
+// allow more, and the referee still agrees with it.
 #include <gtest/gtest.h>
 
 #include <string>

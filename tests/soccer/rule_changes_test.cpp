@@ -13,7 +13,7 @@ namespace {
 struct ChangedGame {
   explicit ChangedGame(const std::string& book)
       : rules(find_rule_book(book).value()), field(find_game_setup(book)->field) {}
-  std::string text() const { return not_official_text(list_of(rule_changes(rules, field))); }
+  std::string text() const { return not_official_text(text_of(rule_changes(rules, field))); }
   // The path and text of the contradiction; empty if there is none.
   std::string refusal() const {
     try {
@@ -84,14 +84,16 @@ TEST(RuleContradictions, AreRefusedByTheNumberToCorrect) {
     game.rules.*number = value;
     return game.refusal();
   };
-  EXPECT_EQ(refusal(&RuleBook::double_touch_m, 0.02),
-            "in_play_m is 0.05; it must be at most 0.02, double_touch_m: a second touch is a foul "
-            "only once the ball is in play");
+  EXPECT_EQ(
+      refusal(&RuleBook::double_touch_m, 0.02),
+      "in_play_m is 0.05; it must be at most double_touch_m (0.02), because a second touch is "
+      "a foul only once the ball is in play");
   EXPECT_EQ(refusal(&RuleBook::double_touch_m, 0.05), "");
   EXPECT_TRUE(refusal(&RuleBook::readiness_period_s, 20).starts_with("readiness_period_s is 20"));
   EXPECT_TRUE(refusal(&RuleBook::attacker_to_area_m, 1.1).starts_with("attacker_to_area_m is 1.1"));
   EXPECT_TRUE(refusal(&RuleBook::placement_least_s, 31).starts_with("placement_least_s is 31"));
-  EXPECT_TRUE(refusal(&RuleBook::ball_in_position_m, 0.2).starts_with("ball_in_position_m"));
+  EXPECT_TRUE(refusal(&RuleBook::start_timeout_s, 0.5).starts_with("readiness_period_s is 1"));
+  EXPECT_TRUE(refusal(&RuleBook::ball_in_position_m, 0.16).starts_with("ball_in_position_m"));
 }
 
 // The half of division B's field is 4.5 m by 3 m, and its areas are 1 m deep.
@@ -101,15 +103,19 @@ TEST(RuleContradictions, LeaveRoomForRestartsOnTheField) {
     game.rules.*number = value;
     return game.refusal();
   };
-  for (const auto number : {&RuleBook::free_kick_to_area_m, &RuleBook::neutral_to_area_m}) {
-    EXPECT_EQ(refusal(number, 3.5), "");
-    EXPECT_NE(refusal(number, 3.6), "");
-  }
+  EXPECT_EQ(refusal(&RuleBook::neutral_to_area_m, 3.5), "");
+  EXPECT_NE(refusal(&RuleBook::neutral_to_area_m, 3.6), "");
+  // Free kicks next to an area are 0.2 m or more from the touch line, and the areas are 2 m wide.
+  EXPECT_EQ(refusal(&RuleBook::free_kick_to_area_m, 1.8), "");
+  EXPECT_NE(refusal(&RuleBook::free_kick_to_area_m, 1.9), "");
   EXPECT_EQ(refusal(&RuleBook::penalty_clearance_m, 3), "");
   EXPECT_NE(refusal(&RuleBook::penalty_clearance_m, 3.1), "");
   ChangedGame narrow("2026-b");
   narrow.field.width_m = 2;
   EXPECT_EQ(narrow.refusal(), "") << "official numbers are valid on any field";
+  narrow.rules.in_force[RuleId::kOffside] = true;
+  narrow.rules.dribbling_m = 0.5;
+  EXPECT_EQ(narrow.refusal(), "") << "the numbers that need room are official";
   narrow.rules.throw_in_inset_m = 1.1;
   EXPECT_NE(narrow.refusal(), "");
 }

@@ -35,7 +35,8 @@ class StagedGame {
         camera_({}, on, kRate_hz, seed),
         situation_(rules),
         substitution_controller_(on,
-                                 {{static_cast<int>(west.robots), static_cast<int>(east.robots)}}) {
+                                 {{static_cast<int>(west.robots), static_cast<int>(east.robots)}},
+                                 rules.opponents_to_ball_m) {
     command(CommandKind::kStop);
   }
 

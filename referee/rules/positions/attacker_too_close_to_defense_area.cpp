@@ -9,8 +9,9 @@
 // 2026, Attacker Too Close To Defense Area: during stop and free kicks, robots keep 0.2 m away from
 // the opponents' defence area. They have 2 s to leave after the start of the stop. After that, a
 // violation gives the opponents a free kick, and the team has another 2 s to leave. The team's
-// second foul (RuleBook::attacker_fouls) in the same stop or free kick halts the game. A free kick
-// belongs to the stop before it until the ball is in play.
+// second foul in the same stop or free kick halts the game (attacker_grace_s and
+// area_fouls_per_halt in the rule book). A free kick belongs to the stop before it until the ball
+// is in play.
 #include <fmt/format.h>
 #include <algorithm>
 

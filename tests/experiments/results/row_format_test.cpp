@@ -44,7 +44,7 @@ GameRow full_row() {
     }
   }
   int next_count = 60;
-  for (const game::GameCount& one : game::game_counts()) record.*one.count = ++next_count;
+  for (const game::GameTotal& one : game::game_totals()) record.*one.count = ++next_count;
   record.transitions = {"begin", "goal", "start"};
   double time_s = 700.125;
   for (const game::MeasuredTime& time : game::measured_times()) record.*time.seconds = time_s++;
@@ -133,7 +133,7 @@ TEST(RowFormat, ReadsBackTypedValues) {
   EXPECT_EQ(read.record.status, game::Status::kForfeit);
   EXPECT_EQ(read.record.counts, row.record.counts);
   EXPECT_EQ(read.rule_changes, row.rule_changes);
-  for (const game::GameCount& one : game::game_counts())
+  for (const game::GameTotal& one : game::game_totals())
     EXPECT_EQ(read.record.*one.count, row.record.*one.count) << one.name;
   for (const game::MeasuredTime& time : game::measured_times())
     EXPECT_DOUBLE_EQ(read.record.*time.seconds, row.record.*time.seconds) << time.name;
@@ -152,7 +152,7 @@ TEST(RuleNotes, SayWhichRulesAreNotTheOfficialOnes) {
             std::vector<std::string>{"not the official rules: double touch 150 mm (50)"});
   EXPECT_EQ(
       rule_notes({{"1", other}, {"2", official}}),
-      std::vector<std::string>{"not the official rules: double touch 150 mm (50) in 1 of 2 games"});
+      std::vector<std::string>{"1 of 2 games: not the official rules: double touch 150 mm (50)"});
 }
 
 TEST(RowFormat, KeepsAReasonOnOneLine) {

@@ -106,12 +106,12 @@ TEST(SubstitutionController, HandlesAnAllowanceOfZero) {
 
 TEST(ReturnPosition, IsInTheRunOffOfItsOwnHalfNearTheHalfwayLine) {
   const StagedGame game = dummies();
-  const Vec2 west_m = return_position(game.field, Side::kWest, {}, game.world).value();
+  const Vec2 west_m = return_position(game.field, Side::kWest, {}, game.world, 0.5).value();
   EXPECT_LT(west_m.x(), -kRobotRadius_m);
   EXPECT_GT(west_m.x(), -0.5);
   EXPECT_GT(std::abs(west_m.y()), game.field.half_width_m() + kRobotRadius_m);
   EXPECT_LT(std::abs(west_m.y()), game.field.wall_y_m() - kRobotRadius_m);
-  EXPECT_EQ(return_position(game.field, Side::kEast, {}, game.world).value(), -west_m);
+  EXPECT_EQ(return_position(game.field, Side::kEast, {}, game.world, 0.5).value(), -west_m);
 }
 
 // On every field that a rule book has.
@@ -119,7 +119,7 @@ TEST(ReturnPosition, LeavesRoomForTheHullBetweenLineAndWall) {
   for (const std::string& book : rule_book_names()) {
     StagedGame game = dummies();
     game.field = find_game_setup(book)->field;
-    const Vec2 position_m = return_position(game.field, Side::kWest, {}, game.world).value();
+    const Vec2 position_m = return_position(game.field, Side::kWest, {}, game.world, 0.5).value();
     EXPECT_GT(std::abs(position_m.y()) + 1e-9, game.field.half_width_m() + kRobotRadius_m) << book;
     EXPECT_LT(std::abs(position_m.y()), game.field.wall_y_m() - kRobotRadius_m) << book;
   }
@@ -127,20 +127,20 @@ TEST(ReturnPosition, LeavesRoomForTheHullBetweenLineAndWall) {
 
 TEST(ReturnPosition, KeepsItsDistanceFromTheBallAndThePlacementTarget) {
   StagedGame game = dummies();
-  const Vec2 first_m = return_position(game.field, Side::kWest, {}, game.world).value();
+  const Vec2 first_m = return_position(game.field, Side::kWest, {}, game.world, 0.5).value();
   RefereeSignal signal;
   signal.placement = Placement{first_m + Vec2(0, 0.4), false};
   game.put_ball(first_m + Vec2(-0.6, 0.1));
-  const Vec2 position_m = return_position(game.field, Side::kWest, signal, game.world).value();
+  const Vec2 position_m = return_position(game.field, Side::kWest, signal, game.world, 0.5).value();
   EXPECT_GT((position_m - game.ball().position_m).norm(), 0.5 + kRobotRadius_m);
   EXPECT_GT((position_m - signal.placement->target_m).norm(), 0.5 + kRobotRadius_m);
 }
 
 TEST(ReturnPosition, IsBesideARobotIfTheFirstPositionIsTaken) {
   StagedGame game = dummies();
-  const Vec2 first_m = return_position(game.field, Side::kWest, {}, game.world).value();
+  const Vec2 first_m = return_position(game.field, Side::kWest, {}, game.world, 0.5).value();
   game.put_robot({Side::kEast, 3}, first_m);
-  const Vec2 position_m = return_position(game.field, Side::kWest, {}, game.world).value();
+  const Vec2 position_m = return_position(game.field, Side::kWest, {}, game.world, 0.5).value();
   EXPECT_GE((position_m - first_m).norm(), 2 * kRobotRadius_m);
   EXPECT_LT((position_m - first_m).norm(), 0.45);
 }

@@ -77,8 +77,9 @@ TEST(RuleNumbers, ThatContradictEachOtherAreRefusedWithTheirPaths) {
     FAIL() << "accepted";
   } catch (const io::InputError& error) {
     const std::string message = error.what();
-    EXPECT_NE(message.find("match.rule.in_play_m is 0.05; it must be at most 0.02, double_touch_m"),
-              std::string::npos)
+    EXPECT_NE(
+        message.find("match.rule.in_play_m is 0.05; it must be at most double_touch_m (0.02)"),
+        std::string::npos)
         << message;
   }
 }

@@ -96,6 +96,21 @@ TEST(AttackerStaysNearArea, HaltsTheGameBrieflyTheSecondTime) {
   EXPECT_EQ(game.run_until("start", 20).command, (Command{CommandKind::kDirectFree, Side::kEast}));
 }
 
+TEST(AttackerStaysNearArea, HaltsTheGameAfterTheBooksNumberOfFouls) {
+  for (const int fouls_per_halt : {1, 3}) {
+    Configuration configuration = by_book("2026-b");
+    configuration.rules.area_fouls_per_halt = fouls_per_halt;
+    configuration.rules.halt_s = 5;
+    ScriptedGame game = throw_in_game(configuration);
+    game.robot(Side::kWest, 2) = near_area(Side::kWest, 2, 0.1);
+    game.placement_works = false;
+    while (game.signal.command.kind != CommandKind::kHalt && game.now_s() < 60) game.run(0.1);
+    EXPECT_EQ(fouls(game), fouls_per_halt);
+    const double halted_s = game.signal.command_time_s;
+    EXPECT_NEAR(game.run_until("signalled", 10).time_s - halted_s, 5, 0.05);
+  }
+}
+
 TEST(AttackerStaysNearArea, CountsTheSecondFoulAfterTheFirstStoppedAFreeKick) {
   ScriptedGame game = throw_in_game(by_book("2026-b"));
   game.robot(Side::kWest, 2) = near_area(Side::kWest, 2, 0.1);
