@@ -86,30 +86,36 @@ void list_team(TeamSettings& team, const RobotTypes& types, Branch to) {
   to.add("params", &team.params, {-1e9, 1e9}, "parameters of the strategy, by name");
 }
 
-// Lists the numbers of a rule book whose settings are directly in `branch`.
-void list_rule_numbers(RuleBook& rules, std::string_view branch, std::vector<Setting>& list) {
-  RuleBook::visit(rules, [&](auto& value, const Parameter& about) {
+// Lists the numbers of a rule book that are settings of the match itself.
+void list_numbers_of_match(RuleBook& rules, Branch to) {
+  for (const std::string_view name : kNumbersOfMatch) {
+    RuleBook::visit(rules, [name, &to](auto& value, const Parameter& about) {
+      if (about.name == name) to.parameter(value, about);
+    });
+  }
+}
+
+// Lists the other numbers.
+void list_rule_numbers(RuleBook& rules, std::vector<Setting>& list) {
+  RuleBook::visit(rules, [&list](auto& value, const Parameter& about) {
     const std::string path = path_of_number(about.name);
-    if (path.size() == branch.size() + about.name.size() && path.starts_with(branch))
-      list.push_back(setting_of(path, value, about));
+    if (path.starts_with(kRuleNumberBranch)) list.push_back(setting_of(path, value, about));
   });
 }
 
-constexpr std::string_view kMatch = "match.";
-
 void list_match(GameSettings& game, std::vector<Setting>& list) {
-  Branch to(list, std::string(kMatch));
+  Branch to(list, "match.");
   to.word("rules", RulesChoice{&game}, rule_book_names(),
           "rule book; also sets rule, switch, half_s, extra_half_s, change_ends, field, robots, "
           "kickers, dribblers and latency_error_s");
   referee::Match::visit(game.match, [&](auto& value, const Parameter& about) {
     if constexpr (std::is_same_v<std::remove_reference_t<decltype(value)>, RuleBook>) {
-      list_rule_numbers(value, kMatch, list);
+      list_numbers_of_match(value, to);
     } else {
       to.parameter(value, about);
     }
   });
-  list_rule_numbers(game.match.rules, kRuleNumberBranch, list);
+  list_rule_numbers(game.match.rules, list);
   Branch switches(list, std::string(kRuleSwitchBranch));
   for (const RuleEntry& entry : rule_table())
     switches.parameter(game.match.rules.in_force[entry.rule], {entry.name, entry.about});

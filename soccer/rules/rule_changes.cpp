@@ -181,7 +181,8 @@ void check_room(const RuleBook& rules, const Field& field, const NumberChecker& 
 }  // namespace
 
 std::string path_of_number(std::string_view name) {
-  const bool is_of_match = name == "extra_half_s" || name == "change_ends";
+  const bool is_of_match =
+      std::find(kNumbersOfMatch.begin(), kNumbersOfMatch.end(), name) != kNumbersOfMatch.end();
   return fmt::format("{}{}", is_of_match ? "match." : kRuleNumberBranch, name);
 }
 

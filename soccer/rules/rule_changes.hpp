@@ -1,6 +1,7 @@
 // How a game's rules differ from the official ones: the rule book of the same name, and its field.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,8 +21,12 @@ struct RuleChange {
 inline constexpr std::string_view kRuleNumberBranch = "match.rule.";
 inline constexpr std::string_view kRuleSwitchBranch = "match.switch.";
 
-// The setting for a number of a rule book: "match.rule.double_touch_m". Two numbers are settings of
-// the match itself: "match.extra_half_s" and "match.change_ends".
+// The numbers that are settings of the match itself, such as "match.extra_half_s", in the order of
+// the settings.
+inline constexpr std::array<std::string_view, 2> kNumbersOfMatch = {"extra_half_s", "change_ends"};
+
+// The setting for a number of a rule book: "match.rule.double_touch_m", or below "match." for one
+// of kNumbersOfMatch.
 std::string path_of_number(std::string_view name);
 
 // All changes, in the order of the settings: numbers, switches, field. Empty for a book without an
