@@ -9,6 +9,7 @@
 #include "game/settings/fields.hpp"
 #include "io/errors.hpp"
 #include "logs/log_game.hpp"
+#include "soccer/rules/rule_changes.hpp"
 
 namespace autoref::app {
 namespace {
@@ -50,7 +51,7 @@ void add_referee_options(CLI::App& verb, RefereeArguments& arguments,
 
 void refuse_book_among(const game::Assignments& assignments) {
   for (const game::Assignment& assignment : assignments) {
-    if (game::full_path(assignment.path) == "match.rules")
+    if (game::full_path(assignment.path) == kRuleBookPath)
       throw io::InputError({assignment.flag}, "", "use --rules to choose the rule book");
   }
 }

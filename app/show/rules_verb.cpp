@@ -73,7 +73,7 @@ game::GameSettings game_under(const std::string& book) {
 void refuse_others(const game::Assignments& assignments) {
   for (const game::Assignment& assignment : assignments) {
     const std::string& path = assignment.path;
-    if (path == "match.rules")
+    if (path == kRuleBookPath)
       throw io::InputError({assignment.flag}, "", "give the rule book as the argument BOOK");
     if (path.starts_with("match.") || path.starts_with("field.")) continue;
     throw io::InputError(

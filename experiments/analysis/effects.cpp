@@ -110,16 +110,6 @@ std::vector<FactorAndLevel> later_levels(const Design& design) {
   return all;
 }
 
-void set_holm(std::vector<Effect>& effects) {
-  std::vector<double> known;
-  for (const Effect& effect : effects)
-    if (effect.p) known.push_back(*effect.p);
-  const std::vector<double> corrected = holm(known);
-  auto next = corrected.begin();
-  for (Effect& effect : effects)
-    if (effect.p) effect.p_holm = *next++;
-}
-
 FactorLevel other_level(const Effect& effect) { return effect.other.value_or(FactorLevel{}); }
 
 io::TableColumns<Effect> effect_columns() {
@@ -158,7 +148,7 @@ std::vector<Effect> effects_of(const std::vector<Factor>& factors,
         effects.push_back(effect_of(factors, design, pairs, {one, other}));
     }
   }
-  set_holm(effects);
+  correct_by_holm(effects);
   return effects;
 }
 

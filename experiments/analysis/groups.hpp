@@ -32,10 +32,12 @@ inline std::pair<std::optional<double>, std::optional<double>> bounds_of(
 // The columns low95 and high95 of a 95 % interval, with a prefix such as "diff_".
 template <typename Row>
 io::TableColumns<Row> interval_columns(
-    const std::string& prefix, const std::function<std::optional<Interval>(const Row&)>& interval) {
-  return {
-      {prefix + "low95", [interval](const Row& row) { return bounds_of(interval(row)).first; }},
-      {prefix + "high95", [interval](const Row& row) { return bounds_of(interval(row)).second; }}};
+    const std::string& prefix, const std::function<std::optional<Interval>(const Row&)>& interval,
+    bool are_in_json = false) {
+  return {{prefix + "low95", [interval](const Row& row) { return bounds_of(interval(row)).first; },
+           are_in_json},
+          {prefix + "high95",
+           [interval](const Row& row) { return bounds_of(interval(row)).second; }, are_in_json}};
 }
 
 // Numbers of games won, drawn and lost.

@@ -42,17 +42,6 @@ std::vector<PairedDifference> differences_from_first(const std::vector<Group>& g
   return differences;
 }
 
-io::TableColumns<PairedDifference> difference_columns() {
-  using Columns = io::TableColumns<PairedDifference>;
-  return io::joined(
-      Columns{{"from_first", &PairedDifference::mean}},
-      interval_columns<PairedDifference>("from_first_", &PairedDifference::interval),
-      Columns{
-          {"p", [](const PairedDifference& difference) { return p_cell(difference.p); }},
-          {"p_holm", [](const PairedDifference& difference) { return p_cell(difference.p_holm); }},
-          {"effect_size", &PairedDifference::effect_size}});
-}
-
 // "+2.10 [+1.50, +2.70]" and the corrected p, if there is one.
 io::TableColumns<PairedDifference> difference_text_columns() {
   return {{"from the first [95 %]",
@@ -85,6 +74,17 @@ std::optional<Slope> slope_over_factor(const std::vector<Factor>& factors,
   }
   if (slopes.empty()) return std::nullopt;
   return Slope{mean(slopes), mean_interval(slopes)};
+}
+
+io::TableColumns<PairedDifference> difference_columns() {
+  using Columns = io::TableColumns<PairedDifference>;
+  return io::joined(
+      Columns{{"from_first", &PairedDifference::mean, io::kInJson}},
+      interval_columns<PairedDifference>("from_first_", &PairedDifference::interval, io::kInJson),
+      Columns{
+          {"p", [](const PairedDifference& difference) { return p_cell(difference.p); }},
+          {"p_holm", [](const PairedDifference& difference) { return p_cell(difference.p_holm); }},
+          {"effect_size", &PairedDifference::effect_size}});
 }
 
 std::string summary_csv(const std::vector<Factor>& factors, const std::vector<Group>& groups) {

@@ -8,7 +8,9 @@
 #include "experiments/analysis/groups.hpp"
 #include "experiments/schedule/factor.hpp"
 #include "experiments/statistics/interval.hpp"
+#include "experiments/statistics/paired_difference.hpp"
 #include "io/table.hpp"
+#include "io/table_columns.hpp"
 
 namespace autoref::experiments {
 
@@ -30,11 +32,14 @@ std::optional<Slope> slope_over_factor(const std::vector<Factor>& factors,
                                        const std::vector<Group>& groups);
 
 // summary.csv: one row per combination. The row starts with summary_columns(). Then it compares "a
-// minus b" with the first combination, over the pair numbers that both combinations have: mean
-// difference, interval, p value, p value with Holm's correction over all rows, and effect size
-// (experiments/statistics/paired_difference.hpp). The numbers and fractions of games won, drawn and
-// lost come last.
+// minus b" with the first combination, over the pair numbers that both combinations have
+// (difference_columns()), with Holm's correction over all rows. The numbers and fractions of games
+// won, drawn and lost come last.
 std::string summary_csv(const std::vector<Factor>& factors, const std::vector<Group>& groups);
+
+// The columns of a difference from the first value: its mean, interval, p value, corrected p value
+// and effect size.
+io::TableColumns<PairedDifference> difference_columns();
 
 // The rows of the text table, starting with its header, and the line of text about
 // slope_over_factor(), which is empty if the slope is unknown.

@@ -7,6 +7,7 @@
 #include "experiments/kinds/judge/judge_schedule.hpp"
 #include "experiments/kinds/knockout/knockout.hpp"
 #include "experiments/kinds/roundrobin/roundrobin.hpp"
+#include "experiments/kinds/rules/rules_experiment.hpp"
 #include "experiments/kinds/situations/situations.hpp"
 #include "experiments/kinds/sprt/sprt_match.hpp"
 #include "experiments/kinds/sweep/sweep.hpp"
@@ -18,7 +19,8 @@ namespace autoref::experiments {
 std::span<const Kind* const> kinds_of_experiments() {
   static constexpr auto kAll = std::to_array<const Kind*>(
       {&Sweep::kKind, &RoundRobin::kKind, &Gauntlet::kKind, &SprtMatch::kKind, &Swiss::kKind,
-       &Knockout::kKind, &Situations::kKind, &Tuning::kKind, &JudgeSchedule::kKind});
+       &Knockout::kKind, &Situations::kKind, &RulesExperiment::kKind, &Tuning::kKind,
+       &JudgeSchedule::kKind});
   return kAll;
 }
 

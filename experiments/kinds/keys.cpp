@@ -10,6 +10,7 @@
 #include "experiments/reading/settings_text.hpp"
 #include "experiments/reading/top_reader.hpp"
 #include "io/yaml_text.hpp"
+#include "soccer/rules/rule_changes.hpp"
 
 namespace autoref::experiments {
 namespace {
@@ -35,6 +36,18 @@ SetByValues read_set_by_values(const game::YamlFile& file, const game::YamlEntry
       found[value.key][setting.key] = file.scalar(setting, setting.key, "a plain value", false);
   }
   return found;
+}
+
+// The settings that the base does not have itself: those that the factors' values set, and the
+// factors' own, unless the user gave them. The latter may differ between games that do not set
+// them, if these have other rule books.
+SetByValues not_of_base(const game::GameSettings& base, const std::vector<Factor>& factors) {
+  SetByValues all = set_by_values(base, factors);
+  for (const Factor& factor : factors) {
+    const std::string path = game::full_path(factor.path);
+    if (path != kRuleBookPath && !base.given.contains(path)) all[factor.path][path];
+  }
+  return all;
 }
 
 TextByPath values_of_base(const game::GameSettings& base) {
@@ -88,12 +101,15 @@ Key base_key(game::GameSettings& base, std::function<std::vector<Factor>()> fact
   return key;
 }
 
-Key base_without_teams_key(game::GameSettings& base, std::string remedy, std::string about) {
+Key base_without_teams_key(game::GameSettings& base, std::string remedy, std::string about,
+                           std::function<std::vector<Factor>()> factors) {
   Key key{"base", "settings", std::move(about)};
   key.read = [&base, remedy = std::move(remedy)](TopReader& top) {
     top.read_base(base, {"teams", remedy});
   };
-  key.text = [&base] { return base_text(base, kTeamsOfBase, {}); };
+  key.text = [&base, factors = std::move(factors)] {
+    return base_text(base, kTeamsOfBase, not_of_base(base, factors()));
+  };
   key.values = [&base] {
     TextByPath values = values_of_base(base);
     std::erase_if(values, [](const auto& value) { return value.first.starts_with(kTeamsOfBase); });
@@ -127,8 +143,9 @@ Key teams_key(const std::string& name, std::string about, Teams& teams, game::Ga
   return key;
 }
 
-Key base_key(NamedTeams& named) {
-  return base_without_teams_key(named.base, "list teams by name under `teams`, outside the base");
+Key base_key(NamedTeams& named, std::function<std::vector<Factor>()> factors) {
+  return base_without_teams_key(named.base, "list teams by name under `teams`, outside the base",
+                                "shared by every game", std::move(factors));
 }
 
 Key teams_key(NamedTeams& named, std::string about, TeamCount count) {

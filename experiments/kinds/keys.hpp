@@ -76,20 +76,24 @@ struct Key {
   game::GameSettings* base = nullptr;
 };
 
+inline std::vector<Factor> no_factors() { return {}; }
+
 // The key `base` with the teams that play all games, but without the settings of the experiment's
 // factors.
 Key base_key(game::GameSettings& base, std::function<std::vector<Factor>()> factors);
 
-// The key `base` without teams; `remedy` says where the teams are listed.
+// The key `base` without teams and without the settings of the experiment's factors; `remedy` says
+// where the teams are listed.
 Key base_without_teams_key(game::GameSettings& base, std::string remedy,
-                           std::string about = "shared by every game");
+                           std::string about = "shared by every game",
+                           std::function<std::vector<Factor>()> factors = no_factors);
 
 // A key with teams by name. Settings of `base` are their defaults.
 Key teams_key(const std::string& name, std::string about, Teams& teams, game::GameSettings& base,
               TeamCount count = {});
 
 // The keys `base` and `teams` of an experiment between named teams.
-Key base_key(NamedTeams& named);
+Key base_key(NamedTeams& named, std::function<std::vector<Factor>()> factors = no_factors);
 Key teams_key(NamedTeams& named, std::string about, TeamCount count = {});
 
 Key pairs_key(int& pairs, std::string about);

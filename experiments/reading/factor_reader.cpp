@@ -45,11 +45,11 @@ std::vector<game::SettingValue> FactorReader::values(const game::YamlEntry& list
     file_.refuse(game::value_location(list), list.key,
                  "expected a non-empty list of values, such as [1.0, 0.9]");
   }
-  for (const YAML::Node& value : list.value) {
-    const game::YamlLocation location = game::location_of(value);
-    if (!value.IsScalar())
+  for (const YAML::Node& node : list.value) {
+    const game::YamlLocation location = game::location_of(node);
+    if (!node.IsScalar())
       file_.refuse(location, list.key, "expected plain values, such as [1.0, 0.9]");
-    game::SettingValue read = read_value(location, path, value.Scalar(), base);
+    game::SettingValue read = value(location, path, node.Scalar(), base);
     if (std::find(values.begin(), values.end(), read) != values.end()) {
       file_.refuse(location, list.key,
                    fmt::format("the value {} is given twice; leave one out", game::spelt(read)));
@@ -59,9 +59,8 @@ std::vector<game::SettingValue> FactorReader::values(const game::YamlEntry& list
   return values;
 }
 
-game::SettingValue FactorReader::read_value(const game::YamlLocation& location,
-                                            const std::string& path, const std::string& text,
-                                            game::GameSettings& base) const {
+game::SettingValue FactorReader::value(const game::YamlLocation& location, const std::string& path,
+                                       const std::string& text, game::GameSettings& base) const {
   game::GameSettings game = base;
   game::SettingValue value;
   try {

@@ -32,10 +32,13 @@ class FactorReader {
   std::vector<game::SettingValue> values(const game::YamlEntry& list, const std::string& path,
                                          game::GameSettings& base) const;
 
+  // Parses one value of the setting at `path`. Adds the robot type named by it to `base`. Throws
+  // InputError.
+  game::SettingValue value(const game::YamlLocation& location, const std::string& path,
+                           const std::string& text, game::GameSettings& base) const;
+
  private:
   Factor read_factor(const game::YamlEntry& entry, game::GameSettings& base);
-  game::SettingValue read_value(const game::YamlLocation& location, const std::string& path,
-                                const std::string& text, game::GameSettings& base) const;
   // Refuses two keys that set the same value, since the later key would silently override the
   // earlier one.
   void refuse_overlap(const game::YamlEntry& entry, const std::vector<Factor>& factors,

@@ -3,13 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "game/settings/fields.hpp"
 #include "io/errors.hpp"
 
 namespace autoref::experiments {
 namespace {
+
+bool is_letter_of_names(char c) {
+  const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  return is_letter || (c >= '0' && c <= '9') || c == '-' || c == '_';
+}
 
 std::string team_count_text(const TeamCount& count) {
   if (count.least == 1) return "at least one team";
@@ -19,6 +23,17 @@ std::string team_count_text(const TeamCount& count) {
 }
 
 }  // namespace
+
+void check_name(const game::YamlFile& file, const game::YamlEntry& entry, std::string_view branch,
+                std::string_view noun) {
+  const std::string& name = entry.key;
+  const bool is_word = !name.empty() && std::all_of(name.begin(), name.end(), is_letter_of_names);
+  if (is_word && name.find("-p") == std::string::npos) return;
+  file.refuse(entry.location, branch,
+              fmt::format("a {}'s name must consist of letters, digits, - and _, without '-p', "
+                          "which marks the pair in a game's id (write _p); found '{}'",
+                          noun, name));
+}
 
 void NamedTeamsReader::read(const game::YamlEntry& entry, Teams& teams, game::GameSettings& base,
                             TeamCount count) const {
@@ -34,11 +49,7 @@ void NamedTeamsReader::read(const game::YamlEntry& entry, Teams& teams, game::Ga
 
 void NamedTeamsReader::read_team(const game::YamlEntry& entry, const std::string& branch,
                                  Teams& teams, game::GameSettings& base) const {
-  try {
-    check_team_name(entry.key);
-  } catch (const std::invalid_argument& error) {
-    file_.refuse(entry.location, branch, error.what());
-  }
+  check_name(file_, entry, branch, "team");
   // The base's rules determine the default number of robots.
   game::TeamSettings& team = teams[entry.key] = base.a;
   const std::string path = fmt::format("{}.{}", branch, entry.key);

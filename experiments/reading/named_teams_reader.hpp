@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "experiments/schedule/matchup_schedule.hpp"
 #include "game/settings/assignments.hpp"
@@ -10,6 +11,12 @@
 #include "game/settings/yaml.hpp"
 
 namespace autoref::experiments {
+
+// Refuses the entry's name, which becomes part of game ids, unless it consists of letters, digits,
+// - and _ and does not contain "-p", which marks the pair in an id. `branch` is the key with all
+// the names, and `noun` says what the entry is: "team". Throws InputError.
+void check_name(const game::YamlFile& file, const game::YamlEntry& entry, std::string_view branch,
+                std::string_view noun);
 
 class NamedTeamsReader {
  public:

@@ -11,6 +11,7 @@
 #include "experiments/report/sections.hpp"
 #include "experiments/results/game_row.hpp"
 #include "game/settings/fields.hpp"
+#include "soccer/rules/rule_changes.hpp"
 
 namespace autoref::experiments {
 namespace {
@@ -46,9 +47,9 @@ void compare(const TextByPath& here, const TextByPath& defaults,
 TextByPath defaults_for(const game::GameSettings& game) {
   game::GameSettings usual;
   // The rule book also sets other values; only deviations from its values are of interest.
-  game::set_by_path(usual, "match.rules", game.match.rules.name);
+  game::set_by_path(usual, kRuleBookPath, game.match.rules.name);
   TextByPath values = comparable_values(game::settings_of(usual));
-  values["match.rules"] = referee::Match{}.rules.name;
+  values[kRuleBookPath] = referee::Match{}.rules.name;
   return values;
 }
 
@@ -64,7 +65,7 @@ void compare_games(game::GameSettings game, bool has_named_teams,
 void compare_team(const game::GameSettings& base, const TeamAt& at,
                   std::vector<DefaultDifference>& found) {
   game::GameSettings usual;
-  game::set_by_path(usual, "match.rules", base.match.rules.name);
+  game::set_by_path(usual, kRuleBookPath, base.match.rules.name);
   const std::string prefix = at.path + ".";
   compare(comparable_values(game::settings_of(*at.team, base.types, prefix)),
           comparable_values(game::settings_of(usual.a, usual.types, prefix)), found);

@@ -21,7 +21,7 @@ constexpr const char* kCommandsFolder = "commands";
 constexpr const char* kStderrFolder = "stderr";
 
 constexpr int kMostKills = 5;
-constexpr std::size_t kLongestName = 180;
+constexpr std::size_t kLongestFileName = 180;
 
 // The game id as a file name. It may contain a factor's value, such as a command with a path.
 std::string file_name(const std::string& id) {
@@ -32,8 +32,8 @@ std::string file_name(const std::string& id) {
     name += is_plain ? std::string(1, letter)
                      : fmt::format("%{:02X}", static_cast<unsigned char>(letter));
   }
-  if (name.size() <= kLongestName) return name;
-  return name.substr(0, kLongestName) + io::crc_text(id);
+  if (name.size() <= kLongestFileName) return name;
+  return name.substr(0, kLongestFileName) + io::crc_text(id);
 }
 
 fs::path stderr_file(const fs::path& folder, const game::GameConfiguration& game, char team) {

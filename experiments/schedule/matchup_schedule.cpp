@@ -1,30 +1,19 @@
 #include "experiments/schedule/matchup_schedule.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <stdexcept>
+#include <iterator>
 
 #include "game/settings/fields.hpp"
 
 namespace autoref::experiments {
-namespace {
-
-bool is_letter_of_names(char c) {
-  const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-  return is_letter || (c >= '0' && c <= '9') || c == '-' || c == '_';
-}
-
-}  // namespace
-
 std::string matchup_name(const Matchup& matchup) { return matchup.team_a + "~" + matchup.team_b; }
 
-void check_team_name(std::string_view name) {
-  const bool is_word = !name.empty() && std::all_of(name.begin(), name.end(), is_letter_of_names);
-  if (is_word && name.find("-p") == std::string_view::npos) return;
-  throw std::invalid_argument(
-      fmt::format("a team's name must consist of letters, digits, - and _, without '-p', which "
-                  "marks the pair in a game's id (write _p); found '{}'",
-                  name));
+std::vector<Matchup> matchups_among(const Teams& teams) {
+  std::vector<Matchup> matchups;
+  for (auto a = teams.begin(); a != teams.end(); ++a) {
+    for (auto b = std::next(a); b != teams.end(); ++b) matchups.push_back({a->first, b->first});
+  }
+  return matchups;
 }
 
 void check(const game::GameSettings& base, const Teams& teams, std::string_view branch) {
@@ -59,19 +48,9 @@ std::vector<ScheduledGame> games_of(const NamedTeams& named, const std::vector<M
                                     const std::vector<std::size_t>& order, int pairs) {
   refuse_too_many(2.0 * pairs * static_cast<double>(matchups.size()));
   const MatchupScheduler scheduler(named);
-  std::vector<ScheduledGame> games;
-  games.reserve(2 * static_cast<std::size_t>(pairs) * matchups.size());
-  for (int pair = 1; pair <= pairs; ++pair) {
-    for (const std::size_t i : order) {
-      for (const int leg : {1, 2}) {
-        games.push_back(scheduler.game(matchups[i], pair, leg));
-        games.back().unit = (games.size() - 1) / 2;
-        games.back().variant = i;
-        games.back().variants = matchups.size();
-      }
-    }
-  }
-  return games;
+  return games_in_turns(order, pairs, [&](std::size_t i, int pair, int leg) {
+    return scheduler.game(matchups[i], pair, leg);
+  });
 }
 
 }  // namespace autoref::experiments

@@ -39,9 +39,8 @@ struct Matchup {
 // "bold~zone".
 std::string matchup_name(const Matchup& matchup);
 
-// Throws std::invalid_argument unless the name consists of letters, digits, - and _ and does not
-// contain "-p", which marks the pair in game ids.
-void check_team_name(std::string_view name);
+// Every pairing of two different teams once, ordered by name (compared as bytes).
+std::vector<Matchup> matchups_among(const Teams& teams);
 
 // The games of matchups in playing order. Within a pair number, the matchups are played in the
 // order `order`. The two legs of a pair are adjacent, and all matchups play a pair number before

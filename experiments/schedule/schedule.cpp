@@ -15,7 +15,7 @@ namespace {
 // Limits the rows held in memory and written to one results.csv.
 constexpr int kMostGames = 100000;
 
-// The matchups of `teams` teams, collected as indices into matchups_of(RoundRobin).
+// The matchups of `teams` teams, collected as indices into matchups_among().
 class MatchupOrder {
  public:
   explicit MatchupOrder(std::size_t teams) : teams_(teams) {
@@ -156,6 +156,24 @@ std::uint64_t seed_of(std::uint64_t master_seed, int pair, int leg) {
   // alone, and similar numbers give unrelated seeds. The shift leaves 53 bits.
   const std::uint64_t of_pair = mix_bits(mix_bits(master_seed) + static_cast<std::uint64_t>(pair));
   return mix_bits(of_pair + static_cast<std::uint64_t>(leg)) >> 11;
+}
+
+std::vector<ScheduledGame> games_in_turns(
+    const std::vector<std::size_t>& order, int pairs,
+    const std::function<ScheduledGame(std::size_t variant, int pair, int leg)>& make) {
+  std::vector<ScheduledGame> games;
+  games.reserve(2 * static_cast<std::size_t>(pairs) * order.size());
+  for (int pair = 1; pair <= pairs; ++pair) {
+    for (const std::size_t variant : order) {
+      for (const int leg : {1, 2}) {
+        games.push_back(make(variant, pair, leg));
+        games.back().unit = (games.size() - 1) / 2;
+        games.back().variant = variant;
+        games.back().variants = order.size();
+      }
+    }
+  }
+  return games;
 }
 
 std::vector<std::size_t> round_robin_order(std::size_t teams) {

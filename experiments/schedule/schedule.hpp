@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -101,10 +102,16 @@ void refuse_too_many(double games, std::string_view key = "pairs");
 // their random numbers, so they can be compared in pairs.
 std::uint64_t seed_of(std::uint64_t master_seed, int pair, int leg);
 
+// The games of several variants that take turns: for each pair number, both legs of every variant
+// in the order `order`. `make(variant, pair, leg)` returns a game without its unit.
+std::vector<ScheduledGame> games_in_turns(
+    const std::vector<std::size_t>& order, int pairs,
+    const std::function<ScheduledGame(std::size_t variant, int pair, int leg)>& make);
+
 // The order in which an experiment plays its matchups or combinations of values. At any time, every
 // team and every value has been played about equally often.
 
-// The matchups of a round robin as indices into matchups_of(RoundRobin). After any number of
+// The matchups of a round robin as indices into matchups_among(). After any number of
 // matchups, the numbers of matchups that two teams have played differ by at most one.
 //
 // An even number of teams plays in the rounds of the circle method: one team stays in place, the

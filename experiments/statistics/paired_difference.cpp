@@ -21,18 +21,6 @@ std::vector<double> common_differences(const DifferenceByPair& value,
   return differences;
 }
 
-void correct_by_holm(std::vector<PairedDifference>& differences) {
-  std::vector<double> p;
-  for (const PairedDifference& difference : differences) {
-    if (difference.p) p.push_back(*difference.p);
-  }
-  const std::vector<double> corrected = holm(p);
-  auto next = corrected.begin();
-  for (PairedDifference& difference : differences) {
-    if (difference.p) difference.p_holm = *next++;
-  }
-}
-
 }  // namespace
 
 std::vector<double> holm(std::span<const double> p) {

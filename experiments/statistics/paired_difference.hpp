@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -22,7 +23,20 @@ namespace autoref::experiments {
 // on each other.
 std::vector<double> holm(std::span<const double> p);
 
-// Mean goal difference over the two legs of each pair, by pair number.
+// Sets `p_holm` of the tests that have a `p`, corrected over all of them. `test` returns an item's
+// test, if the item is not a test itself.
+template <typename Item, typename Test = std::identity>
+void correct_by_holm(std::vector<Item>& items, Test test = {}) {
+  std::vector<double> p;
+  for (Item& item : items)
+    if (const auto& its_p = std::invoke(test, item).p) p.push_back(*its_p);
+  const std::vector<double> corrected = holm(p);
+  auto next = corrected.begin();
+  for (Item& item : items)
+    if (std::invoke(test, item).p) std::invoke(test, item).p_holm = *next++;
+}
+
+// A value of each pair, by pair number: usually the mean goal difference over its two legs.
 using DifferenceByPair = std::map<int, double>;
 
 // The goal differences of a value's pairs minus those of the baseline's pairs, over the pair

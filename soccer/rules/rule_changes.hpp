@@ -17,6 +17,9 @@ struct RuleChange {
   std::string text;  // the value, and the official one in brackets: "double touch 150 mm (50)"
 };
 
+// The setting that chooses the rule book.
+inline constexpr const char* kRuleBookPath = "match.rules";
+
 // The branches of settings with the numbers of a rule book, and with its rules.
 inline constexpr std::string_view kRuleNumberBranch = "match.rule.";
 inline constexpr std::string_view kRuleSwitchBranch = "match.switch.";

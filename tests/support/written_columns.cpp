@@ -15,6 +15,7 @@
 #include "game/lab/lab.hpp"
 #include "io/csv.hpp"
 #include "judge/judge_report.hpp"
+#include "tests/experiments/kinds/rules/small_rules.hpp"
 #include "tests/experiments/kinds/situations/small_situations.hpp"
 #include "tests/experiments/run/fake_games.hpp"
 #include "tests/experiments/run/fake_tuning.hpp"
@@ -38,6 +39,14 @@ WrittenNames head_in_folder(const experiments::Scenario& scenario, const std::st
   for (const std::string& factor : scenario.experiment().value_columns()) {
     std::replace(names.begin(), names.end(), factor, std::string("FACTOR"));
   }
+  return names;
+}
+
+// The header of a file of a kind that has a column of its own, such as "situation".
+WrittenNames head_with_own_column(const experiments::Scenario& scenario, const std::string& file) {
+  WrittenNames names = head_in_folder(scenario, file);
+  std::replace(names.begin(), names.end(), std::string("FACTOR"),
+               scenario.experiment().value_columns().at(0));
   return names;
 }
 
@@ -107,8 +116,7 @@ WrittenNames circumstances_columns() {
 // The columns of situations that results.csv of other kinds does not have.
 WrittenNames scene_columns() {
   const WrittenNames others = head_in_folder(experiments::small_sweep(), "results.csv");
-  WrittenNames names = head_in_folder(experiments::small_situations(), "results.csv");
-  std::replace(names.begin(), names.end(), std::string("FACTOR"), std::string("situation"));
+  WrittenNames names = head_with_own_column(experiments::small_situations(), "results.csv");
   std::erase_if(names, [&others](const std::string& name) {
     return std::find(others.begin(), others.end(), name) != others.end();
   });
@@ -166,17 +174,11 @@ std::vector<Artefact> written_csv() {
       {"summary.csv of a knockout", [] { return head_in_folder(small_knockout(), "summary.csv"); }},
       {"results.csv of situations", scene_columns},
       {"summary.csv of situations",
-       [] {
-         WrittenNames names = head_in_folder(experiments::small_situations(), "summary.csv");
-         std::replace(names.begin(), names.end(), std::string("FACTOR"), std::string("situation"));
-         return names;
-       }},
+       [] { return head_with_own_column(experiments::small_situations(), "summary.csv"); }},
       {"differences.csv of situations",
-       [] {
-         WrittenNames names = head_in_folder(experiments::small_situations(), "differences.csv");
-         std::replace(names.begin(), names.end(), std::string("FACTOR"), std::string("situation"));
-         return names;
-       }},
+       [] { return head_with_own_column(experiments::small_situations(), "differences.csv"); }},
+      {"summary.csv of an experiment on rules",
+       [] { return head_with_own_column(experiments::small_rules(), "summary.csv"); }},
       {"summary.csv of a tuning",
        [] { return head_in_folder(experiments::small_tuning("spsa"), "summary.csv"); }},
       {"tune.csv", tuning_columns},

@@ -13,6 +13,7 @@
 #include "judge/judge_report.hpp"
 #include "logs/log_report.hpp"
 #include "tests/app/answer.hpp"
+#include "tests/experiments/kinds/rules/small_rules.hpp"
 #include "tests/experiments/kinds/situations/small_situations.hpp"
 #include "tests/experiments/run/fake_games.hpp"
 #include "tests/experiments/run/fake_tuning.hpp"
@@ -150,7 +151,8 @@ WrittenNames progress_keys() {
   for (const experiments::Scenario& scenario :
        {experiments::small_sweep(), experiments::small_roundrobin({6, 5}),
         experiments::small_sprt_match(), experiments::small_situations(),
-        experiments::small_tuning("spsa"), experiments::Scenario{"A test.", knockout}}) {
+        experiments::small_rules(), experiments::small_tuning("spsa"),
+        experiments::Scenario{"A test.", knockout}}) {
     paths.merge(paths_in(progress_lines(scenario)));
   }
   return sorted(paths);

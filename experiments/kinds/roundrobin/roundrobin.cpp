@@ -1,7 +1,5 @@
 #include "experiments/kinds/roundrobin/roundrobin.hpp"
 
-#include <iterator>
-
 #include "experiments/kinds/results.hpp"
 #include "experiments/schedule/matchup_schedule.hpp"
 #include "experiments/schedule/schedule.hpp"
@@ -9,16 +7,6 @@
 namespace autoref::experiments {
 
 constinit const Kind RoundRobin::kKind = {"roundrobin", "Every team against every other.", make};
-
-std::vector<Matchup> matchups_of(const RoundRobin& robin) {
-  std::vector<Matchup> matchups;
-  for (auto a = robin.teams.begin(); a != robin.teams.end(); ++a) {
-    for (auto b = std::next(a); b != robin.teams.end(); ++b) {
-      matchups.push_back({a->first, b->first});
-    }
-  }
-  return matchups;
-}
 
 std::vector<Key> RoundRobin::keys() {
   return {base_key(*this), teams_key(*this, "each with any setting that a team can have"),
@@ -29,11 +17,11 @@ std::vector<ScheduledGame> RoundRobin::games() const {
   const auto count = static_cast<double>(teams.size());
   refuse_too_many(pairs * count * (count - 1));
   check(base, teams);
-  return games_of(*this, matchups_of(*this), round_robin_order(teams.size()), pairs);
+  return games_of(*this, matchups_among(teams), round_robin_order(teams.size()), pairs);
 }
 
 ExperimentResults RoundRobin::results(const RowsById& rows) const {
-  std::vector<Group> groups = grouped(matchups_of(*this), rows);
+  std::vector<Group> groups = grouped(matchups_among(teams), rows);
   std::vector<Standing> standings = standings_of(groups);
   return tournament_results(std::move(groups), std::move(standings), "team");
 }

@@ -18,7 +18,4 @@ struct RoundRobin : NamedTeams, ExperimentOf<RoundRobin> {
   ExperimentResults results(const RowsById& rows) const override;
 };
 
-// Every pairing of two different teams once, ordered by name (compared as bytes).
-std::vector<Matchup> matchups_of(const RoundRobin& robin);
-
 }  // namespace autoref::experiments

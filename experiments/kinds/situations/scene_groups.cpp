@@ -42,28 +42,9 @@ void take_pairs(SceneGroup& group, const std::map<int, SceneLegs>& legs) {
   }
 }
 
-std::vector<double> means_of(const DifferenceByPair& by_pair) {
-  std::vector<double> values;
-  values.reserve(by_pair.size());
-  for (const auto& [pair, value] : by_pair) values.push_back(value);
-  return values;
-}
-
 bool are_comparable(const SceneGroup& one, const SceneGroup& other) {
   return one.matchup.situation == other.matchup.situation &&
          one.matchup.defenders == other.matchup.defenders;
-}
-
-void correct_over_all(std::vector<SceneDifference>& differences) {
-  std::vector<double> p;
-  for (const SceneDifference& one : differences) {
-    if (one.difference.p) p.push_back(*one.difference.p);
-  }
-  const std::vector<double> corrected = holm(p);
-  auto next = corrected.begin();
-  for (SceneDifference& one : differences) {
-    if (one.difference.p) one.difference.p_holm = *next++;
-  }
 }
 
 }  // namespace
@@ -94,13 +75,13 @@ std::optional<Interval> scene_share_interval(int successes, std::size_t scenes,
   if (successes == 0 || successes == static_cast<int>(scenes))
     return proportion_interval(successes, static_cast<int>(scenes));
   const double share = successes / n;
-  const double deviation = standard_deviation(means_of(by_pair)).value_or(0);
+  const double deviation = standard_deviation(values_of(by_pair)).value_or(0);
   const double design_effect = std::max(1.0, 2 * deviation * deviation / (share * (1 - share)));
   return wilson_interval(successes / design_effect, n / design_effect);
 }
 
 std::optional<Interval> score_interval(const SceneGroup& group) {
-  if (!group.is_proportion) return mean_interval(means_of(group.pair_scores));
+  if (!group.is_proportion) return mean_interval(values_of(group.pair_scores));
   const auto successes =
       static_cast<int>(std::count(group.scores.begin(), group.scores.end(), 1.0));
   return scene_share_interval(successes, group.scores.size(), group.pair_scores);
@@ -115,7 +96,7 @@ std::vector<SceneDifference> scene_differences(const std::vector<SceneGroup>& gr
                              paired_difference(groups[i].pair_scores, groups[j].pair_scores)});
     }
   }
-  correct_over_all(differences);
+  correct_by_holm(differences, &SceneDifference::difference);
   return differences;
 }
 

@@ -7,7 +7,7 @@
 
 #include "experiments/kinds/situations/distribution.hpp"
 #include "experiments/kinds/situations/scene_reader.hpp"
-#include "experiments/schedule/matchup_schedule.hpp"
+#include "experiments/reading/named_teams_reader.hpp"
 #include "game/settings/mapping.hpp"
 #include "io/words.hpp"
 #include "logs/logged_state.hpp"
@@ -74,18 +74,6 @@ const std::vector<std::string> kByHand = {"restart", "taken_by",  "after_stop",
                                           "ball",    "attackers", "defenders"};
 const std::vector<std::string> kTakers = {"attackers", "defenders"};
 
-// The name becomes part of the games' ids.
-void check_situation_name(const game::YamlFile& file, const game::YamlEntry& entry) {
-  try {
-    check_team_name(entry.key);
-  } catch (const std::invalid_argument&) {
-    file.refuse(entry.location, "situations",
-                fmt::format("a situation's name must consist of letters, digits, - and _, without "
-                            "'-p', which marks the pair in a game's id; found '{}'",
-                            entry.key));
-  }
-}
-
 template <typename Numbers>
 void read_numbers(const game::YamlFile& file, const std::vector<game::YamlEntry>& entries,
                   const std::string& path, const Numbers& numbers) {
@@ -149,7 +137,7 @@ void take_from_log(const LoggedInstant& instant, const Field& field, int most_at
 }
 
 SituationSetup SituationReader::read(const game::YamlEntry& entry) const {
-  check_situation_name(file_, entry);
+  check_name(file_, entry, "situations", "situation");
   const std::string path = fmt::format("situations.{}", entry.key);
   locations_[path] = entry.location;
   const std::vector<game::YamlEntry> all = file_.entries(entry, path, {});

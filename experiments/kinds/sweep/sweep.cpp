@@ -93,19 +93,9 @@ std::vector<ScheduledGame> Sweep::games() const {
   settings.reserve(all.size());
   for (const std::vector<game::SettingValue>& values : all)
     settings.push_back(settings_of(*this, values));
-  const std::vector<std::size_t> order = playing_order(*this);
-  std::vector<ScheduledGame> games;
-  for (int pair = 1; pair <= pairs; ++pair) {
-    for (const std::size_t i : order) {
-      for (const int leg : {1, 2}) {
-        games.push_back(scheduled(*this, all[i], settings[i], pair, leg));
-        games.back().unit = (games.size() - 1) / 2;
-        games.back().variant = i;
-        games.back().variants = all.size();
-      }
-    }
-  }
-  return games;
+  return games_in_turns(playing_order(*this), pairs, [&](std::size_t i, int pair, int leg) {
+    return scheduled(*this, all[i], settings[i], pair, leg);
+  });
 }
 
 std::vector<std::string> Sweep::value_columns() const {

@@ -55,7 +55,7 @@ std::vector<Group> matchups_in(const std::vector<Encounter>& encounters) {
     for (std::size_t leg = 0; leg < encounter.legs.size(); ++leg)
       rows[fmt::format("game {:03}", rows.size())] = row_of(encounter, leg);
   }
-  return grouped(matchups_of(robin_with(encounters)), rows);
+  return grouped(matchups_among(robin_with(encounters).teams), rows);
 }
 
 std::vector<Standing> standings_in(const std::vector<Encounter>& encounters) {

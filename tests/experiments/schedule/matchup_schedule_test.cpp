@@ -31,7 +31,7 @@ std::vector<std::string> ids_of(const RoundRobin& robin) {
 
 TEST(Matchups, PairAllTeamsInAlphabeticalOrder) {
   const std::vector<Matchup> expected = {{"bold", "calm"}, {"bold", "zone"}, {"calm", "zone"}};
-  EXPECT_EQ(matchups_of(robin_of({"zone", "bold", "calm"}, 1)), expected);
+  EXPECT_EQ(matchups_among(robin_of({"zone", "bold", "calm"}, 1).teams), expected);
 }
 
 TEST(RoundRobinSchedule, SpreadsPairsOverAllMatchupsWithTheirLegsBackToBack) {
