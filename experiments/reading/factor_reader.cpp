@@ -29,6 +29,12 @@ std::vector<Factor> FactorReader::read(const game::YamlEntry& factors, game::Gam
     all.push_back(read_factor(entry, base));
     refuse_overlap(entry, all, base);
   }
+  const std::vector<game::Setting> settings = game::settings_of(base);
+  for (const Factor& factor : all) {
+    const game::Setting* setting = game::find_setting(settings, game::full_path(factor.path));
+    if (setting != nullptr && game::is_preset(*setting))
+      game::set_value_at(base, factor.path, factor.values.front());
+  }
   return all;
 }
 

@@ -24,7 +24,9 @@ class FactorReader {
   FactorReader(const game::YamlFile& file, game::SettingLocations& locations)
       : file_(file), locations_(locations) {}
 
-  // Reads the factors. Adds the robot types that they name to `base`. Throws InputError.
+  // Reads the factors. Adds the robot types that they name to `base`, and applies the first value
+  // of each factor that is a preset of the whole game, since every game replaces what the base has
+  // there, and effective.yaml leaves it out. Throws InputError.
   std::vector<Factor> read(const game::YamlEntry& factors, game::GameSettings& base);
 
   // Reads a list of distinct values of the setting at `path`. Adds the robot types named by these

@@ -8,6 +8,7 @@
 #include "experiments/reading/top_reader.hpp"
 #include "game/settings/fields.hpp"
 #include "io/words.hpp"
+#include "soccer/rules/rule_changes.hpp"
 
 namespace autoref::experiments {
 namespace {
@@ -97,13 +98,15 @@ std::vector<NamedSeed> seeds_in(const game::YamlFile& file, const game::YamlEntr
 }
 
 // A key with a list of values for a setting that the file varies.
+// A list of presets. The first one is applied to `base`, as in FactorReader::read().
 Key values_key(const char* name, std::string value, std::string about, const char* path,
-               std::vector<std::string>& values, bool is_required) {
+               std::vector<std::string>& values, bool is_required, game::GameSettings& base) {
   Key key{name, std::move(value), std::move(about)};
-  key.read = [name, path, &values, is_required](TopReader& top) {
+  key.read = [name, path, &values, is_required, &base](TopReader& top) {
     const game::YamlEntry* entry = is_required ? &top.required(name) : top.find(name);
     if (entry != nullptr) values = values_in(top, *entry, path);
     top.refuse_assignment(path);
+    game::set_by_path(base, path, values.front());
   };
   key.text = [name, &values] { return fmt::format("{}: [{}]\n", name, io::listed(values)); };
   return key;
@@ -221,10 +224,10 @@ Key named_seeds_key(JudgeSchedule& schedule) {
 std::vector<Key> JudgeSchedule::keys() {
   const auto varied_now = [this] { return varied_settings(); };
   return {base_key(base, varied_now),
-          values_key("rules", "list of rule books", "the results have a table for each", kRulesPath,
-                     rules, false),
+          values_key("rules", "list of rule books", "the results have a table for each",
+                     kRuleBookPath, rules, false, base),
           values_key("cameras", "list of camera presets", "every rule book is played with each",
-                     kCameraPath, cameras, true),
+                     kCameraPath, cameras, true, base),
           set_by_values_key(base, varied_now),
           matchups_key(*this),
           strategies_key(*this),

@@ -12,6 +12,7 @@
 #include "game/settings/fields.hpp"
 #include "io/words.hpp"
 #include "soccer/random.hpp"
+#include "soccer/rules/rule_changes.hpp"
 
 namespace autoref::experiments {
 namespace {
@@ -94,7 +95,7 @@ class JudgeCell {
  public:
   JudgeCell(const JudgeSchedule& schedule, std::string its_rules, std::string its_camera)
       : rules(std::move(its_rules)), camera(std::move(its_camera)), base_(schedule.base) {
-    game::set_value_at(base_, kRulesPath, rules);
+    game::set_value_at(base_, kRuleBookPath, rules);
     game::set_value_at(base_, kCameraPath, camera);
   }
 
@@ -224,7 +225,7 @@ std::vector<ScheduledJudgeGame> games_of(const JudgeSchedule& schedule) {
 }
 
 std::vector<Factor> JudgeSchedule::varied_settings() const {
-  return {{kRulesPath, {rules.begin(), rules.end()}},
+  return {{kRuleBookPath, {rules.begin(), rules.end()}},
           {kCameraPath, {cameras.begin(), cameras.end()}}};
 }
 

@@ -62,8 +62,7 @@ struct JudgeSchedule : ExperimentOf<JudgeSchedule> {
   ExperimentResults results(const RowsById& rows) const override;
 };
 
-// The settings that vary between the games of a JudgeSchedule.
-inline constexpr const char* kRulesPath = "match.rules";
+// The setting that varies between the games of a JudgeSchedule, besides the rule book.
 inline constexpr const char* kCameraPath = "sim.camera";
 
 struct ScheduledJudgeGame {

@@ -106,5 +106,20 @@ TEST(EffectiveConfiguration, OfASweepReadsBackEqual) {
   EXPECT_EQ(back.seed, 7U);
 }
 
+// The rule books also set the dribbler.
+TEST(EffectiveConfiguration, OfASweepOverRuleBooksWithAPresetReadsBackEqual) {
+  const Sweep sweep = sweep_of(
+      "schema: 1\nkind: sweep\npairs: 1\nseed: 7\n"
+      "base: { match: { rules: 2026-b }, sim: { dribbler: { preset: perfect } } }\n"
+      "factors: { match.rules: [2026-b, \"2014\"] }\n");
+  const std::vector<ScheduledGame> back = sweep_of(effective_text({"", sweep})).games();
+  const std::vector<ScheduledGame> games = sweep.games();
+  ASSERT_EQ(back.size(), games.size());
+  for (std::size_t i = 0; i < games.size(); ++i) {
+    EXPECT_EQ(game::configuration_hash(games[i].settings.combined()),
+              game::configuration_hash(back[i].settings.combined()));
+  }
+}
+
 }  // namespace
 }  // namespace autoref::experiments

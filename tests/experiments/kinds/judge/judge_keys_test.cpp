@@ -50,6 +50,15 @@ TEST(JudgeReader, ReadsTeamsAndSeedsBackFromTheEffectiveFile) {
   EXPECT_EQ(effective_text(read_scenario_text(text, "effective.yaml")), text);
 }
 
+TEST(JudgeReader, ReadsABaseWithAPresetBackFromTheEffectiveFile) {
+  const Scenario scenario = read_scenario_text(
+      file_with(
+          "rules: [paper, 2026-b]\nseed: 7\nbase: { sim: { dribbler: { preset: perfect } } }\n"),
+      "x.yaml");
+  const std::string text = effective_text(scenario);
+  EXPECT_EQ(effective_text(read_scenario_text(text, "effective.yaml")), text);
+}
+
 class JudgeMistake : public testing::TestWithParam<Mistake> {};
 
 TEST_P(JudgeMistake, IsRefused) { expect_refused(GetParam()); }
