@@ -167,7 +167,7 @@ io::TextBlocks effects_table(const std::vector<Effect>& effects) {
   std::vector<io::Cells> rows = {{"effect", "on a minus b [95 %]", "p"}};
   for (const Effect& effect : effects) {
     if (effect.other && !has_all) break;
-    rows.push_back({effect_name(effect), mean_text(effect.mean, effect.interval),
+    rows.push_back({effect_name(effect), mean_text(effect.mean, effect.interval, effect.pairs),
                     effect.p_holm ? p_text(*effect.p_holm) : ""});
   }
   io::TextBlocks blocks = {io::TextTable{std::move(rows), {io::Align::kLeft}}};

@@ -136,14 +136,27 @@ io::TextTable without_void_games(io::TextTable table) {
   return io::without_zeros(std::move(table), column);
 }
 
+io::TableColumns<PairedDifference> difference_columns(const std::string& mean,
+                                                      const std::string& prefix) {
+  using Columns = io::TableColumns<PairedDifference>;
+  return io::joined(
+      Columns{{mean, &PairedDifference::mean, io::kInJson}},
+      interval_columns<PairedDifference>(prefix, &PairedDifference::interval, io::kInJson),
+      Columns{
+          {"p", [](const PairedDifference& difference) { return p_cell(difference.p); }},
+          {"p_holm", [](const PairedDifference& difference) { return p_cell(difference.p_holm); }},
+          {"effect_size", &PairedDifference::effect_size}});
+}
+
 std::string difference_text(const std::vector<double>& differences,
                             const std::vector<double>& pair_differences) {
   if (differences.empty()) return "-";
-  return mean_text(mean(differences), mean_interval(pair_differences));
+  return mean_text(mean(differences), mean_interval(pair_differences), pair_differences.size());
 }
 
-std::string mean_text(double mean, const std::optional<Interval>& interval) {
-  if (!interval) return fmt::format("{:+.2f} (too few games)", mean);
+std::string mean_text(double mean, const std::optional<Interval>& interval, std::size_t pairs) {
+  if (!interval)
+    return fmt::format("{:+.2f} ({})", mean, pairs < 2 ? "too few games" : "all pairs equal");
   if (std::isinf(interval->high)) {
     return fmt::format("{:+.2f} [at least {:+.2f}]", mean, interval->low);
   }

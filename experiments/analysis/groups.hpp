@@ -138,6 +138,11 @@ inline constexpr const char* kVoidHead = "void";
 // does not have that column.
 io::TextTable without_void_games(io::TextTable table);
 
+// The columns of a paired difference: its mean, interval, p value, corrected p value and effect
+// size. `mean` is the name of the first column, and `prefix` precedes those of the interval.
+io::TableColumns<PairedDifference> difference_columns(const std::string& mean,
+                                                      const std::string& prefix);
+
 // "+0.50 [-0.10, +1.10]": the mean goal difference over games, followed by its 95 % interval over
 // pairs if known.
 std::string difference_text(const std::vector<double>& differences,
@@ -145,8 +150,8 @@ std::string difference_text(const std::vector<double>& differences,
 
 // The mean with its interval, "+0.50 [-0.10, +1.10]"; if the interval has only one end,
 // "+0.50 [at least -0.10]" or "+0.50 [at most +1.10]"; without an interval, "+0.50 (too few
-// games)".
-std::string mean_text(double mean, const std::optional<Interval>& interval);
+// games)", or "+0.50 (all pairs equal)" if there are several `pairs`.
+std::string mean_text(double mean, const std::optional<Interval>& interval, std::size_t pairs = 0);
 
 // "0.032", or "<0.001".
 std::string p_text(double p);

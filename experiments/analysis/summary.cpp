@@ -46,7 +46,9 @@ std::vector<PairedDifference> differences_from_first(const std::vector<Group>& g
 io::TableColumns<PairedDifference> difference_text_columns() {
   return {{"from the first [95 %]",
            [](const PairedDifference& from_first) {
-             return from_first.mean ? mean_text(*from_first.mean, from_first.interval) : "";
+             return from_first.mean
+                        ? mean_text(*from_first.mean, from_first.interval, from_first.pairs)
+                        : "";
            }},
           {"p", [](const PairedDifference& from_first) {
              return from_first.p_holm ? p_text(*from_first.p_holm) : "";
@@ -73,24 +75,14 @@ std::optional<Slope> slope_over_factor(const std::vector<Factor>& factors,
     if (slope) slopes.push_back(*slope);
   }
   if (slopes.empty()) return std::nullopt;
-  return Slope{mean(slopes), mean_interval(slopes)};
-}
-
-io::TableColumns<PairedDifference> difference_columns() {
-  using Columns = io::TableColumns<PairedDifference>;
-  return io::joined(
-      Columns{{"from_first", &PairedDifference::mean, io::kInJson}},
-      interval_columns<PairedDifference>("from_first_", &PairedDifference::interval, io::kInJson),
-      Columns{
-          {"p", [](const PairedDifference& difference) { return p_cell(difference.p); }},
-          {"p_holm", [](const PairedDifference& difference) { return p_cell(difference.p_holm); }},
-          {"effect_size", &PairedDifference::effect_size}});
+  return Slope{mean(slopes), mean_interval(slopes), slopes.size()};
 }
 
 std::string summary_csv(const std::vector<Factor>& factors, const std::vector<Group>& groups) {
   std::vector<io::Cells> rows = rows_of_values(factors, groups);
   io::append_columns(rows, summary_columns(), groups);
-  io::append_columns(rows, difference_columns(), differences_from_first(groups));
+  io::append_columns(rows, difference_columns("from_first", "from_first_"),
+                     differences_from_first(groups));
   io::append_columns(rows, result_columns(), groups);
   return io::csv_text(rows);
 }

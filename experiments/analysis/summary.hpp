@@ -1,6 +1,7 @@
 // A sweep's results for each of its values.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,9 +9,7 @@
 #include "experiments/analysis/groups.hpp"
 #include "experiments/schedule/factor.hpp"
 #include "experiments/statistics/interval.hpp"
-#include "experiments/statistics/paired_difference.hpp"
 #include "io/table.hpp"
-#include "io/table_columns.hpp"
 
 namespace autoref::experiments {
 
@@ -19,7 +18,8 @@ std::vector<Group> grouped(const std::vector<Factor>& factors, const RowsById& r
 
 struct Slope {
   double mean = 0;
-  std::optional<Interval> interval;  // nullopt if there is only one pair
+  std::optional<Interval> interval;  // nullopt if there is only one pair, or if all pairs agree
+  std::size_t pairs = 0;
 };
 
 // How much the score difference changes per unit of the factor's value. Pairs with the same number
@@ -33,13 +33,9 @@ std::optional<Slope> slope_over_factor(const std::vector<Factor>& factors,
 
 // summary.csv: one row per combination. The row starts with summary_columns(). Then it compares "a
 // minus b" with the first combination, over the pair numbers that both combinations have
-// (difference_columns()), with Holm's correction over all rows. The numbers and fractions of games
-// won, drawn and lost come last.
+// (difference_columns(), groups.hpp), with Holm's correction over all rows. The numbers and
+// fractions of games won, drawn and lost come last.
 std::string summary_csv(const std::vector<Factor>& factors, const std::vector<Group>& groups);
-
-// The columns of a difference from the first value: its mean, interval, p value, corrected p value
-// and effect size.
-io::TableColumns<PairedDifference> difference_columns();
 
 // The rows of the text table, starting with its header, and the line of text about
 // slope_over_factor(), which is empty if the slope is unknown.

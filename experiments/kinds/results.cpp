@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "experiments/analysis/standings.hpp"
+#include "experiments/analysis/team_differences.hpp"
 #include "io/table_columns.hpp"
 
 namespace autoref::experiments {
@@ -58,6 +59,16 @@ ExperimentResults tournament_results(std::vector<Group> matchups, std::vector<St
   results.groups = std::move(matchups);
   results.standings = std::move(standings);
   return results;
+}
+
+void add_team_differences(ExperimentResults& results) {
+  std::vector<std::string> teams;
+  for (const Standing& standing : results.standings) teams.push_back(standing.team);
+  const std::vector<TeamDifference> differences = team_differences(results.groups, teams);
+  if (differences.empty()) return;
+  results.files.push_back(
+      {"differences.csv", "a row per two teams", team_differences_csv(differences)});
+  for (auto& block : team_differences_table(differences)) results.table.push_back(std::move(block));
 }
 
 }  // namespace autoref::experiments

@@ -96,6 +96,10 @@ io::ProgressTable groups_progress_table(std::vector<io::Cells> rows, std::vector
 // the number of games, since it is the sum of the wins, draws and losses on the right.
 io::ProgressTable matchups_progress_table(const std::vector<Group>& matchups);
 
+// Adds the differences between the teams to the results of a tournament, if teams have common
+// opponents.
+void add_team_differences(ExperimentResults& results);
+
 // The results of a tournament. A kind can add files and blocks of the table, which the report then
 // shows as well. `noun` is the singular of what the standings list: "team" or "challenger".
 ExperimentResults tournament_results(std::vector<Group> matchups, std::vector<Standing> standings,

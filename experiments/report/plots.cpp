@@ -81,7 +81,7 @@ std::string csv_of(const std::vector<Group>& groups, const std::vector<std::stri
 std::string slope_text(const std::optional<Slope>& slope, const std::string& factor) {
   if (!slope) return "";
   return fmt::format(" Slope: {} goals per game per unit of {}.",
-                     mean_text(slope->mean, slope->interval), factor);
+                     mean_text(slope->mean, slope->interval, slope->pairs), factor);
 }
 
 std::string curve_script(const NumericFactor& factor, const std::vector<Group>& groups) {

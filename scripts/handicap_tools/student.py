@@ -73,4 +73,5 @@ def text_of(sample):
     if not sample:
         return ""
     bounds = interval_of_mean(sample)
-    return f"{mean(sample):+.2f} " + (f"[{bounds[0]:+.2f}, {bounds[1]:+.2f}]" if bounds else "(too few games)")
+    unknown = "(too few games)" if len(sample) < 2 else "(all pairs equal)"
+    return f"{mean(sample):+.2f} " + (f"[{bounds[0]:+.2f}, {bounds[1]:+.2f}]" if bounds else unknown)

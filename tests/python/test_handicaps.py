@@ -156,8 +156,8 @@ class Instrument(unittest.TestCase):
         self.assertEqual([round(slope, 9) for slope in base.slopes().values()], [1.0, 1.25, 1.25])
         self.assertEqual([round(slope, 9) for slope in steep.slopes().values()], [6.0, 6.25, 6.25])
         row = instrument.comparison_table([base, steep]).splitlines()[-1]
-        self.assertIn("| steep | `sim.latency_s=0` | +0.00 (too few games) |", row)
-        self.assertIn("| +10.00 (too few games) |", row)
+        self.assertIn("| steep | `sim.latency_s=0` | +0.00 (all pairs equal) |", row)
+        self.assertIn("| +10.00 (all pairs equal) |", row)
 
     def test_report_says_in_how_many_the_gap_grows(self):
         self.assertIn("beyond the 95 % interval, in 2 of 2 conditions", instrument.report(self._conditions()))

@@ -175,6 +175,8 @@ std::vector<Artefact> written_csv() {
       {"results.csv of situations", scene_columns},
       {"summary.csv of situations",
        [] { return head_with_own_column(experiments::small_situations(), "summary.csv"); }},
+      {"differences.csv of a round robin or gauntlet",
+       [] { return head_in_folder(robin(), "differences.csv"); }},
       {"differences.csv of situations",
        [] { return head_with_own_column(experiments::small_situations(), "differences.csv"); }},
       {"summary.csv of an experiment on rules",

@@ -61,7 +61,10 @@ std::vector<ScheduledGame> Gauntlet::games() const {
 ExperimentResults Gauntlet::results(const RowsById& rows) const {
   std::vector<Group> groups = grouped(matchups_of(*this), rows);
   std::vector<Standing> standings = standings_of_challengers(groups);
-  return tournament_results(std::move(groups), std::move(standings), "challenger");
+  ExperimentResults results =
+      tournament_results(std::move(groups), std::move(standings), "challenger");
+  add_team_differences(results);
+  return results;
 }
 
 }  // namespace autoref::experiments

@@ -23,7 +23,9 @@ std::vector<ScheduledGame> RoundRobin::games() const {
 ExperimentResults RoundRobin::results(const RowsById& rows) const {
   std::vector<Group> groups = grouped(matchups_among(teams), rows);
   std::vector<Standing> standings = standings_of(groups);
-  return tournament_results(std::move(groups), std::move(standings), "team");
+  ExperimentResults results = tournament_results(std::move(groups), std::move(standings), "team");
+  add_team_differences(results);
+  return results;
 }
 
 }  // namespace autoref::experiments

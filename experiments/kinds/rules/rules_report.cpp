@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "experiments/analysis/groups.hpp"
-#include "experiments/analysis/summary.hpp"
 #include "experiments/kinds/rules/rules_experiment.hpp"
 #include "io/table_columns.hpp"
 #include "io/words.hpp"
@@ -249,7 +248,8 @@ RuleEffects rule_effects_of(const RulesExperiment& rules, const RowsById& rows) 
 
 std::string csv_of(const RuleEffects& effects) {
   std::vector<io::Cells> rows = io::table_rows(rule_effect_columns(), effects.effects);
-  io::append_columns(rows, difference_columns(), differences_in(effects));
+  io::append_columns(rows, difference_columns("from_first", "from_first_"),
+                     differences_in(effects));
   return io::csv_text(rows);
 }
 
@@ -258,7 +258,7 @@ io::Json json_of(const RuleEffects& effects) {
   for (const RuleEffect& effect : effects.effects) {
     all.push_back(io::Json::object());
     io::add_members(all.back(), rule_effect_columns(), effect);
-    io::add_members(all.back(), difference_columns(), effect.from_first);
+    io::add_members(all.back(), difference_columns("from_first", "from_first_"), effect.from_first);
   }
   return all;
 }

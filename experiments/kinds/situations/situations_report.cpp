@@ -7,6 +7,7 @@
 
 #include "experiments/analysis/groups.hpp"
 #include "experiments/statistics/sample.hpp"
+#include "io/table_columns.hpp"
 #include "io/words.hpp"
 #include "soccer/named.hpp"
 #include "soccer/parameters.hpp"
@@ -90,10 +91,11 @@ std::vector<io::Cells> differences_rows(const std::vector<SceneDifference>& diff
                                   "difference of scores [95 %]", "p (Holm)"}};
   for (const SceneDifference& one : differences) {
     const PairedDifference& difference = one.difference;
-    rows.push_back({one.matchup.situation, one.matchup.defenders, one.matchup.attackers, one.other,
-                    std::to_string(difference.pairs),
-                    difference.mean ? mean_text(*difference.mean, difference.interval) : "-",
-                    difference.p_holm ? p_text(*difference.p_holm) : "-"});
+    rows.push_back(
+        {one.matchup.situation, one.matchup.defenders, one.matchup.attackers, one.other,
+         std::to_string(difference.pairs),
+         difference.mean ? mean_text(*difference.mean, difference.interval, difference.pairs) : "-",
+         difference.p_holm ? p_text(*difference.p_holm) : "-"});
   }
   return rows;
 }
@@ -171,21 +173,15 @@ std::string scenes_csv(const std::vector<SceneGroup>& groups) {
 }
 
 std::string scene_differences_csv(const std::vector<SceneDifference>& differences) {
-  std::string csv =
-      io::csv_line({"situation", "defenders", "attackers", "other", "pairs", "mean_diff",
-                    "diff_low95", "diff_high95", "p", "p_holm", "effect_size"}) +
-      "\n";
+  std::vector<io::Cells> rows = {{"situation", "defenders", "attackers", "other", "pairs"}};
+  std::vector<PairedDifference> paired;
   for (const SceneDifference& one : differences) {
-    const PairedDifference& difference = one.difference;
-    const auto& [low, high] = bounds_of(difference.interval);
-    csv +=
-        io::csv_line({one.matchup.situation, one.matchup.defenders, one.matchup.attackers,
-                      one.other, std::to_string(difference.pairs), io::number_cell(difference.mean),
-                      io::number_cell(low), io::number_cell(high), p_cell(difference.p),
-                      p_cell(difference.p_holm), io::number_cell(difference.effect_size)}) +
-        "\n";
+    rows.push_back({one.matchup.situation, one.matchup.defenders, one.matchup.attackers, one.other,
+                    std::to_string(one.difference.pairs)});
+    paired.push_back(one.difference);
   }
-  return csv;
+  io::append_columns(rows, difference_columns("mean_diff", "diff_"), paired);
+  return io::csv_text(rows);
 }
 
 std::vector<io::Cells> scenes_rows(const std::vector<SceneGroup>& groups) {
