@@ -21,6 +21,7 @@ namespace {
 
 constexpr double kSignificant = 0.05;  // largest corrected p of a marked difference
 constexpr double kRareCalls = 0.05;    // per game; the table leaves out kinds with fewer calls
+constexpr std::size_t kVariantsInTable = 2;  // besides the first; more would not fit side by side
 constexpr const char* kCallsOf = "calls_";
 
 using GamesOfPair = std::vector<const GameRow*>;
@@ -154,6 +155,10 @@ std::vector<PairedDifference> differences_in(const RuleEffects& all) {
   return differences;
 }
 
+std::string value_text(const RuleEffect& effect) {
+  return effect.mean ? fmt::format("{:.2f}", *effect.mean) : "-";
+}
+
 // "-1.33 ± 0.29*".
 std::string change_text(const PairedDifference& difference) {
   if (!difference.mean) return "-";
@@ -161,16 +166,6 @@ std::string change_text(const PairedDifference& difference) {
   if (difference.interval)
     text += fmt::format(" ± {:.2f}", (difference.interval->high - difference.interval->low) / 2);
   return text + (difference.p_holm.value_or(1) < kSignificant ? "*" : "");
-}
-
-io::Cells rule_effects_head(const RuleEffects& all) {
-  io::Cells head = {"measure"};
-  for (const std::string& variant : all.variants) {
-    head.push_back(variant);
-    if (variant != all.variants.front())
-      head.push_back(fmt::format("from {} ± 95 %", all.variants.front()));
-  }
-  return head;
 }
 
 // Rare calls are left out, since the table would otherwise be much longer.
@@ -181,17 +176,21 @@ bool is_shown(std::span<const RuleEffect> measure) {
          });
 }
 
-std::vector<io::Cells> rule_effects_rows(const RuleEffects& all) {
-  std::vector<io::Cells> rows = {rule_effects_head(all)};
+// The table of the first variant and of those from `begin` to `end`, with their differences from
+// it.
+std::vector<io::Cells> rule_effects_rows(const RuleEffects& all, std::size_t begin,
+                                         std::size_t end) {
+  std::vector<io::Cells> rows = {{"measure", all.variants.front()}};
+  for (std::size_t i = begin; i < end; ++i)
+    io::append(rows.front(),
+               {all.variants[i], fmt::format("from {} ± 95 %", all.variants.front())});
   for (std::size_t i = 0; i < all.heads.size(); ++i) {
     const std::size_t variants = all.variants.size();
     const auto measure = std::span(all.effects).subspan(i * variants, variants);
     if (!is_shown(measure)) continue;
-    rows.push_back({all.heads[i]});
-    for (const RuleEffect& effect : measure) {
-      rows.back().push_back(effect.mean ? fmt::format("{:.2f}", *effect.mean) : "-");
-      if (&effect != &measure.front()) rows.back().push_back(change_text(effect.from_first));
-    }
+    rows.push_back({all.heads[i], value_text(measure.front())});
+    for (const RuleEffect& effect : measure.subspan(begin, end - begin))
+      io::append(rows.back(), {value_text(effect), change_text(effect.from_first)});
   }
   return rows;
 }
@@ -264,12 +263,21 @@ io::Json json_of(const RuleEffects& effects) {
 }
 
 io::TextBlocks table_of(const RuleEffects& effects) {
-  return {io::TextTable{rule_effects_rows(effects), {io::Align::kLeft}},
-          "\n" + explanation_of(effects)};
+  io::TextBlocks blocks;
+  const std::size_t variants = effects.variants.size();
+  for (std::size_t begin = 1; begin < variants; begin += kVariantsInTable) {
+    const std::size_t end = std::min(begin + kVariantsInTable, variants);
+    blocks.emplace_back(
+        io::TextTable{rule_effects_rows(effects, begin, end), {io::Align::kLeft}, 2});
+    blocks.emplace_back("\n");
+  }
+  blocks.emplace_back(explanation_of(effects));
+  return blocks;
 }
 
 io::ProgressTable progress_table_of(const RuleEffects& effects) {
-  io::ProgressTable table{rule_effects_rows(effects), {io::Align::kLeft}, "measures"};
+  io::ProgressTable table{
+      rule_effects_rows(effects, 1, effects.variants.size()), {io::Align::kLeft}, "measures"};
   table.text = explanation_of(effects);
   return table;
 }

@@ -52,7 +52,8 @@ std::string csv_of(const RuleEffects& effects);
 // columns of summary.csv except `p`, `p_holm` and `effect_size`.
 io::Json json_of(const RuleEffects& effects);
 
-// One row per measure, with the variants side by side, and explanations below.
+// One row per measure, with the first variant and two others side by side; further variants are in
+// tables below. Explanations follow.
 io::TextBlocks table_of(const RuleEffects& effects);
 io::ProgressTable progress_table_of(const RuleEffects& effects);
 

@@ -185,6 +185,19 @@ TEST(RulesTable, MarksOnlyDifferencesThatRemainAfterTheCorrection) {
   EXPECT_NE(text.find("-2.50 ± 0.24*\n"), std::string::npos) << text;
 }
 
+TEST(RulesTable, HasTwoVariantsBesidesTheFirst) {
+  RulesExperiment rules = *small_rules().as<RulesExperiment>();
+  rules.variants.push_back({"wide", {}});
+  rules.variants.push_back({"short", {}});
+  const io::TextBlocks blocks = table_of(rule_effects_of(rules, three_pairs()));
+  std::vector<io::Cells> heads;
+  for (const auto& block : blocks)
+    if (const auto* table = std::get_if<io::TextTable>(&block)) heads.push_back(table->rows[0]);
+  const std::string change = "from official ± 95 %";
+  EXPECT_EQ(heads, (std::vector<io::Cells>{{"measure", "official", "long", change, "wide", change},
+                                           {"measure", "official", "short", change}}));
+}
+
 TEST(RulesTable, LeavesRareCallsToTheCsv) {
   RowsById rows = three_pairs();
   for (int pair = 4; pair <= 20; ++pair) {
