@@ -27,8 +27,8 @@ struct Worst {
   }
 };
 
-// Counts how often the current restart has been retaken in a row. A restart is retaken at most
-// three times; after that, play continues regardless of the robots' positions.
+// Counts how often the current restart has been retaken in a row. After the last retake that the
+// rule book allows, play continues regardless of the robots' positions.
 class Retakes {
  public:
   void enter(const TruePlay& play) {
@@ -39,10 +39,9 @@ class Retakes {
     was_wrong_ = false;
   }
   void be_wrong() { was_wrong_ = true; }
-  bool may_be_taken_again() const { return count_ < kMost; }
+  bool may_be_taken_again(const RuleBook& rules) const { return count_ < rules.retakes; }
 
  private:
-  static constexpr int kMost = 3;
   int count_ = 0;
   int stops_ = 0;  // number of STOPs before the restart was last taken
   Command restart_;
@@ -62,13 +61,13 @@ class PositionsAtEntry final : public GroundTruthRule {
     if (frame.rules.has(RuleId::kDefenderTooCloseToKickPoint) && !is_2026)
       near_ball(frame, taker, all);
     if (frame.rules.has(RuleId::kKickoffPositions) && frame.play.is_kickoff()) half(frame, all);
-    note_breaches(reported, all);
+    note_breaches(frame.rules, reported, all);
   }
 
  private:
   // Looks for violations that cause a retake, from index `reported` on, and removes them if no more
   // retakes are allowed.
-  void note_breaches(std::size_t reported, TrueEvents& all) {
+  void note_breaches(const RuleBook& rules, std::size_t reported, TrueEvents& all) {
     const auto is_breach = [](const TrueEvent& event) {
       return event.standing == Standing::kTrue &&
              (event.name == "defender_too_close_to_kick_point" ||
@@ -76,7 +75,7 @@ class PositionsAtEntry final : public GroundTruthRule {
     };
     const auto from = all.begin() + static_cast<std::ptrdiff_t>(reported);
     if (!std::any_of(from, all.end(), is_breach)) return;
-    if (retakes_.may_be_taken_again()) {
+    if (retakes_.may_be_taken_again(rules)) {
       retakes_.be_wrong();
     } else {
       all.erase(std::remove_if(from, all.end(), is_breach), all.end());

@@ -49,7 +49,7 @@ std::optional<Finding> find_attacker_too_close_to_defense_area(RefereeState& sta
                                                                const RefereeInput& input) {
   const Configuration& c = input.configuration;
   // At a penalty kick, rule penalty_positions decides where robots may be.
-  if (!c.rules.fouls_stop_play || state.play.is_penalty()) return std::nullopt;
+  if (c.rules.edition == Edition::kRules2026 || state.play.is_penalty()) return std::nullopt;
   if (!state.play.entered_now || !state.play.kicker) return std::nullopt;
   const double least_m = c.rules.attacker_to_area_m;
   std::optional<Offence> offence = nearest_of(*state.play.kicker, least_m, input);
@@ -123,7 +123,7 @@ void set_restart(Finding& finding, const RefereeState& state, const RefereeInput
 std::optional<Finding> find_attacker_stays_near_area(RefereeState& state,
                                                      const RefereeInput& input) {
   const RuleBook& rules = input.configuration.rules;
-  if (rules.fouls_stop_play) return std::nullopt;
+  if (rules.edition != Edition::kRules2026) return std::nullopt;
   AttackerNearAreaWatch& watch = state.watch.attacker_too_close_to_defense_area;
   if (state.machine_state == State::kRun && state.play.in_play) watch = {};
   if (!is_in_force(state)) return std::nullopt;

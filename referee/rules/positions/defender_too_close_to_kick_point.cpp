@@ -89,6 +89,7 @@ std::optional<Finding> find_while_waiting(RefereeState& state, const RefereeInpu
   finding.robots = near.robots;
   finding.offender = side;
   finding.position_m = state.play.ball_from_m;
+  if (rules.fouls_stop_play) take_again(finding, state.play);
   finding.evidence =
       fmt::format("The hull of {} is {} from the ball, which is not yet in play.",
                   near.robots.size() == 1 ? text_of(near.robots.front()) : "the nearest opponent",
@@ -100,8 +101,8 @@ std::optional<Finding> find_defender_too_close_to_kick_point(RefereeState& state
                                                              const RefereeInput& input) {
   const PlayState& play = state.play;
   if (!play.kicker || play.is_penalty() || !play.ball_from_m) return std::nullopt;
-  if (input.configuration.rules.fouls_stop_play) return find_when_taken(state, input);
-  return find_while_waiting(state, input);
+  const bool is_2026 = input.configuration.rules.edition == Edition::kRules2026;
+  return is_2026 ? find_while_waiting(state, input) : find_when_taken(state, input);
 }
 
 }  // namespace
