@@ -83,6 +83,12 @@ const std::vector<Entry>& all_strategies() {
   return kEntries;
 }
 
+const std::vector<std::string_view>& teams_by_strength() {
+  static const std::vector<std::string_view> kTeams = {"cobalt", "counter", "shadow", "possession",
+                                                       "zone",   "basic",   "chaser", "dummy"};
+  return kTeams;
+}
+
 const Entry* find_strategy(std::string_view name) {
   for (const Entry& entry : all_strategies()) {
     if (entry.name == name) return &entry;

@@ -20,6 +20,10 @@ struct Entry {
 // All teams, ordered by name.
 const std::vector<Entry>& all_strategies();
 
+// The names of the teams that are not variants of another one, the strongest first: their ranks in
+// results/reference/roundrobin/standings.csv.
+const std::vector<std::string_view>& teams_by_strength();
+
 // The team with that name; nullptr if there is none.
 const Entry* find_strategy(std::string_view name);
 

@@ -4,8 +4,8 @@
 //     tuning_trials [SEEDS]      default: 200
 #include <fmt/format.h>
 
+#include "experiments/statistics/anytime_interval.hpp"
 #include "experiments/statistics/interval.hpp"
-#include "experiments/statistics/sequential_test.hpp"
 #include "io/words.hpp"
 #include "tests/experiments/tune/noisy_search.hpp"
 

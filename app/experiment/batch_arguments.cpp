@@ -82,7 +82,7 @@ void add_batch_options(CLI::App& verb, BatchArguments& arguments) {
 
 void add_override_options(CLI::App& verb, BatchArguments& arguments) {
   verb.add_option("--pairs", arguments.pairs,
-                  "Pairs of legs, overriding the file; for kind sprt, the maximum.")
+                  "Pairs of legs, overriding the file; for kinds compare and sprt, the maximum.")
       ->type_name("N");
   verb.add_option("--seed", arguments.seed, "Seed of the experiment, overriding the file.")
       ->type_name("N");

@@ -90,6 +90,7 @@ struct Group {
   // Rated games by pair number, without void games.
   std::map<int, std::vector<RatedGame>> games_by_pair;
   int void_games = 0;
+  int ended_by_lead = 0;  // number of games that ended early because a team led by enough goals
   // Results according to lead_of_a() (game_row.hpp).
   int wins_a = 0;
   int draws = 0;

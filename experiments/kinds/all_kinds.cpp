@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "experiments/kinds/compare/comparison.hpp"
 #include "experiments/kinds/gauntlet/gauntlet.hpp"
 #include "experiments/kinds/judge/judge_schedule.hpp"
 #include "experiments/kinds/knockout/knockout.hpp"
@@ -18,8 +19,8 @@ namespace autoref::experiments {
 
 std::span<const Kind* const> kinds_of_experiments() {
   static constexpr auto kAll = std::to_array<const Kind*>(
-      {&Sweep::kKind, &RoundRobin::kKind, &Gauntlet::kKind, &SprtMatch::kKind, &Swiss::kKind,
-       &Knockout::kKind, &Situations::kKind, &RulesExperiment::kKind, &Tuning::kKind,
+      {&Comparison::kKind, &Sweep::kKind, &RoundRobin::kKind, &Gauntlet::kKind, &SprtMatch::kKind,
+       &Swiss::kKind, &Knockout::kKind, &Situations::kKind, &RulesExperiment::kKind, &Tuning::kKind,
        &JudgeSchedule::kKind});
   return kAll;
 }

@@ -12,6 +12,7 @@
 #include "experiments/analysis/groups.hpp"
 #include "experiments/analysis/standings.hpp"
 #include "experiments/analysis/summary.hpp"
+#include "experiments/statistics/sequential_test.hpp"
 #include "io/json.hpp"
 #include "io/processes/standings_table.hpp"
 #include "io/table.hpp"
@@ -80,6 +81,7 @@ struct ExperimentResults {
   std::vector<Standing> standings;
   std::vector<TieResult> ties;  // ties of a bracket, round by round; empty if there is none
   std::optional<SearchPath> search;
+  std::optional<ThreeWayVerdict> verdict;  // of a comparison: whether the new team is better
   std::vector<ResultFile> files;
   io::TextBlocks table;                  // table for the terminal and the report
   std::vector<io::ProgressTable> shown;  // the tables for the terminal while the experiment runs

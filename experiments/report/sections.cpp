@@ -70,6 +70,17 @@ List meaning_of_results(const ExperimentResults& results) {
   return list;
 }
 
+List meaning_of_comparison() {
+  return List{
+      {"All intervals are 95 % confidence intervals.",
+       "new minus old is the mean goal difference per game: of the games between the two teams, or "
+       "of the new team's minus the old team's against the same opponent with the same seeds. A "
+       "pair with a void game is left out.",
+       "The comparison ends as soon as its interval excludes 0 or lies within the smallest "
+       "difference that matters. The interval remains valid even though the games decide when to "
+       "stop (Lai 1976); it is wider than Student's. p is that of the same test."}};
+}
+
 List meaning_of_tuning() {
   return List{
       {"The column \"now\" is the best value known so far: the mean of the search over the last "
@@ -154,7 +165,11 @@ Section results_section(const ExperimentResults& results) {
 
 Section meaning_of(const ExperimentResults& results) {
   Section lists;
-  if (!results.groups.empty()) lists.emplace_back(meaning_of_results(results));
+  if (results.verdict) {
+    lists.emplace_back(meaning_of_comparison());
+  } else if (!results.groups.empty()) {
+    lists.emplace_back(meaning_of_results(results));
+  }
   if (results.search) lists.emplace_back(meaning_of_tuning());
   return lists;
 }

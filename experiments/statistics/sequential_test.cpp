@@ -4,15 +4,8 @@
 #include <cassert>
 #include <cmath>
 
-#include "experiments/statistics/sample.hpp"
-
 namespace autoref::experiments {
 namespace {
-
-// Variance of the effect size under the alternative: effects of about 0.3 standard deviations, such
-// as half a goal if the standard deviation over pairs of legs is 1.7 goals. The interval is valid
-// for any value; a poor choice widens it a little.
-constexpr double kEffectVariance = 0.1;
 
 void check_test(const SequentialTest& test) {
   assert(test.d0 != test.d1);
@@ -37,19 +30,6 @@ double log_likelihood(int n, double mean_square, double least_variance) {
 }
 
 }  // namespace
-
-std::optional<Interval> anytime_interval(std::span<const double> sample) {
-  const std::optional<double> deviation = standard_deviation(sample);
-  if (!deviation || !(*deviation > 0)) return std::nullopt;
-  const auto n = static_cast<double>(sample.size());
-  const double spread = 1 + n * kEffectVariance;
-  // Solves the likelihood ratio for t^2.
-  const double ratio = std::pow(std::sqrt(spread) / kMissedShare, 2 / n);
-  if (ratio >= spread) return std::nullopt;
-  const double t = std::sqrt((n - 1) * (ratio - 1) / (1 - ratio / spread));
-  const double half = t * *deviation / std::sqrt(n);
-  return Interval{mean(sample) - half, mean(sample) + half};
-}
 
 double least_variance_of(const SequentialTest& test) {
   return std::max(std::abs(test.d0), std::abs(test.d1));
@@ -77,6 +57,22 @@ SequentialState decided_by(const SequentialTest& test, std::span<const double> p
     if (state.verdict != Verdict::kGoOn) break;
   }
   return state;
+}
+
+std::string name_of(ThreeWayVerdict verdict, std::string_view not_shown) {
+  switch (verdict) {
+    case ThreeWayVerdict::kBetter:
+      return "better";
+    case ThreeWayVerdict::kWorse:
+      return "worse";
+    case ThreeWayVerdict::kNotShown:
+      return std::string(not_shown);
+    case ThreeWayVerdict::kUndecided:
+      return "undecided";
+    case ThreeWayVerdict::kGoOn:
+      break;
+  }
+  return "none";
 }
 
 ThreeWayState compared(const SequentialTest& test, std::span<const double> pair_differences) {

@@ -1,32 +1,12 @@
-// Sequential tests, which stop as soon as the games so far decide them, and an interval that stays
-// valid when you look at it after every value.
+// Sequential tests, which stop as soon as the games so far decide them.
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
-
-#include "experiments/statistics/interval.hpp"
+#include <string>
+#include <string_view>
 
 namespace autoref::experiments {
-
-// A 95 % confidence sequence of the mean: in 95 % of experiments, the intervals after the second
-// value, the third and so on all contain the true mean. The interval therefore remains valid if the
-// values themselves decide when to stop, as in a sequential test; Student's interval does not
-// remain valid.
-//
-// It contains the means that a mixture of t tests does not reject. With t the statistic of n values
-// for a mean, nu = n - 1, and the effect size (mean over standard deviation) distributed as
-// N(0, g) under the alternative, the likelihood ratio of scale-invariant data is
-//
-//     (1 + n g)^(-1/2) [(1 + t^2 / nu) / (1 + t^2 / (nu (1 + n g)))]^(n / 2)
-//
-// and a mean is rejected where this exceeds 1 / 0.05 (Lai, On confidence sequences, Ann. Stat. 4,
-// 1976; Ville's inequality). Exact for normal values. About 1.3 to 1.7 times as wide as Student's
-// interval.
-//
-// Returns nullopt for fewer than two values, if all are equal, and while the interval is unbounded.
-std::optional<Interval> anytime_interval(std::span<const double> sample);
 
 // Two hypotheses about the mean goal difference of a game, and the permitted error rates. The unit
 // is the pair of legs: a pair's value is the mean goal difference of its two games.
@@ -91,7 +71,8 @@ struct SequentialState {
 // 2 <= min_pairs <= max_pairs.
 SequentialState decided_by(const SequentialTest& test, std::span<const double> pair_differences);
 
-// A sequential test with three outcomes: better, worse, or neither shown.
+// The outcomes of a test of whether one team is better than another. `delta` is the smallest
+// difference that matters.
 enum class ThreeWayVerdict : std::uint8_t {
   kGoOn,       // more pairs are needed
   kBetter,     // the mean is nearer to delta than to 0
@@ -99,6 +80,9 @@ enum class ThreeWayVerdict : std::uint8_t {
   kNotShown,   // the mean is nearer to 0 than to either
   kUndecided,  // max_pairs were not enough
 };
+
+// "better", "worse", `not_shown`, "undecided", or "none" while more pairs are needed.
+std::string name_of(ThreeWayVerdict verdict, std::string_view not_shown);
 
 struct ThreeWayState {
   ThreeWayVerdict verdict = ThreeWayVerdict::kGoOn;

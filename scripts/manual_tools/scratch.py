@@ -6,9 +6,10 @@ import shutil
 import subprocess
 
 # Adds the options of the mark 'run shortened' to the verbs that play games.
-WRAPPER = """#!/usr/bin/env bash
+WRAPPER = r"""#!/usr/bin/env bash
 case "$1 $2" in
-  "play "* | "run "* | "live "* | "judge "* | "check "* | "submit "* | "bench "* | "team play" | "team check")
+  "play "* | "run "* | "compare "* | "live "* | "judge "* | "check "* | "submit "* | "bench "* | "team play" | \
+      "team check")
     exec {program} "$@" $AUTOREF_SHORTENED ;;
 esac
 exec {program} "$@"

@@ -177,6 +177,8 @@ std::vector<Artefact> written_csv() {
        [] { return head_with_own_column(experiments::small_situations(), "summary.csv"); }},
       {"differences.csv of a round robin or gauntlet",
        [] { return head_in_folder(robin(), "differences.csv"); }},
+      {"comparison.csv",
+       [] { return head_in_folder(experiments::small_comparison(), "comparison.csv"); }},
       {"differences.csv of situations",
        [] { return head_with_own_column(experiments::small_situations(), "differences.csv"); }},
       {"summary.csv of an experiment on rules",

@@ -150,9 +150,9 @@ WrittenNames progress_keys() {
   Paths paths;
   for (const experiments::Scenario& scenario :
        {experiments::small_sweep(), experiments::small_roundrobin({6, 5}),
-        experiments::small_sprt_match(), experiments::small_situations(),
-        experiments::small_rules(), experiments::small_tuning("spsa"),
-        experiments::Scenario{"A test.", knockout}}) {
+        experiments::small_sprt_match(), experiments::small_comparison(),
+        experiments::small_situations(), experiments::small_rules(),
+        experiments::small_tuning("spsa"), experiments::Scenario{"A test.", knockout}}) {
     paths.merge(paths_in(progress_lines(scenario)));
   }
   return sorted(paths);

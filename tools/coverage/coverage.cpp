@@ -17,6 +17,7 @@ constexpr int kFewestTrials = 1000;  // with fewer, proportions leave their boun
 constexpr int kMostTrials = 10'000'000;
 // Uses fewer trials, since rating a round robin takes a long time.
 constexpr int kTrialsPerRoundRobin = 4;
+constexpr int kTrialsPerComparison = 4;  // one comparison takes up to thousands of games
 
 // The number of results outside their bounds.
 int print(const std::vector<Measured>& lines) {
@@ -37,6 +38,9 @@ int measure(int trials) {
   bad += print(rating_coverage(round_robins));
   fmt::print("\nError rates of the sequential test, at most {} tests each:\n", trials);
   bad += print(sequential_errors(trials));
+  const int comparisons = trials / kTrialsPerComparison;
+  fmt::print("\nError rates of comparisons, {} each:\n", comparisons);
+  bad += print(comparison_errors(comparisons));
   fmt::print("\n{} outside the bounds\n", bad);
   return bad == 0 ? 0 : 1;
 }

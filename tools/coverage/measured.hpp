@@ -34,4 +34,8 @@ std::vector<Measured> rating_coverage(int trials);
 // need more than 9999 pairs are left out.
 std::vector<Measured> sequential_errors(int trials);
 
+// Error rates of comparisons by an anytime interval (experiments/statistics/anytime_interval.hpp),
+// and the share of differences that they find, for the same kinds of goals.
+std::vector<Measured> comparison_errors(int trials);
+
 }  // namespace autoref::coverage

@@ -1,10 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/random/gamma_distribution.hpp>
 #include <cmath>
-#include <functional>
-#include <numbers>
 
 #include "experiments/statistics/sequential_test.hpp"
 #include "tools/coverage/goals.hpp"
@@ -29,52 +26,6 @@ constexpr double kVeryUnevenAllowance = 2;
 constexpr double kStandardErrors = 2;
 // Tests that need more pairs than this are run less often.
 constexpr double kManyPairs = 1000;
-constexpr double kLeastMean = 1e-9;
-
-// Draws the mean goal difference of the next pair of legs.
-using Pairs = std::function<double(RandomStream&)>;
-
-struct Goals {
-  const char* name;
-  Pairs (*pairs)(double mean, double sd);
-};
-
-// Pairs whose legs are independent and each have the standard deviation `sd`.
-Pairs normal_pairs(double mean, double sd) {
-  return [=](RandomStream& random) { return mean + sd / std::numbers::sqrt2 * random.normal(); };
-}
-
-double pair_of(const Means& means, RandomStream& random) {
-  return pair_differences(play(means, 2, random)).front();
-}
-
-// The variance of a game's difference is the sum of both teams' expected goals.
-Means means_of(double mean, double variance) {
-  return {std::max((variance + mean) / 2, kLeastMean), std::max((variance - mean) / 2, kLeastMean)};
-}
-
-Pairs poisson_pairs(double mean, double sd) {
-  return [means = means_of(mean, sd * sd)](RandomStream& random) { return pair_of(means, random); };
-}
-
-// Pairs that differ in the number of goals: both teams' expected goals have a common factor with
-// mean 1 and variance `uneven`, which adds the fraction `uneven` of the squared lead to a game's
-// variance.
-Pairs uneven_pairs(double mean, double sd, double uneven) {
-  const Means means = means_of(mean, sd * sd - uneven * mean * mean);
-  return [=](RandomStream& random) {
-    const double factor = boost::random::gamma_distribution<double>(1 / uneven, uneven)(random);
-    return pair_of({std::max(means.a * factor, kLeastMean), std::max(means.b * factor, kLeastMean)},
-                   random);
-  };
-}
-
-constexpr Goals kNormal = {"normal", normal_pairs};
-constexpr Goals kPoisson = {"Poisson", poisson_pairs};
-constexpr Goals kUneven = {"uneven",
-                           [](double mean, double sd) { return uneven_pairs(mean, sd, 0.25); }};
-constexpr Goals kVeryUneven = {"very uneven",
-                               [](double mean, double sd) { return uneven_pairs(mean, sd, 1); }};
 
 // A sequential test in a case in which the true lead equals one of its hypotheses.
 struct Trial {

@@ -13,22 +13,7 @@
 namespace autoref::experiments {
 namespace {
 
-// "better", "worse", "not shown", "undecided", or "none" while more pairs are needed.
-std::string name_of(ThreeWayVerdict verdict) {
-  switch (verdict) {
-    case ThreeWayVerdict::kBetter:
-      return "better";
-    case ThreeWayVerdict::kWorse:
-      return "worse";
-    case ThreeWayVerdict::kNotShown:
-      return "not shown";
-    case ThreeWayVerdict::kUndecided:
-      return "undecided";
-    case ThreeWayVerdict::kGoOn:
-      break;
-  }
-  return "none";
-}
+constexpr const char* kNotShown = "not shown";
 
 // Mean of the known scores. nullopt if there is none, and in self-play, where the mean would always
 // be 0.
@@ -167,7 +152,7 @@ std::string tuning_test_csv(const Tuning& tuning, const TuningState& state) {
   return io::csv_line({"verdict", "gain", "low95", "high95", "pairs", "void_pairs", "delta",
                        "alpha", "beta", "min_pairs", "max_pairs"}) +
          "\n" +
-         io::csv_line({name_of(test.state.verdict), io::number_cell(test.gain),
+         io::csv_line({name_of(test.state.verdict, kNotShown), io::number_cell(test.gain),
                        io::number_cell(low), io::number_cell(high),
                        std::to_string(test.state.pairs), std::to_string(test.void_pairs),
                        io::number_cell(tuning.test.d1), io::number_cell(tuning.test.alpha),
@@ -221,7 +206,7 @@ io::Json json_of(const Tuning& tuning, const TuningState& state) {
   return {{"iteration", state.path.size()},
           {"iterations", tuning.iterations},
           {"parameters", parameters},
-          {"verdict", name_of(state.test.state.verdict)},
+          {"verdict", name_of(state.test.state.verdict, kNotShown)},
           {"gain", io::json_number(state.test.gain)},
           {"low95", io::json_number(low)},
           {"high95", io::json_number(high)},

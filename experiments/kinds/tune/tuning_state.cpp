@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "experiments/results/game_row.hpp"
+#include "experiments/statistics/anytime_interval.hpp"
 #include "experiments/statistics/sample.hpp"
-#include "experiments/statistics/sequential_test.hpp"
 #include "io/processes/workers.hpp"
 
 namespace autoref::experiments {

@@ -25,6 +25,8 @@ struct Part {
 
 const std::vector<Part> kParts = {
     {"game", "play", "kind: game\nzzz: 1\n"},
+    {"compare: the test", "run",
+     "kind: compare\nseed: 1\nteams: {old: {}, new: {}}\ntest: {zzz: 1}\n"},
     {"sprt: the test", "run",
      "kind: sprt\nseed: 1\nteams: {x: {strategy: basic}, y: {strategy: zone}}\nsprt: {zzz: 1}\n"},
     {"situations: one situation", "run",

@@ -27,7 +27,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NoMapping", "- 1\n", "x.yaml:1:1: ", {"expected a mapping", "a list"}},
         Mistake{"NoSchema", "kind: game\n", "x.yaml:1:1: ", {"'schema' is missing"}},
         Mistake{"OtherSchema", "schema: 2\nkind: game\n", "x.yaml:1:9: ", {"schema: expected 1"}},
-        Mistake{"UnknownKind", "schema: 1\nkind: duel\n", "x.yaml:2:7: ", {"game, sweep"}},
+        Mistake{"UnknownKind", "schema: 1\nkind: duel\n", "x.yaml:2:7: ", {"game, compare, sweep"}},
         Mistake{"UnknownTopKey", kGameTop + "team: {}\n", "x.yaml:3:1: ", {"'team'", "'teams'"}},
         Mistake{"UnknownKey",
                 kGameTop + "match:\n  halfs: 600\n",

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/kinds/compare/comparison.hpp"
 #include "experiments/kinds/roundrobin/roundrobin.hpp"
 #include "experiments/kinds/sprt/sprt_match.hpp"
 #include "experiments/kinds/sweep/sweep.hpp"
@@ -78,6 +79,16 @@ inline Scenario small_sprt_match(int max_pairs = 40) {
   match.sprt = {.d0 = 0, .d1 = -4, .min_pairs = std::min(10, max_pairs), .max_pairs = max_pairs};
   match.seed = 2014;
   return {"A test.", match};
+}
+
+// A comparison without opponents, of teams with six and five robots.
+inline Scenario small_comparison(int max_pairs = 40) {
+  Comparison comparison;
+  comparison.teams[kOldTeam].robots = 6;
+  comparison.teams[kNewTeam].robots = 5;
+  comparison.test.max_pairs = max_pairs;
+  comparison.seed = 2014;
+  return {"A test.", comparison};
 }
 
 inline ExperimentOptions fake_options(const std::filesystem::path& folder) {

@@ -1,7 +1,9 @@
-#include "experiments/statistics/sequential_test.hpp"
+#include "experiments/statistics/anytime_interval.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <span>
 #include <vector>
 
 #include "experiments/statistics/interval.hpp"
@@ -39,7 +41,9 @@ double share_of_missing(IntervalOf interval_of) {
 }
 
 TEST(AnytimeInterval, ContainsTheMeanAtAllTimesInNinetyFivePercentOfExperiments) {
-  EXPECT_LE(share_of_missing(anytime_interval), 0.05);
+  EXPECT_LE(
+      share_of_missing([](std::span<const double> values) { return anytime_interval(values); }),
+      0.05);
 }
 
 // Otherwise the test above would not show anything.
@@ -59,6 +63,81 @@ TEST(AnytimeInterval, IsWiderThanStudentsButNotTwiceAsWide) {
 TEST(AnytimeInterval, IsUnknownForFewOrEqualValues) {
   EXPECT_FALSE(anytime_interval(std::vector<double>{1}));
   EXPECT_FALSE(anytime_interval(std::vector<double>{1, 1, 1, 1}));
+}
+
+TEST(AnytimeInterval, AssumesTheLeastDeviation) {
+  const std::vector<double> equal(20, 1);
+  const Interval interval = anytime_interval(equal, 0.5).value();
+  EXPECT_LT(interval.low, 1);
+  EXPECT_GT(interval.high, 1);
+  const std::vector<double> values = normal_values(1, 0);
+  EXPECT_EQ(anytime_interval(values, 0.5)->low, anytime_interval(values)->low);
+}
+
+ComparisonState after(const ComparisonTest& test, std::uint64_t seed, double mean) {
+  return decided_by(test, normal_values(seed, mean));
+}
+
+// The proportion of comparisons with this verdict. The spread is two goals.
+double share_with(ThreeWayVerdict verdict, double mean) {
+  constexpr int kExperiments = 400;
+  const ComparisonTest test{.least = 1, .max_pairs = kLongest};
+  int count = 0;
+  for (std::uint64_t seed = 1; seed <= kExperiments; ++seed)
+    count += after(test, seed, mean).verdict == verdict ? 1 : 0;
+  return static_cast<double>(count) / kExperiments;
+}
+
+TEST(ComparisonByInterval, SeldomFindsADifferenceWhereThereIsNone) {
+  EXPECT_LE(share_with(ThreeWayVerdict::kBetter, 0) + share_with(ThreeWayVerdict::kWorse, 0), 0.05);
+  EXPECT_GE(share_with(ThreeWayVerdict::kNotShown, 0), 0.9);
+}
+
+TEST(ComparisonByInterval, FindsTheLeastDifferenceThatMatters) {
+  EXPECT_GE(share_with(ThreeWayVerdict::kBetter, 1), 0.9);
+  EXPECT_GE(share_with(ThreeWayVerdict::kWorse, -1), 0.9);
+  EXPECT_LE(share_with(ThreeWayVerdict::kNotShown, 1), 0.025);
+}
+
+TEST(ComparisonByInterval, AgreesWithItsIntervalAndItsPValue) {
+  const ComparisonTest test{.least = 1, .max_pairs = kLongest};
+  for (const double mean : {-2.0, -0.5, 0.0, 0.5, 2.0}) {
+    for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+      const ComparisonState state = after(test, seed, mean);
+      ASSERT_TRUE(state.interval);
+      const bool excludes_zero = state.interval->low > 0 || state.interval->high < 0;
+      EXPECT_EQ(state.p < 0.05, excludes_zero);
+      EXPECT_EQ(state.verdict == ThreeWayVerdict::kBetter, state.interval->low > 0);
+      EXPECT_EQ(state.verdict == ThreeWayVerdict::kWorse, state.interval->high < 0);
+      // The interval has the given mean and the spread of the values considered.
+      const std::vector<double> values = normal_values(seed, mean);
+      const std::span<const double> used(values.data(), static_cast<std::size_t>(state.pairs));
+      EXPECT_NEAR(anytime_interval(used, std::sqrt(test.least))->low, state.interval->low, 1e-9);
+    }
+  }
+}
+
+TEST(ComparisonByInterval, DecidesEvenIfAllPairsAreEqual) {
+  const ComparisonTest test{.least = 0.3, .max_pairs = 300};
+  const ComparisonState always = decided_by(test, std::vector<double>(300, 10));
+  EXPECT_EQ(always.verdict, ThreeWayVerdict::kBetter);
+  EXPECT_LT(always.pairs, 12);
+  // Goalless pairs prove that no difference matters only after a while.
+  const ComparisonState never = decided_by(test, std::vector<double>(300, 0));
+  EXPECT_EQ(never.verdict, ThreeWayVerdict::kNotShown);
+  EXPECT_GT(never.pairs, 20);
+}
+
+TEST(ComparisonByInterval, EstimatesHowManyPairsWouldDecide) {
+  const ComparisonTest test{.least = 1, .max_pairs = 40};
+  ComparisonState state{ThreeWayVerdict::kUndecided, 40, 0.5, Interval{-0.5, 1.5}, 0.3};
+  // The interval must become half as wide, either to exclude 0 or to stay below 1.
+  EXPECT_EQ(pairs_to_decide(test, state), 160);
+  state.mean = 0;
+  state.interval = {-2, 2};
+  EXPECT_EQ(pairs_to_decide(test, state), 160);
+  state.interval = std::nullopt;
+  EXPECT_FALSE(pairs_to_decide(test, state));
 }
 
 }  // namespace

@@ -1,0 +1,147 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "app/experiment/comparison_arguments.hpp"
+#include "app/experiment/played_experiment.hpp"
+#include "app/shared_options.hpp"
+#include "app/verbs.hpp"
+#include "experiments/statistics/sequential_test.hpp"
+#include "io/errors.hpp"
+#include "io/json.hpp"
+#include "io/terminal.hpp"
+
+namespace autoref::app {
+namespace {
+
+using experiments::ThreeWayVerdict;
+
+constexpr const char* kNotWorse = "not-worse";
+constexpr const char* kEqualOrBetter = "equal";
+constexpr const char* kBetter = "better";
+constexpr int kMostComparedGames = 100'000;
+constexpr double kSmallestLeast = 0.01;  // in goals per game
+constexpr double kLargestLeast = 50;
+
+struct CompareOptions : CompareArguments {
+  std::string required = kNotWorse;
+  bool is_scenario_asked = false;
+};
+
+bool is_met(const std::string& required, ThreeWayVerdict verdict) {
+  if (required == kBetter) return verdict == ThreeWayVerdict::kBetter;
+  if (required == kEqualOrBetter)
+    return verdict == ThreeWayVerdict::kBetter || verdict == ThreeWayVerdict::kNotShown;
+  return verdict != ThreeWayVerdict::kWorse;
+}
+
+// The answer, which teams these are, then the table and its notes.
+void print_comparison(const experiments::Scenario& scenario,
+                      const experiments::ExperimentReport& report, bool as_json) {
+  if (as_json) {
+    io::Json json = *report.results.json;
+    json["about"] = scenario.about;
+    fmt::print("{}\n", io::json_text(json));
+    return;
+  }
+  const std::size_t width = io::text_width(stdout);
+  const io::TextBlocks& table = report.results.table;
+  fmt::print("{}", io::text_of({table.front()}, width));
+  fmt::print("{}\n\n", io::wrapped(scenario.about, width));
+  fmt::print("{}\n", io::text_of({table.begin() + 1, table.end()}, width));
+}
+
+int compare_verb(const CompareOptions& options) {
+  if (options.is_scenario_asked) {
+    comparison_in(options);  // refuses what cannot be played
+    fmt::print("{}", scenario_text(options));
+    return io::kDone;
+  }
+  const experiments::Scenario scenario = comparison_in(options);
+  RunArguments arguments = options;
+  arguments.file = results_name(options, scenario);
+  const PlayedExperiment played =
+      play_experiment(scenario, arguments, [&](const experiments::ExperimentReport& report) {
+        print_comparison(scenario, report, options.json);
+      });
+  const std::optional<ThreeWayVerdict>& verdict = played.report.results.verdict;
+  if (played.exit_code != io::kDone || !verdict) return played.exit_code;
+  return is_met(options.required, *verdict) ? io::kDone : io::kNotMet;
+}
+
+void add_team_arguments(CLI::App& verb, CompareOptions& options) {
+  verb.add_option("OLD", options.old_team,
+                  "The team to compare with: a name that `autoref show teams` lists, a .yaml file "
+                  "with a team's settings, a program, or a command in quotes.")
+      ->required();
+  verb.add_option("NEW", options.new_team,
+                  "The team that may be better. Default: the first one, with the changes of --set "
+                  "new.KEY=VALUE.");
+  verb.add_option("--against", options.against,
+                  "Opponents that both teams play as well, separated by commas.")
+      ->type_name("TEAMS")
+      ->allow_extra_args(false);
+}
+
+void add_game_options(CLI::App& verb, CompareOptions& options) {
+  verb.add_option("--least", options.least,
+                  fmt::format("The smallest difference that matters, in goals per game. Default: "
+                              "{}.",
+                              options.least))
+      ->type_name("GOALS")
+      ->check(CLI::Range(kSmallestLeast, kLargestLeast));
+  verb.add_option("--games", options.games,
+                  fmt::format("The most games to play. Default: {}.", options.games))
+      ->type_name("N")
+      ->check(CLI::Range(2, kMostComparedGames));
+  verb.add_option("--rules", options.rules,
+                  fmt::format("The rule book. Default: {}.", options.rules))
+      ->type_name("BOOK");
+  verb.add_option("--camera", options.camera,
+                  "Vision and radio, as in the setting sim.camera. Default: that of AutoRef.")
+      ->type_name("CAMERA");
+  verb.add_option("--seed", options.seed, "Seed of the games. Default: 1.")->type_name("N");
+  add_set_option(verb, options.sets,
+                 "Change a setting of a team, such as new.params.shot_mps=5 or old.robots=5, or "
+                 "of all games, such as match.half_s=60. May be repeated.");
+}
+
+}  // namespace
+
+void add_compare_verb(CLI::App& app, Chosen& chosen) {
+  CLI::App* verb = app.add_subcommand("compare", "Find out which of two teams is better.");
+  auto options = std::make_shared<CompareOptions>();
+  add_team_arguments(*verb, *options);
+  add_game_options(*verb, *options);
+  verb->add_option("--require", options->required,
+                   "Exit with 1 if NEW is worse (not-worse, the default), unless it is better or "
+                   "does not differ (equal), or unless it is better (better).")
+      ->type_name("OUTCOME")
+      ->check(one_of({kNotWorse, kEqualOrBetter, kBetter}));
+  verb->add_flag("--scenario", options->is_scenario_asked,
+                 "Print the comparison as a scenario for autoref run, and play nothing.");
+  add_json_flag(*verb, options->json);
+  verb->add_option("-o,--output", options->folder,
+                   "Folder for the results. Default: one in results/runs for each comparison.")
+      ->type_name("DIR");
+  add_workers_option(*verb, options->workers);
+  add_run_options(*verb, *options);
+  verb->footer(
+      "Both teams play each other in pairs of legs, and the opponents of --against with the same\n"
+      "seeds, until the 95 % interval of the difference decides: it excludes 0 (better or worse),\n"
+      "or it lies within --least (no difference that matters). The interval allows for looking\n"
+      "after every pair. Repeat a command to continue it, with more --games if it was "
+      "undecided.\n\n"
+      "Examples:\n"
+      "  autoref compare basic counter\n"
+      "  autoref compare basic --set new.params.kick_caution=0.7\n"
+      "  autoref compare 'python3 old/my_team.py' 'python3 my_team.py' --against basic,counter");
+  choose(*verb, chosen, options, compare_verb);
+}
+
+}  // namespace autoref::app

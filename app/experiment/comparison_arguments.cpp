@@ -1,0 +1,215 @@
+#include "app/experiment/comparison_arguments.hpp"
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "app/experiment/team_argument.hpp"
+#include "experiments/kinds/compare/comparison.hpp"
+#include "experiments/kinds/scenario_reader.hpp"
+#include "experiments/run/program_versions.hpp"
+#include "game/settings/fields.hpp"
+#include "io/build_id.hpp"
+#include "io/checksum.hpp"
+#include "io/errors.hpp"
+#include "io/words.hpp"
+#include "io/yaml_text.hpp"
+
+namespace autoref::app {
+namespace {
+
+using experiments::kNewTeam;
+using experiments::kOldTeam;
+
+// What the arguments say: the teams with their names in the scenario, and all settings.
+struct GivenComparison {
+  std::string about;
+  std::vector<std::string> opponents;  // names of the common opponents
+  game::Assignments settings;          // with full paths
+  int pairs = 0;                       // maximum number of pairs per opponent
+  std::uint64_t seed = 1;
+};
+
+bool is_in(const std::string& path, const char* team) {
+  return path.starts_with(std::string(team) + ".");
+}
+
+// --set, where `old.` and `new.` stand for teams.old. and teams.new.
+game::Assignments changes_in(const CompareArguments& arguments) {
+  game::Assignments changes = game::assignments_in(arguments.sets);
+  for (game::Assignment& change : changes) {
+    if (is_in(change.path, kOldTeam) || is_in(change.path, kNewTeam))
+      change.path = "teams." + change.path;
+    if (!game::full_path(change.path).starts_with("teams.a.") &&
+        !game::full_path(change.path).starts_with("teams.b."))
+      continue;
+    throw io::InputError({change.flag}, "",
+                         "the teams of a comparison are called old and new, as in --set "
+                         "new.robots=5");
+  }
+  return changes;
+}
+
+void add_team(const TeamArgument& team, const std::string& branch, GivenComparison& given) {
+  for (game::Assignment setting : team.settings) {
+    setting.path = branch + "." + setting.path;
+    given.settings.push_back(std::move(setting));
+  }
+}
+
+// "basic with params.kick_caution=0.7".
+std::string described(const TeamArgument& team, const char* name,
+                      const game::Assignments& changes) {
+  const std::string branch = fmt::format("teams.{}.", name);
+  std::vector<std::string> its;
+  for (const game::Assignment& change : changes) {
+    if (change.path.starts_with(branch))
+      its.push_back(change.path.substr(branch.size()) + "=" + change.value);
+  }
+  return its.empty() ? team.text : fmt::format("{} with {}", team.text, fmt::join(its, ", "));
+}
+
+std::vector<TeamArgument> opponents_in(const CompareArguments& arguments) {
+  std::vector<TeamArgument> opponents;
+  std::set<std::string> names = {kOldTeam, kNewTeam};
+  for (const std::string& list : arguments.against) {
+    std::istringstream words(list);
+    for (std::string word; std::getline(words, word, ',');) {
+      TeamArgument opponent = team_argument(std::string(io::trimmed(word)), "--against");
+      const std::string name = opponent.name;
+      for (int number = 2; !names.insert(opponent.name).second; ++number)
+        opponent.name = fmt::format("{}_{}", name, number);
+      opponents.push_back(std::move(opponent));
+    }
+  }
+  return opponents;
+}
+
+void refuse_missing_team(const CompareArguments& arguments, const game::Assignments& changes) {
+  const bool is_changed =
+      std::any_of(changes.begin(), changes.end(),
+                  [](const game::Assignment& change) { return change.path.starts_with("teams."); });
+  if (!arguments.new_team.empty() || is_changed) return;
+  throw io::InputError(
+      {"NEW"}, "",
+      "give a second team, or what changes in the first one, such as --set new.robots=5 or --set "
+      "new.params.NAME=VALUE (autoref show teams OLD lists a team's parameters)");
+}
+
+int pairs_in(const CompareArguments& arguments, std::size_t opponents) {
+  const int games_of_a_pair = 2 * (1 + 2 * static_cast<int>(opponents));
+  if (arguments.games < games_of_a_pair) {
+    throw io::InputError({"--games"}, "",
+                         fmt::format("expected at least {} games, a pair of legs in each matchup, "
+                                     "found {}",
+                                     games_of_a_pair, arguments.games));
+  }
+  return std::min(arguments.games / games_of_a_pair, experiments::kMostPairs);
+}
+
+std::uint64_t seed_in(const CompareArguments& arguments) {
+  if (arguments.seed.empty()) return 1;
+  const std::optional<std::uint64_t> seed = io::seed_in(arguments.seed);
+  if (seed) return *seed;
+  throw io::InputError(
+      {"--seed"}, "",
+      fmt::format("expected a whole number from 0 to 2^64 - 1, found '{}'", arguments.seed));
+}
+
+GivenComparison given_in(const CompareArguments& arguments) {
+  const game::Assignments changes = changes_in(arguments);
+  const TeamArgument before = team_argument(arguments.old_team, "OLD");
+  refuse_missing_team(arguments, changes);
+  const TeamArgument after =
+      arguments.new_team.empty() ? before : team_argument(arguments.new_team, "NEW");
+  const std::vector<TeamArgument> opponents = opponents_in(arguments);
+  GivenComparison given;
+  given.settings.push_back({"--rules " + arguments.rules, "match.rules", arguments.rules});
+  if (!arguments.camera.empty())
+    given.settings.push_back({"--camera " + arguments.camera, "sim.camera", arguments.camera});
+  add_team(before, "teams.old", given);
+  add_team(after, "teams.new", given);
+  given.about =
+      fmt::format("Is new better than old? old: {}; new: {}", described(before, kOldTeam, changes),
+                  described(after, kNewTeam, changes));
+  for (const TeamArgument& opponent : opponents) {
+    add_team(opponent, "against." + opponent.name, given);
+    given.opponents.push_back(opponent.name);
+  }
+  if (!opponents.empty())
+    given.about += fmt::format("; both also against {}", io::listed(given.opponents));
+  given.about += ".";
+  given.settings.insert(given.settings.end(), changes.begin(), changes.end());
+  given.pairs = pairs_in(arguments, opponents.size());
+  given.seed = seed_in(arguments);
+  return given;
+}
+
+// The keys of the scenario that are not settings of games or teams.
+YAML::Node scenario_node(const CompareArguments& arguments, const GivenComparison& given) {
+  YAML::Node node;
+  node["schema"] = "1";
+  node["kind"] = std::string(experiments::Comparison::kKind.name);
+  node["about"] = given.about;
+  node["base"] = YAML::Node(YAML::NodeType::Map);
+  for (const char* team : {kOldTeam, kNewTeam})
+    node["teams"][team] = YAML::Node(YAML::NodeType::Map);
+  for (const std::string& opponent : given.opponents)
+    node["against"][opponent] = YAML::Node(YAML::NodeType::Map);
+  node["test"]["least"] = io::text_of(arguments.least);
+  node["test"]["max_pairs"] = std::to_string(given.pairs);
+  node["seed"] = std::to_string(given.seed);
+  return node;
+}
+
+void set_in(YAML::Node node, const std::string& path, const std::string& value) {
+  std::istringstream parts(path);
+  for (std::string part; std::getline(parts, part, '.');) node.reset(node[part]);
+  node = value;
+}
+
+std::string text_of(const YAML::Node& node) {
+  YAML::Emitter text;
+  text << node;
+  return std::string(text.c_str()) + "\n";
+}
+
+}  // namespace
+
+std::string scenario_text(const CompareArguments& arguments) {
+  const GivenComparison given = given_in(arguments);
+  YAML::Node node = scenario_node(arguments, given);
+  for (const game::Assignment& setting : given.settings) {
+    const std::string branch = setting.path.substr(0, setting.path.find('.'));
+    const bool is_of_team = branch == "teams" || branch == "against";
+    set_in(node, (is_of_team ? "" : "base.") + setting.path, setting.value);
+  }
+  return text_of(node);
+}
+
+experiments::Scenario comparison_in(const CompareArguments& arguments) {
+  const GivenComparison given = given_in(arguments);
+  experiments::Scenario scenario = experiments::read_scenario_text(
+      text_of(scenario_node(arguments, given)), "the comparison", given.settings);
+  experiments::note_program_versions(scenario);
+  return scenario;
+}
+
+std::string results_name(const CompareArguments& arguments, const experiments::Scenario& scenario) {
+  experiments::Scenario games = scenario;
+  games.about.clear();
+  games.as<experiments::Comparison>()->test = {};  // decides only how many games are played
+  io::ByteHash hash;
+  hash.add(experiments::effective_text(games));
+  hash.add(io::build_id());
+  const std::string before = team_argument(arguments.old_team, "OLD").name;
+  const std::string after =
+      arguments.new_team.empty() ? before : team_argument(arguments.new_team, "NEW").name;
+  return fmt::format("compare-{}-{}-{}", before, after, io::hash_text(hash.value()).substr(0, 8));
+}
+
+}  // namespace autoref::app

@@ -1,0 +1,327 @@
+#include "experiments/kinds/compare/comparison_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "experiments/analysis/saturation.hpp"
+#include "experiments/analysis/standings.hpp"
+#include "experiments/statistics/sample.hpp"
+#include "io/table_columns.hpp"
+
+namespace autoref::experiments {
+namespace {
+
+bool has_all_rows(const std::vector<std::string>& matchups, int pair, const RowsById& rows) {
+  for (const std::string& matchup : matchups) {
+    for (const int leg : {1, 2})
+      if (!rows.contains(game_id(matchup, pair, leg))) return false;
+  }
+  return true;
+}
+
+// The difference against one opponent, for pair numbers that both groups have.
+DifferenceByPair minus(const DifferenceByPair& of_new, const DifferenceByPair& of_old) {
+  DifferenceByPair differences;
+  for (const auto& [pair, lead] : of_new) {
+    const auto other = of_old.find(pair);
+    if (other != of_old.end()) differences[pair] = lead - other->second;
+  }
+  return differences;
+}
+
+// Counts games of both groups with the same state hash.
+int equal_games(const std::string& opponent, const RowsById& rows) {
+  const std::string of_new = matchup_name({kNewTeam, opponent}) + "-";
+  const std::string of_old = matchup_name({kOldTeam, opponent}) + "-";
+  int count = 0;
+  for (auto row = rows.lower_bound(of_new); row != rows.end() && row->first.starts_with(of_new);
+       ++row) {
+    const auto other = rows.find(of_old + row->first.substr(of_new.size()));
+    if (other == rows.end() || is_void(row->second.record)) continue;
+    count += row->second.record.state_hash == other->second.record.state_hash ? 1 : 0;
+  }
+  return count;
+}
+
+// In the order of matchups_of().
+std::vector<ComparedOpponent> opponents_in(const Comparison& comparison, const RowsById& rows) {
+  std::vector<Group> groups = grouped(matchups_of(comparison), rows);
+  std::vector<ComparedOpponent> opponents;
+  opponents.push_back(
+      {kOldTeam, groups[0], std::nullopt, DifferenceByPair(groups[0].pair_differences)});
+  for (std::size_t i = 1; i + 1 < groups.size(); i += 2) {
+    DifferenceByPair differences =
+        minus(groups[i].pair_differences, groups[i + 1].pair_differences);
+    std::string name = groups[i].values[1];
+    const int equal = equal_games(name, rows);
+    opponents.push_back({std::move(name), std::move(groups[i]), std::move(groups[i + 1]),
+                         std::move(differences), equal});
+  }
+  return opponents;
+}
+
+// The mean difference over all opponents; nullopt if a leg is void.
+std::optional<double> mean_difference(const std::vector<ComparedOpponent>& opponents, int pair) {
+  double sum = 0;
+  for (const ComparedOpponent& opponent : opponents) {
+    const auto difference = opponent.differences.find(pair);
+    if (difference == opponent.differences.end()) return std::nullopt;
+    sum += difference->second;
+  }
+  return sum / static_cast<double>(opponents.size());
+}
+
+// The number of games considered by the test.
+int games_of(const ComparedTeams& compared) {
+  int games = 0;
+  for (const ComparedOpponent& opponent : compared.opponents)
+    games += opponent.of_new.games() + (opponent.of_old ? opponent.of_old->games() : 0);
+  return games;
+}
+
+double least_deviation(const Comparison& comparison) { return std::sqrt(comparison.test.least); }
+
+std::optional<Interval> interval_of(const Comparison& comparison,
+                                    const ComparedOpponent& opponent) {
+  return anytime_interval(values_of(opponent.differences), least_deviation(comparison));
+}
+
+std::string mean_with_interval(double mean, const std::optional<Interval>& interval) {
+  return interval ? mean_text(mean, interval) : fmt::format("{:+.2f}", mean);
+}
+
+// "1.20 : 0.50": mean goals of a group's team a and of its opponents.
+std::string goals_text(const Group& group) {
+  if (group.games() == 0) return "-";
+  return fmt::format("{:.2f} : {:.2f}", mean(group.goals_a), mean(group.goals_b));
+}
+
+std::string more_games_text(const Comparison& comparison, const ComparedTeams& compared) {
+  if (!compared.test.interval) return "; too few games for an interval";
+  const std::optional<int> pairs = pairs_to_decide(comparison.test, compared.test);
+  if (!pairs) return "";
+  return fmt::format("; about {} games would decide it",
+                     2 * *pairs * static_cast<int>(matchups_of(comparison).size()));
+}
+
+std::string verdict_name(ThreeWayVerdict verdict) { return name_of(verdict, "no difference"); }
+
+std::vector<io::Cells> comparison_rows(const Comparison& comparison,
+                                       const ComparedTeams& compared) {
+  std::vector<io::Cells> rows = {
+      {"against", "games", "goals of new", "goals of old", "new minus old [95 %]"}};
+  for (const ComparedOpponent& opponent : compared.opponents) {
+    const std::vector<double> differences = values_of(opponent.differences);
+    const int games = opponent.of_new.games() + (opponent.of_old ? opponent.of_old->games() : 0);
+    rows.push_back(
+        {opponent.of_old ? opponent.name : "each other", std::to_string(games),
+         goals_text(opponent.of_new), opponent.of_old ? goals_text(*opponent.of_old) : "",
+         differences.empty()
+             ? "-"
+             : mean_with_interval(mean(differences), interval_of(comparison, opponent))});
+  }
+  if (compared.opponents.size() > 1) {
+    rows.push_back({"all", std::to_string(games_of(compared)), "", "",
+                    mean_with_interval(compared.test.mean, compared.test.interval)});
+  }
+  return rows;
+}
+
+const std::vector<io::Align> kComparisonColumns = {io::Align::kLeft};
+
+std::string explanation(const ComparedTeams& compared) {
+  std::string text =
+      "Goals are per game, for and against. The interval may be read at any time, since it allows "
+      "for stopping as soon as the games decide.";
+  if (compared.opponents.size() > 1)
+    text += " \"all\" is the mean of the rows above it; against itself, old would play 0.";
+  if (compared.void_pairs > 0)
+    text += fmt::format(" {} pairs with a void game are left out.", compared.void_pairs);
+  return text + "\n";
+}
+
+std::string notes_on_opponents(const Comparison& comparison, const ComparedTeams& compared) {
+  std::string text;
+  for (const ComparedOpponent& opponent : compared.opponents) {
+    if (!opponent.of_old) continue;
+    const std::string note = saturation_text(opponent.name, comparison.against.at(opponent.name),
+                                             {&opponent.of_new, &*opponent.of_old});
+    if (!note.empty()) text += "\n" + note + "\n";
+    if (opponent.equal_games > 0) {
+      text += fmt::format(
+          "\n{} of new's {} games against {} are the same as old's in every frame: what changed "
+          "had "
+          "no effect in them.\n",
+          opponent.equal_games, opponent.of_new.games(), opponent.name);
+    }
+  }
+  return text;
+}
+
+// One row of comparison.csv.
+struct ComparedRow {
+  std::string opponent;
+  int games = 0;
+  int pairs = 0;
+  std::optional<double> goals_of_new;
+  std::optional<double> goals_against_new;
+  std::optional<double> goals_of_old;
+  std::optional<double> goals_against_old;
+  std::optional<double> difference;
+  std::optional<Interval> interval;
+  std::string verdict;
+  std::string p;
+};
+
+ComparedRow row_against(const Comparison& comparison, const ComparedOpponent& opponent) {
+  const Group& of_new = opponent.of_new;
+  ComparedRow row{opponent.name,
+                  of_new.games(),
+                  static_cast<int>(opponent.differences.size()),
+                  mean_of(of_new.goals_a),
+                  mean_of(of_new.goals_b),
+                  {},
+                  {},
+                  mean_of(values_of(opponent.differences)),
+                  interval_of(comparison, opponent),
+                  "",
+                  ""};
+  if (!opponent.of_old) return row;
+  row.games += opponent.of_old->games();
+  row.goals_of_old = mean_of(opponent.of_old->goals_a);
+  row.goals_against_old = mean_of(opponent.of_old->goals_b);
+  return row;
+}
+
+std::vector<ComparedRow> compared_rows(const Comparison& comparison,
+                                       const ComparedTeams& compared) {
+  std::vector<ComparedRow> rows;
+  for (const ComparedOpponent& opponent : compared.opponents)
+    rows.push_back(row_against(comparison, opponent));
+  ComparedRow all;
+  all.opponent = "all";
+  all.games = games_of(compared);
+  all.pairs = compared.test.pairs;
+  if (all.pairs > 0) all.difference = compared.test.mean;
+  all.interval = compared.test.interval;
+  all.verdict = verdict_name(compared.test.verdict);
+  all.p = p_cell(compared.test.p);
+  rows.push_back(std::move(all));
+  return rows;
+}
+
+io::TableColumns<ComparedRow> comparison_columns() {
+  return io::joined(
+      io::TableColumns<ComparedRow>{
+          {"opponent", &ComparedRow::opponent, io::kInJson},
+          {"games", &ComparedRow::games, io::kInJson},
+          {"pairs", &ComparedRow::pairs, io::kInJson},
+          {"goals_of_new", &ComparedRow::goals_of_new, io::kInJson},
+          {"goals_against_new", &ComparedRow::goals_against_new, io::kInJson},
+          {"goals_of_old", &ComparedRow::goals_of_old, io::kInJson},
+          {"goals_against_old", &ComparedRow::goals_against_old, io::kInJson},
+          {"mean_diff", &ComparedRow::difference, io::kInJson}},
+      interval_columns<ComparedRow>("diff_", &ComparedRow::interval, io::kInJson),
+      io::TableColumns<ComparedRow>{{"verdict", &ComparedRow::verdict}, {"p", &ComparedRow::p}});
+}
+
+io::Json comparison_json(const std::vector<ComparedRow>& rows, const Comparison& comparison,
+                         const ComparedTeams& compared) {
+  const auto [low, high] = bounds_of(compared.test.interval);
+  io::Json opponents = io::Json::array();
+  for (const ComparedRow& row : rows) {
+    opponents.push_back(io::Json::object());
+    io::add_members(opponents.back(), comparison_columns(), row);
+  }
+  opponents.erase(opponents.size() - 1);  // the row of all opponents
+  return {
+      {"answer", answer(comparison, compared)}, {"verdict", verdict_name(compared.test.verdict)},
+      {"least", comparison.test.least},         {"games", games_of(compared)},
+      {"pairs", compared.test.pairs},           {"void_pairs", compared.void_pairs},
+      {"mean_diff", compared.test.mean},        {"diff_low95", io::json_number(low)},
+      {"diff_high95", io::json_number(high)},   {"p", compared.test.p},
+      {"opponents", std::move(opponents)}};
+}
+
+}  // namespace
+
+ComparedTeams compared_teams(const Comparison& comparison, const RowsById& rows) {
+  ComparedTeams compared{opponents_in(comparison, rows), {}};
+  std::vector<std::string> matchups;
+  for (const Matchup& matchup : matchups_of(comparison)) matchups.push_back(matchup_name(matchup));
+  std::vector<double> differences;
+  std::vector<int> numbers;  // the pair numbers of the differences
+  int last = 0;
+  while (last < comparison.test.max_pairs && has_all_rows(matchups, last + 1, rows)) {
+    const std::optional<double> difference = mean_difference(compared.opponents, ++last);
+    if (!difference) continue;
+    differences.push_back(*difference);
+    numbers.push_back(last);
+  }
+  compared.test = decided_by(comparison.test, differences);
+  compared.last_pair = last;
+  if (compared.test.verdict != ThreeWayVerdict::kGoOn) {
+    compared.last_pair = numbers[static_cast<std::size_t>(compared.test.pairs - 1)];
+  } else if (last == comparison.test.max_pairs) {  // void legs left fewer than max_pairs
+    compared.test.verdict = ThreeWayVerdict::kUndecided;
+  }
+  compared.is_decided = compared.test.verdict != ThreeWayVerdict::kGoOn;
+  compared.void_pairs = compared.last_pair - compared.test.pairs;
+  return compared;
+}
+
+std::string answer(const Comparison& comparison, const ComparedTeams& compared) {
+  const ComparisonState& test = compared.test;
+  const std::string difference = fmt::format(
+      "{:+.2f} goals per game{}", test.mean,
+      test.interval ? fmt::format(" [{:+.2f}, {:+.2f}]", test.interval->low, test.interval->high)
+                    : "");
+  const int games = games_of(compared);
+  switch (test.verdict) {
+    case ThreeWayVerdict::kBetter:
+    case ThreeWayVerdict::kWorse:
+      return fmt::format("{} is {} than {}: {}, decided after {} games; p {}", kNewTeam,
+                         verdict_name(test.verdict), kOldTeam, difference, games,
+                         test.p < 0.001 ? "< 0.001" : fmt::format("= {:.3f}", test.p));
+    case ThreeWayVerdict::kNotShown:
+      return fmt::format(
+          "{} and {} do not differ by {} goals per game or more: {}, decided after "
+          "{} games",
+          kNewTeam, kOldTeam, comparison.test.least, difference, games);
+    case ThreeWayVerdict::kUndecided:
+      return fmt::format("undecided after {} games whether {} is better than {}: {}{}", games,
+                         kNewTeam, kOldTeam, difference, more_games_text(comparison, compared));
+    case ThreeWayVerdict::kGoOn:
+      break;
+  }
+  if (test.pairs == 0) return "not decided yet";
+  return fmt::format("not decided yet after {} games: {} minus {} is {}", games, kNewTeam, kOldTeam,
+                     difference);
+}
+
+ExperimentResults comparison_results(const Comparison& comparison, ComparedTeams compared) {
+  const std::vector<ComparedRow> rows = compared_rows(comparison, compared);
+  std::vector<io::Cells> table = comparison_rows(comparison, compared);
+  ExperimentResults results;
+  results.files = {{"comparison.csv", "a row per opponent, and one of all",
+                    io::csv_text(io::table_rows(comparison_columns(), rows))}};
+  results.table = {answer(comparison, compared) + "\n\n",
+                   io::TextTable{table, kComparisonColumns, 1},
+                   "\n" + explanation(compared) + notes_on_opponents(comparison, compared)};
+  results.verdict = compared.test.verdict;
+  results.shown = {{std::move(table), kComparisonColumns, "opponents", {}}};
+  results.shown.front().text = answer(comparison, compared) + "\n";
+  results.json = std::make_shared<io::Json>(
+      io::Json{{"comparison", comparison_json(rows, comparison, compared)}});
+  for (ComparedOpponent& opponent : compared.opponents) {
+    results.groups.push_back(std::move(opponent.of_new));
+    if (opponent.of_old) results.groups.push_back(std::move(*opponent.of_old));
+  }
+  results.files.push_back({"summary.csv", "a row per matchup", matchups_csv(results.groups)});
+  return results;
+}
+
+}  // namespace autoref::experiments

@@ -1,0 +1,103 @@
+#include "experiments/statistics/anytime_interval.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "experiments/statistics/sample.hpp"
+
+namespace autoref::experiments {
+namespace {
+
+// Variance of the effect size under the alternative: effects of about 0.3 standard deviations, such
+// as half a goal if the standard deviation over pairs of legs is 1.7 goals. The interval is valid
+// for any value; a poor choice widens it a little.
+constexpr double kEffectVariance = 0.1;
+
+// More pairs than this are not worth an estimate.
+constexpr double kMostPairsEstimated = 1e6;
+
+// Half the width of the interval of n values; nullopt while it is unbounded.
+std::optional<double> half_width(double n, double deviation) {
+  const double spread = 1 + n * kEffectVariance;
+  // Solves the likelihood ratio for t^2.
+  const double ratio = std::pow(std::sqrt(spread) / kMissedShare, 2 / n);
+  if (ratio >= spread) return std::nullopt;
+  const double t = std::sqrt((n - 1) * (ratio - 1) / (1 - ratio / spread));
+  return t * deviation / std::sqrt(n);
+}
+
+double p_of_zero(double n, double mean, double deviation) {
+  const double square = mean * mean * n / (deviation * deviation) / (n - 1);
+  const double spread = 1 + n * kEffectVariance;
+  const double log_ratio =
+      (n * std::log((1 + square) / (1 + square / spread)) - std::log(spread)) / 2;
+  return std::min(1.0, std::exp(-log_ratio));
+}
+
+// Mean and variance, value by value (Welford, Note on a method for calculating corrected sums of
+// squares and products, Technometrics 4, 1962).
+struct RunningSample {
+  double n = 0;
+  double mean = 0;
+  double squares = 0;  // sum of squared distances from the mean
+
+  void add(double value) {
+    ++n;
+    const double distance = value - mean;
+    mean += distance / n;
+    squares += distance * (value - mean);
+  }
+};
+
+ThreeWayVerdict verdict_of(const ComparisonTest& test, const ComparisonState& state) {
+  if (state.interval) {
+    if (state.interval->low > 0) return ThreeWayVerdict::kBetter;
+    if (state.interval->high < 0) return ThreeWayVerdict::kWorse;
+    const bool is_small = state.interval->low > -test.least && state.interval->high < test.least;
+    if (is_small) return ThreeWayVerdict::kNotShown;
+  }
+  return state.pairs < test.max_pairs ? ThreeWayVerdict::kGoOn : ThreeWayVerdict::kUndecided;
+}
+
+}  // namespace
+
+std::optional<Interval> anytime_interval(std::span<const double> sample, double least_deviation) {
+  const std::optional<double> deviation = standard_deviation(sample);
+  if (!deviation || !(std::max(*deviation, least_deviation) > 0)) return std::nullopt;
+  const std::optional<double> half =
+      half_width(static_cast<double>(sample.size()), std::max(*deviation, least_deviation));
+  if (!half) return std::nullopt;
+  return Interval{mean(sample) - *half, mean(sample) + *half};
+}
+
+ComparisonState decided_by(const ComparisonTest& test, std::span<const double> pair_differences) {
+  assert(test.least > 0 && test.max_pairs > 0);
+  ComparisonState state;
+  RunningSample sample;
+  for (const double difference : pair_differences) {
+    assert(std::isfinite(difference));
+    sample.add(difference);
+    ++state.pairs;
+    state.mean = sample.mean;
+    if (state.pairs > 1) {
+      const double deviation = std::sqrt(std::max(sample.squares / (sample.n - 1), test.least));
+      const std::optional<double> half = half_width(sample.n, deviation);
+      if (half) state.interval = Interval{sample.mean - *half, sample.mean + *half};
+      state.p = p_of_zero(sample.n, sample.mean, deviation);
+    }
+    state.verdict = verdict_of(test, state);
+    if (state.verdict != ThreeWayVerdict::kGoOn) break;
+  }
+  return state;
+}
+
+std::optional<int> pairs_to_decide(const ComparisonTest& test, const ComparisonState& state) {
+  if (!state.interval) return std::nullopt;
+  const double half = (state.interval->high - state.interval->low) / 2;
+  const double needed = std::max(std::abs(state.mean), test.least - std::abs(state.mean));
+  const double pairs = std::ceil(state.pairs * (half / needed) * (half / needed));
+  return pairs <= kMostPairsEstimated ? std::optional(static_cast<int>(pairs)) : std::nullopt;
+}
+
+}  // namespace autoref::experiments

@@ -1,0 +1,209 @@
+// Tests `autoref compare` with games of a few seconds: how it names teams, what it prints, and its
+// exit codes.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/experiment/comparison_arguments.hpp"
+#include "app/experiment/team_argument.hpp"
+#include "experiments/kinds/scenario_reader.hpp"
+#include "io/errors.hpp"
+#include "io/json.hpp"
+#include "tests/app/answer.hpp"
+#include "tests/support/has_part.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace autoref::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What the error says about the team; empty if there is none.
+std::string fault_of(const std::string& team) {
+  try {
+    team_argument(team, "OLD");
+  } catch (const io::InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+std::string setting_of(const TeamArgument& team, const std::string& path) {
+  for (const game::Assignment& setting : team.settings)
+    if (setting.path == path) return setting.value;
+  return {};
+}
+
+TEST(TeamArgument, IsTheNameOfATeam) {
+  EXPECT_EQ(setting_of(team_argument("cobalt", "OLD"), "strategy"), "cobalt");
+  EXPECT_EQ(team_argument("cobalt", "OLD").name, "cobalt");
+}
+
+TEST(TeamArgument, IsACommand) {
+  const TeamArgument team = team_argument("python3 teams/my-team.py --fast x", "OLD");
+  EXPECT_EQ(setting_of(team, "command"), "python3 teams/my-team.py --fast x");
+  EXPECT_EQ(team_argument("python3 teams/my-team.py", "OLD").name, "my_team");
+}
+
+TEST(TeamArgument, IsAProgramThatCanBeExecutedOrAPythonFile) {
+  const TemporaryFolder folder;
+  const std::string python = (folder / "mine.py").string();
+  const std::string other = (folder / "mine.js").string();
+  write_content(python, "");
+  write_content(other, "");
+  EXPECT_EQ(setting_of(team_argument(python, "OLD"), "command"), "python3 " + python);
+  EXPECT_TRUE(has(fault_of(other), "is not executable; give the command")) << fault_of(other);
+  fs::permissions(other, fs::perms::owner_all);
+  EXPECT_EQ(setting_of(team_argument(other, "OLD"), "command"), other);
+}
+
+TEST(TeamArgument, IsAFileWithTheTeamsSettings) {
+  const TemporaryFolder folder;
+  const std::string file = (folder / "tuned.yaml").string();
+  for (const char* text : {"strategy: cobalt\nrobots: 5\nparams: { shot_mps: 6.1 }\n",
+                           "# as in result.yaml\ntuned:\n  strategy: cobalt\n  robots: 5\n  "
+                           "params:\n    shot_mps: 6.1\n"}) {
+    write_content(file, text);
+    const TeamArgument team = team_argument(file, "OLD");
+    EXPECT_EQ(setting_of(team, "strategy"), "cobalt");
+    EXPECT_EQ(setting_of(team, "robots"), "5");
+    EXPECT_EQ(setting_of(team, "params.shot_mps"), "6.1");
+  }
+  write_content(file, "command: [python3, 'my team.py']\n");
+  EXPECT_EQ(setting_of(team_argument(file, "OLD"), "command"), "python3 'my team.py'");
+  write_content(file, "schema: 1\nkind: game\n");
+  EXPECT_TRUE(has(fault_of(file), "this is a scenario")) << fault_of(file);
+}
+
+TEST(TeamArgument, RefusesWhatItDoesNotKnow) {
+  EXPECT_TRUE(has(fault_of("cobald"), "OLD: expected a team")) << fault_of("cobald");
+  EXPECT_TRUE(has(fault_of("cobald"), "did you mean 'cobalt'?")) << fault_of("cobald");
+  EXPECT_FALSE(fault_of("").empty());
+  EXPECT_FALSE(fault_of("missing.yaml").empty());
+}
+
+// The scenario that compare prints is the one that it plays.
+void expect_same_scenario(const CompareArguments& arguments) {
+  const experiments::Scenario printed =
+      experiments::read_scenario_text(scenario_text(arguments), "printed.yaml");
+  EXPECT_EQ(experiments::effective_text(printed),
+            experiments::effective_text(comparison_in(arguments)))
+      << scenario_text(arguments);
+}
+
+TEST(CompareScenario, IsTheOneThatIsPlayed) {
+  CompareArguments arguments;
+  arguments.old_team = "basic";
+  arguments.sets = {"new.params.kick_caution=0.7", "old.robots=5", "match.half_s=60",
+                    "new.players.2.speed_factor=0.5"};
+  expect_same_scenario(arguments);
+  arguments.new_team = "python3 'my team.py'";
+  arguments.sets = {};
+  arguments.against = {"cobalt, counter", "cobalt"};
+  arguments.camera = "realistic";
+  arguments.rules = "2014";
+  arguments.least = 0.1;
+  arguments.seed = "18446744073709551615";
+  expect_same_scenario(arguments);
+}
+
+TEST(CompareScenario, HasAFolderOfItsOwn) {
+  CompareArguments arguments;
+  arguments.old_team = "basic";
+  arguments.new_team = "counter";
+  const std::string name = results_name(arguments, comparison_in(arguments));
+  EXPECT_TRUE(name.starts_with("compare-basic-counter-")) << name;
+  // It can be continued with more games or for a smaller difference.
+  arguments.games = 1000;
+  arguments.least = 0.1;
+  EXPECT_EQ(results_name(arguments, comparison_in(arguments)), name);
+  arguments.sets = {"new.robots=5"};
+  EXPECT_NE(results_name(arguments, comparison_in(arguments)), name);
+}
+
+class CompareVerb : public testing::Test {
+ protected:
+  Answer compare(std::vector<const char*> more) const {
+    std::vector<const char*> words = {"compare", "-o",    folder_.c_str(),  "-j",
+                                      "1",       "--set", "match.half_s=2", "--progress",
+                                      "none"};
+    words.insert(words.end(), more.begin(), more.end());
+    return answer_to(words);
+  }
+
+  TemporaryFolder parent_;
+  std::string folder_ = (parent_ / "results").string();
+};
+
+TEST_F(CompareVerb, PrintsTheAnswerFirst) {
+  const Answer answer = compare({"dummy", "basic", "--games", "4"});
+  EXPECT_EQ(answer.code, io::kDone) << answer.err;
+  EXPECT_TRUE(answer.out.starts_with("undecided after 4 games whether new is better than old: "))
+      << answer.out;
+  EXPECT_TRUE(has(answer.out, "old: dummy; new: basic")) << answer.out;
+  EXPECT_TRUE(has(answer.out, "each other")) << answer.out;
+  EXPECT_TRUE(fs::exists(fs::path(folder_) / "comparison.csv"));
+}
+
+TEST_F(CompareVerb, AnswersWithItsExitCode) {
+  const auto code = [this](const char* required) {
+    return compare({"dummy", "dummy", "--games", "4", "--require", required}).code;
+  };
+  EXPECT_EQ(code("not-worse"), io::kDone);
+  EXPECT_EQ(code("equal"), io::kNotMet);
+  EXPECT_EQ(code("better"), io::kNotMet);
+}
+
+// Short games without goals: after some pairs, a difference of five goals is out of the question.
+TEST_F(CompareVerb, KnowsWhenNoDifferenceMatters) {
+  const Answer answer =
+      compare({"dummy", "dummy", "--games", "100", "--least", "5", "--require", "equal"});
+  EXPECT_EQ(answer.code, io::kDone) << answer.out;
+  EXPECT_TRUE(answer.out.starts_with("new and old do not differ by 5 goals per game or more: "))
+      << answer.out;
+}
+
+TEST_F(CompareVerb, PrintsOneJsonObject) {
+  const Answer answer =
+      compare({"dummy", "basic", "--games", "12", "--against", "chaser", "--json"});
+  const io::Json json = io::Json::parse(answer.out);
+  EXPECT_EQ(json["comparison"]["games"], 12);
+  EXPECT_EQ(json["comparison"]["opponents"].size(), 2U);
+  EXPECT_EQ(json["about"],
+            "Is new better than old? old: dummy; new: basic; both also against chaser.");
+}
+
+TEST_F(CompareVerb, PrintsItsScenarioWithoutPlaying) {
+  const Answer answer = compare({"basic", "--set", "new.params.kick_caution=0.7", "--scenario"});
+  EXPECT_EQ(answer.code, io::kDone) << answer.err;
+  EXPECT_TRUE(has(answer.out, "kind: compare")) << answer.out;
+  EXPECT_TRUE(has(answer.out, "kick_caution: 0.7")) << answer.out;
+  EXPECT_FALSE(fs::exists(folder_));
+}
+
+TEST_F(CompareVerb, RefusesWhatItCannotCompare) {
+  struct Refused {
+    std::vector<const char*> words;
+    const char* part;
+  };
+  const std::vector<Refused> all = {
+      {{"basic"}, "NEW: give a second team"},
+      {{"basic", "--set", "a.robots=5"}, "are called old and new"},
+      {{"basic", "counter", "--set", "new.params.nothing=1"}, "no parameter 'nothing'"},
+      {{"basic", "counter", "--games", "2", "--against", "zone"}, "--games: expected at least 6"},
+      {{"basic", "counter", "--rules", "2025"}, "--rules 2025: expected one of"},
+      {{"basic", "counter", "--camera", "x"}, "--camera x: expected one of"},
+      {{"basic", "counter", "--seed", "x"}, "--seed: expected a whole number"},
+      {{"basic", "counter", "--least", "0"}, "--least: expected a number"},
+      {{"basic", "counter", "--require", "good"}, "expected one of"}};
+  for (const Refused& refused : all) {
+    const Answer answer = compare(refused.words);
+    EXPECT_EQ(answer.code, io::kBadInput) << refused.part;
+    EXPECT_TRUE(has(answer.err, refused.part)) << answer.err;
+  }
+}
+
+}  // namespace
+}  // namespace autoref::app
