@@ -1,5 +1,6 @@
 #include "experiments/kinds/gauntlet/gauntlet.hpp"
 
+#include "experiments/analysis/saturation.hpp"
 #include "experiments/kinds/results.hpp"
 #include "experiments/reading/top_reader.hpp"
 #include "experiments/schedule/matchup_schedule.hpp"
@@ -29,6 +30,20 @@ NamedTeams everyone_in(const Gauntlet& gauntlet) {
   NamedTeams everyone = gauntlet;
   everyone.teams.insert(gauntlet.challengers.begin(), gauntlet.challengers.end());
   return everyone;
+}
+
+// Sentences about teams of the field that hardly tell the challengers apart.
+std::string notes_on_field(const Gauntlet& gauntlet, const std::vector<Group>& matchups) {
+  if (gauntlet.challengers.size() < 2) return {};
+  std::string text;
+  for (const auto& [name, team] : gauntlet.teams) {
+    std::vector<const Group*> games;
+    for (const Group& matchup : matchups)
+      if (matchup.values[1] == name) games.push_back(&matchup);
+    const std::string note = saturation_text(name, team, games);
+    if (!note.empty()) text += "\n" + note + "\n";
+  }
+  return text;
 }
 
 }  // namespace
@@ -64,6 +79,8 @@ ExperimentResults Gauntlet::results(const RowsById& rows) const {
   ExperimentResults results =
       tournament_results(std::move(groups), std::move(standings), "challenger");
   add_team_differences(results);
+  const std::string notes = notes_on_field(*this, results.groups);
+  if (!notes.empty()) results.table.emplace_back(notes);
   return results;
 }
 
