@@ -12,7 +12,7 @@ namespace autoref::io {
 
 enum ExitCode : int {
   kDone = 0,
-  kNotMet = 1,       // a comparison is decided, and the new team is not as good as required
+  kNotMet = 1,       // a comparison does not show what is required
   kBadInput = 2,     // a file, a key or a flag is invalid; the message says which
   kTooManyVoid = 3,  // more than one game in twenty failed
   kDifferent = 4,  // a replayed game differs from the original, or stored rows are damaged or lost

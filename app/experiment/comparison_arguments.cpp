@@ -4,7 +4,6 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <sstream>
 
@@ -12,6 +11,7 @@
 #include "experiments/kinds/compare/comparison.hpp"
 #include "experiments/kinds/scenario_reader.hpp"
 #include "experiments/run/program_versions.hpp"
+#include "experiments/statistics/sample_size.hpp"
 #include "game/settings/fields.hpp"
 #include "io/build_id.hpp"
 #include "io/checksum.hpp"
@@ -34,22 +34,31 @@ struct GivenComparison {
   std::uint64_t seed = 1;
 };
 
-bool is_in(const std::string& path, const char* team) {
-  return path.starts_with(std::string(team) + ".");
+// The part of the path in front of its first dot.
+std::string first_part(const std::string& path) { return path.substr(0, path.find('.')); }
+
+// Refuses a path that names teams instead of a setting of one of them.
+void refuse_whole_teams(const game::Assignment& change) {
+  const std::string first = first_part(change.path);
+  if (first != "teams" && first != "against") return;
+  const std::size_t dot = change.path.find('.');
+  const std::string name = dot == std::string::npos ? "" : first_part(change.path.substr(dot + 1));
+  const bool is_setting = change.path.size() > first.size() + 1 + name.size() + 1;
+  const bool is_known = first == "against" || name == kOldTeam || name == kNewTeam;
+  if (is_setting && is_known) return;
+  throw io::InputError({change.flag}, "",
+                       "expected a setting of one of the teams old and new, such as new.robots=5 "
+                       "or new.strategy=cobalt");
 }
 
 // --set, where `old.` and `new.` stand for teams.old. and teams.new.
 game::Assignments changes_in(const CompareArguments& arguments) {
   game::Assignments changes = game::assignments_in(arguments.sets);
   for (game::Assignment& change : changes) {
-    if (is_in(change.path, kOldTeam) || is_in(change.path, kNewTeam))
-      change.path = "teams." + change.path;
-    if (!game::full_path(change.path).starts_with("teams.a.") &&
-        !game::full_path(change.path).starts_with("teams.b."))
-      continue;
-    throw io::InputError({change.flag}, "",
-                         "the teams of a comparison are called old and new, as in --set "
-                         "new.robots=5");
+    const std::string first = first_part(change.path);
+    if (first == kOldTeam || first == kNewTeam) change.path = "teams." + change.path;
+    change.path = game::full_path(change.path);
+    refuse_whole_teams(change);
   }
   return changes;
 }
@@ -62,24 +71,42 @@ void add_team(const TeamArgument& team, const std::string& branch, GivenComparis
 }
 
 // "basic with params.kick_caution=0.7".
-std::string described(const TeamArgument& team, const char* name,
-                      const game::Assignments& changes) {
+std::string description_of(const TeamArgument& team, const char* name,
+                           const game::Assignments& changes) {
   const std::string branch = fmt::format("teams.{}.", name);
-  std::vector<std::string> its;
+  std::vector<std::string> texts;
   for (const game::Assignment& change : changes) {
     if (change.path.starts_with(branch))
-      its.push_back(change.path.substr(branch.size()) + "=" + change.value);
+      texts.push_back(change.path.substr(branch.size()) + "=" + change.value);
   }
-  return its.empty() ? team.text : fmt::format("{} with {}", team.text, fmt::join(its, ", "));
+  return texts.empty() ? team.text : fmt::format("{} with {}", team.text, fmt::join(texts, ", "));
+}
+
+// The parts of a list separated by commas, except within quotes.
+std::vector<std::string> listed_teams(const std::string& list) {
+  std::vector<std::string> teams(1);
+  char quote = 0;
+  for (const char c : list) {
+    if (quote == 0 && c == ',') {
+      teams.emplace_back();
+      continue;
+    }
+    if (quote == 0 && (c == '\'' || c == '"')) {
+      quote = c;
+    } else if (c == quote) {
+      quote = 0;
+    }
+    teams.back() += c;
+  }
+  return teams;
 }
 
 std::vector<TeamArgument> opponents_in(const CompareArguments& arguments) {
   std::vector<TeamArgument> opponents;
-  std::set<std::string> names = {kOldTeam, kNewTeam};
+  std::set<std::string> names = {kOldTeam, kNewTeam, experiments::kAllOpponents};
   for (const std::string& list : arguments.against) {
-    std::istringstream words(list);
-    for (std::string word; std::getline(words, word, ',');) {
-      TeamArgument opponent = team_argument(std::string(io::trimmed(word)), "--against");
+    for (const std::string& team : listed_teams(list)) {
+      TeamArgument opponent = team_argument(std::string(io::trimmed(team)), "--against");
       const std::string name = opponent.name;
       for (int number = 2; !names.insert(opponent.name).second; ++number)
         opponent.name = fmt::format("{}_{}", name, number);
@@ -102,13 +129,23 @@ void refuse_missing_team(const CompareArguments& arguments, const game::Assignme
 
 int pairs_in(const CompareArguments& arguments, std::size_t opponents) {
   const int games_of_a_pair = 2 * (1 + 2 * static_cast<int>(opponents));
-  if (arguments.games < games_of_a_pair) {
-    throw io::InputError({"--games"}, "",
-                         fmt::format("expected at least {} games, a pair of legs in each matchup, "
-                                     "found {}",
-                                     games_of_a_pair, arguments.games));
-  }
-  return std::min(arguments.games / games_of_a_pair, experiments::kMostPairs);
+  const int most =
+      std::min(experiments::kMostPairs, experiments::kMostScheduledGames / games_of_a_pair) *
+      games_of_a_pair;
+  if (arguments.games >= games_of_a_pair && arguments.games <= most)
+    return arguments.games / games_of_a_pair;
+  throw io::InputError(
+      {"--games"}, "",
+      fmt::format("expected {} games, a pair of legs in each matchup, to {}; found {}",
+                  games_of_a_pair, most, arguments.games));
+}
+
+void check_least(double least) {
+  const Range& range = experiments::kLeastDifference;
+  if (least > range.low && least <= range.high) return;  // false for NaN
+  throw io::InputError({"--least"}, "",
+                       fmt::format("expected a number above {} and at most {}, found {}", range.low,
+                                   range.high, least));
 }
 
 std::uint64_t seed_in(const CompareArguments& arguments) {
@@ -121,21 +158,22 @@ std::uint64_t seed_in(const CompareArguments& arguments) {
 }
 
 GivenComparison given_in(const CompareArguments& arguments) {
+  check_least(arguments.least);
   const game::Assignments changes = changes_in(arguments);
-  const TeamArgument before = team_argument(arguments.old_team, "OLD");
+  const TeamArgument old_team = team_argument(arguments.old_team, "OLD");
   refuse_missing_team(arguments, changes);
-  const TeamArgument after =
-      arguments.new_team.empty() ? before : team_argument(arguments.new_team, "NEW");
+  const TeamArgument new_team =
+      arguments.new_team.empty() ? old_team : team_argument(arguments.new_team, "NEW");
   const std::vector<TeamArgument> opponents = opponents_in(arguments);
   GivenComparison given;
   given.settings.push_back({"--rules " + arguments.rules, "match.rules", arguments.rules});
   if (!arguments.camera.empty())
     given.settings.push_back({"--camera " + arguments.camera, "sim.camera", arguments.camera});
-  add_team(before, "teams.old", given);
-  add_team(after, "teams.new", given);
-  given.about =
-      fmt::format("Is new better than old? old: {}; new: {}", described(before, kOldTeam, changes),
-                  described(after, kNewTeam, changes));
+  add_team(old_team, "teams.old", given);
+  add_team(new_team, "teams.new", given);
+  given.about = fmt::format("Is new better than old? old: {}; new: {}",
+                            description_of(old_team, kOldTeam, changes),
+                            description_of(new_team, kNewTeam, changes));
   for (const TeamArgument& opponent : opponents) {
     add_team(opponent, "against." + opponent.name, given);
     given.opponents.push_back(opponent.name);
@@ -206,10 +244,11 @@ std::string results_name(const CompareArguments& arguments, const experiments::S
   io::ByteHash hash;
   hash.add(experiments::effective_text(games));
   hash.add(io::build_id());
-  const std::string before = team_argument(arguments.old_team, "OLD").name;
-  const std::string after =
-      arguments.new_team.empty() ? before : team_argument(arguments.new_team, "NEW").name;
-  return fmt::format("compare-{}-{}-{}", before, after, io::hash_text(hash.value()).substr(0, 8));
+  const std::string old_team = team_argument(arguments.old_team, "OLD").name;
+  const std::string new_team =
+      arguments.new_team.empty() ? old_team : team_argument(arguments.new_team, "NEW").name;
+  return fmt::format("compare-{}-{}-{}", old_team, new_team,
+                     io::hash_text(hash.value()).substr(0, 8));
 }
 
 }  // namespace autoref::app

@@ -15,7 +15,7 @@ struct CompareArguments : RunArguments {
   std::string new_team;              // empty: the old one, with the settings of --set
   std::vector<std::string> against;  // common opponents, separated by commas
   std::string rules = "2026-b";
-  std::string camera;  // empty: that of the rule book
+  std::string camera;  // empty: the default of sim.camera
   double least = experiments::ComparisonTest{}.least;
   int games = 2 * experiments::ComparisonTest{}.max_pairs;
 };
@@ -28,8 +28,8 @@ std::string scenario_text(const CompareArguments& arguments);
 // the team's file.
 experiments::Scenario comparison_in(const CompareArguments& arguments);
 
-// "compare-basic-my_team-1c9f03ae": a name for the results folder that differs if the games do, so
-// that every comparison has its own, and repeating one continues it.
+// "compare-basic-my_team-1c9f03ae": a name for the results folder that differs if the games or the
+// build do, so that every comparison has its own, and repeating one continues it.
 std::string results_name(const CompareArguments& arguments, const experiments::Scenario& scenario);
 
 }  // namespace autoref::app

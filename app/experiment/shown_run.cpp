@@ -69,7 +69,7 @@ void ShownRun::set_callbacks(experiments::ExperimentOptions& options) {
     show_progress(counts, text);
   };
   options.show = [this](const experiments::ExperimentResults& results) {
-    has_intervals_ = !results.groups.empty();
+    has_intervals_ = !results.groups.empty() && !results.comparison;
     web_->show_results(experiments::run_results_html(results));
   };
   options.starting = [this](const experiments::ScheduledGame& game) { start(game); };

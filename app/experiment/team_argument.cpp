@@ -4,8 +4,8 @@
 
 #include <unistd.h>
 #include <algorithm>
-#include <array>
 #include <filesystem>
+#include <sstream>
 #include <vector>
 
 #include "game/settings/command_text.hpp"
@@ -52,13 +52,27 @@ class TeamFile {
                            "this is a scenario; give a file with the settings of one team, such "
                            "as: strategy: basic");
     }
-    if (entries.size() == 1 && entries.front().value.IsMap() && !is_team_key(entries.front().key))
-      entries = file_.entries(entries.front(), entries.front().key, {});
+    if (entries.size() == 1 && !is_team_key(entries.front().key)) {
+      if (const std::vector<game::YamlEntry> team = team_below(entries.front()); !team.empty())
+        entries = team;
+    }
     for (const game::YamlEntry& entry : entries) add(entry, entry.key);
+    if (settings_.empty()) {
+      throw io::InputError({name_}, "", "expected settings of a team, such as: strategy: basic");
+    }
     return settings_;
   }
 
  private:
+  // The settings below a key that is the team's name; empty if these are no settings of a team.
+  std::vector<game::YamlEntry> team_below(const game::YamlEntry& name) const {
+    if (!name.value.IsMap()) return {};
+    std::vector<game::YamlEntry> entries = file_.entries(name, name.key, {});
+    const bool is_team = std::any_of(entries.begin(), entries.end(),
+                                     [](const auto& entry) { return is_team_key(entry.key); });
+    return is_team ? entries : std::vector<game::YamlEntry>();
+  }
+
   void add(const game::YamlEntry& entry, const std::string& path) {
     if (entry.value.IsMap()) {
       for (const game::YamlEntry& part : file_.entries(entry, path, {}))
@@ -68,7 +82,7 @@ class TeamFile {
     std::string value = entry.value.IsSequence() ? game::text_of_command(file_.words(entry, path))
                                                  : file_.scalar(entry, path, "a value", false);
     if (path.ends_with("type") && game::is_type_file(value) && fs::path(value).is_relative())
-      value = (file_.folder() / value).string();
+      value = fs::absolute(file_.folder() / value).string();
     settings_.push_back({fmt::format("{}:{}", name_, entry.location.line), path, value});
   }
 
@@ -81,9 +95,11 @@ bool is_executable(const fs::path& file) { return access(file.c_str(), X_OK) == 
 
 // The command that plays a team that is a program; empty if the text names none.
 std::string command_in(const std::string& text, const std::string& place) {
-  if (text.find(' ') != std::string::npos) return text;
   std::error_code none;
-  if (!fs::is_regular_file(text, none)) return {};
+  if (!fs::is_regular_file(text, none)) {
+    game::locate_errors(place, [&text] { game::words_of_command(text); });
+    return text.find(' ') == std::string::npos ? "" : text;
+  }
   const std::string file = text.find('/') == std::string::npos ? "./" + text : text;
   if (is_executable(file)) return game::text_of_command({file});
   if (text.ends_with(".py")) return game::text_of_command({"python3", file});
@@ -93,10 +109,24 @@ std::string command_in(const std::string& text, const std::string& place) {
                                    text, text));
 }
 
-// A name of letters, digits and underscores: that of the last file in the text, without its folder
-// and extension.
+[[noreturn]] void refuse_team(const std::string& text, const std::string& place) {
+  if (text.find('/') != std::string::npos || !fs::path(text).extension().empty()) {
+    throw io::InputError({place}, "", fmt::format("there is no file {}", text));
+  }
+  throw io::InputError(
+      {place}, "",
+      fmt::format("expected a team that autoref show teams lists, a file, or a command in "
+                  "quotes, found '{}'{}",
+                  text, io::suggestion(text, names_of_teams())));
+}
+
+// A name of letters, digits and underscores, from the last word that is not an option, without its
+// folder and extension.
 std::string name_in(const std::string& text) {
-  std::string name = fs::path(text.substr(text.rfind(' ') + 1)).stem().string();
+  std::string name;
+  std::istringstream words(text);
+  for (std::string word; words >> word;)
+    if (!word.starts_with('-') && !word.starts_with('\'')) name = fs::path(word).stem().string();
   for (char& c : name) {
     const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
     if (!is_letter && !(c >= '0' && c <= '9')) c = '_';
@@ -106,7 +136,8 @@ std::string name_in(const std::string& text) {
 
 }  // namespace
 
-TeamArgument team_argument(const std::string& text, const std::string& place) {
+TeamArgument team_argument(const std::string& given, const std::string& place) {
+  const std::string text(io::trimmed(given));
   TeamArgument team{text, name_in(text), {}};
   if (strategies::find_strategy(text) != nullptr) {
     team.settings = {{place, "strategy", text}};
@@ -115,11 +146,7 @@ TeamArgument team_argument(const std::string& text, const std::string& place) {
   } else if (const std::string command = command_in(text, place); !command.empty()) {
     team.settings = {{place, "command", command}};
   } else {
-    throw io::InputError(
-        {place}, "",
-        fmt::format("expected a team that autoref show teams lists, a file, or a command in "
-                    "quotes, found '{}'{}",
-                    text, io::suggestion(text, names_of_teams())));
+    refuse_team(text, place);
   }
   return team;
 }

@@ -40,8 +40,9 @@ void print_report(const experiments::FolderReport& written) {
   const experiments::ResultFolder& folder = written.folder;
   fmt::print("{}\n", io::text_of(written.results.table, io::text_width(stdout)));
   if (!folder.is_complete()) {
-    fmt::print("{} of {} games: do not stop early because of interim intervals\n",
-               folder.completed_games.done.size(), folder.needed);
+    fmt::print(
+        "{} of {} games{}\n", folder.completed_games.done.size(), folder.needed,
+        written.results.comparison ? "" : ": do not stop early because of interim intervals");
   }
   if (written.report) {
     print_files(written.results, *written.report, written.into);

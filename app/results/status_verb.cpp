@@ -55,7 +55,7 @@ int status_verb(const FolderArguments& arguments) {
   const experiments::ExperimentResults results =
       folder.scenario.experiment().results(folder.completed_games.done);
   fmt::print("\n{}", io::text_of(results.table, io::text_width(stdout)));
-  if (!folder.is_complete() && !results.groups.empty()) {
+  if (!folder.is_complete() && !results.groups.empty() && !results.comparison) {
     fmt::print("\n{}\n", experiments::kInterimWarning);
   }
   return io::kDone;

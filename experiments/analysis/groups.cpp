@@ -23,8 +23,9 @@ void add_game(Group& group, const GameRow& row) {
   group.goals_a.push_back(row.record.goals_a);
   group.goals_b.push_back(row.record.goals_b);
   group.differences.push_back(group.goals_a.back() - group.goals_b.back());
-  group.ended_by_lead += row.record.end_reason == game::EndReason::kGoals ? 1 : 0;
   const double lead = lead_of_a(row.record);
+  if (row.record.end_reason == game::EndReason::kGoals)
+    ++(lead > 0 ? group.lead_ends_a : group.lead_ends_b);
   count_result(group, lead);
   const double win = lead > 0 ? 1 : lead < 0 ? 0 : 0.5;
   group.games_by_pair[row.pair].push_back({group.differences.back(), win});

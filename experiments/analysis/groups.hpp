@@ -90,7 +90,9 @@ struct Group {
   // Rated games by pair number, without void games.
   std::map<int, std::vector<RatedGame>> games_by_pair;
   int void_games = 0;
-  int ended_by_lead = 0;  // number of games that ended early because a team led by enough goals
+  // Numbers of games that ended early because team a, or team b, led by enough goals.
+  int lead_ends_a = 0;
+  int lead_ends_b = 0;
   // Results according to lead_of_a() (game_row.hpp).
   int wins_a = 0;
   int draws = 0;

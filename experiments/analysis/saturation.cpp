@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
 
 #include "strategies/registry.hpp"
 
@@ -12,55 +11,75 @@ namespace {
 
 constexpr int kFewestGames = 10;
 
-struct OneSidedGames {
+// The games of a group from the point of view of one side.
+struct SideOfGroup {
   int games = 0;
-  int ended_by_lead = 0;
-  int won = 0;  // by the teams that play the opponent
-  int lost = 0;
+  int won = 0;
+  int won_by_lead = 0;  // number of games that the side's lead in goals ended early
 
-  bool is_saturated() const {
-    return games >= kFewestGames && (2 * ended_by_lead >= games || won == games || lost == games);
+  bool is_ended_by_lead() const { return 2 * won_by_lead >= games; }
+  bool is_one_sided() const {
+    return games >= kFewestGames && (is_ended_by_lead() || won == games);
   }
 };
 
-OneSidedGames counted(const std::vector<const Group*>& groups) {
-  OneSidedGames all;
+std::vector<SideOfGroup> sides_of(const std::vector<const Group*>& groups, bool is_of_opponent) {
+  std::vector<SideOfGroup> sides;
   for (const Group* group : groups) {
-    all.games += group->games();
-    all.ended_by_lead += group->ended_by_lead;
-    all.won += group->wins_a;
-    all.lost += group->wins_b;
+    if (is_of_opponent) {
+      sides.push_back({group->games(), group->wins_b, group->lead_ends_b});
+    } else {
+      sides.push_back({group->games(), group->wins_a, group->lead_ends_a});
+    }
   }
-  return all;
+  return sides;
 }
 
-// The next team in the order of strength, if the opponent is one of the registered teams.
-std::string next_team_text(std::string_view strategy, bool is_stronger) {
+bool are_one_sided(const std::vector<SideOfGroup>& sides) {
+  return !sides.empty() && std::all_of(sides.begin(), sides.end(),
+                                       [](const SideOfGroup& side) { return side.is_one_sided(); });
+}
+
+// ", such as zone": the next team in the order of strength, if the opponent is a registered team.
+std::string next_team_text(const game::TeamSettings& opponent, bool is_stronger) {
+  if (!opponent.program.command.empty()) return {};
   const std::vector<std::string_view>& teams = strategies::teams_by_strength();
-  const auto team = std::find(teams.begin(), teams.end(), strategy);
+  const auto team = std::find(teams.begin(), teams.end(), opponent.strategy);
   if (team == teams.end()) return {};
   if (is_stronger) return team == teams.begin() ? "" : fmt::format(", such as {}", *(team - 1));
   return team + 1 == teams.end() ? "" : fmt::format(", such as {}", *(team + 1));
 }
 
+// "31 of 40 games ended early by the lead in goals" or "it won all 40 games".
+std::string one_sided_text(const std::vector<SideOfGroup>& sides, bool has_opponent_won) {
+  SideOfGroup all;
+  bool is_by_lead = true;
+  for (const SideOfGroup& side : sides) {
+    all.games += side.games;
+    all.won += side.won;
+    all.won_by_lead += side.won_by_lead;
+    is_by_lead = is_by_lead && side.is_ended_by_lead();
+  }
+  if (is_by_lead)
+    return fmt::format("{} of {} games ended early by the lead in goals", all.won_by_lead,
+                       all.games);
+  return fmt::format("it {} {} {} games", has_opponent_won ? "won" : "lost",
+                     all.won == all.games ? "all" : fmt::format("{} of", all.won), all.games);
+}
+
 }  // namespace
 
-std::string saturation_text(const std::string& opponent, const game::TeamSettings& its,
-                            const std::vector<const Group*>& games) {
-  const OneSidedGames counts = counted(games);
-  if (!counts.is_saturated()) return {};
-  const std::string what =
-      2 * counts.ended_by_lead >= counts.games
-          ? fmt::format("{} of {} games ended early by the lead in goals", counts.ended_by_lead,
-                        counts.games)
-          : fmt::format("{} all {} games", counts.won > 0 ? "it lost" : "it won", counts.games);
-  const bool is_stronger = counts.won > counts.lost;
-  const std::string next =
-      its.program.command.empty() ? next_team_text(its.strategy, is_stronger) : std::string();
-  return fmt::format(
-      "{} hardly tells the teams apart: {}. To see differences, play against a {} team{}, or the "
-      "teams against each other (autoref compare).",
-      opponent, what, is_stronger ? "stronger" : "weaker", next);
+std::string saturation_text(const std::string& opponent, const game::TeamSettings& team,
+                            const std::vector<const Group*>& groups, std::string_view otherwise) {
+  for (const bool has_opponent_won : {false, true}) {
+    const std::vector<SideOfGroup> sides = sides_of(groups, has_opponent_won);
+    if (!are_one_sided(sides)) continue;
+    return fmt::format(
+        "{} hardly tells the teams apart: {}. To see differences, play against a {} team{}, {}.",
+        opponent, one_sided_text(sides, has_opponent_won), has_opponent_won ? "weaker" : "stronger",
+        next_team_text(team, !has_opponent_won), otherwise);
+  }
+  return {};
 }
 
 }  // namespace autoref::experiments

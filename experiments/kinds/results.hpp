@@ -63,6 +63,12 @@ struct SearchPath {
   std::vector<SearchedParameter> parameters;
 };
 
+// Whether the new team of a comparison is better than the old one.
+struct ComparisonAnswer {
+  ThreeWayVerdict verdict = ThreeWayVerdict::kGoOn;
+  std::string sentence;  // begins the table
+};
+
 // A file that a complete experiment writes in addition to results.csv.
 struct ResultFile {
   std::string name;   // such as "summary.csv"
@@ -81,7 +87,7 @@ struct ExperimentResults {
   std::vector<Standing> standings;
   std::vector<TieResult> ties;  // ties of a bracket, round by round; empty if there is none
   std::optional<SearchPath> search;
-  std::optional<ThreeWayVerdict> verdict;  // of a comparison: whether the new team is better
+  std::optional<ComparisonAnswer> comparison;  // of kind compare; otherwise nullopt
   std::vector<ResultFile> files;
   io::TextBlocks table;                  // table for the terminal and the report
   std::vector<io::ProgressTable> shown;  // the tables for the terminal while the experiment runs

@@ -10,6 +10,10 @@
 namespace autoref::experiments {
 namespace {
 
+constexpr const char* kShootoutsInDifferences =
+    "The winner of a shoot-out wins the game. Shoot-out goals do not count as goals of the game: "
+    "goal differences, ratings in goals and sequential tests treat the game as drawn.";
+
 std::string kind_text(const Scenario& scenario) {
   const std::vector<std::string> factors = scenario.experiment().value_columns();
   return factors.empty() ? std::string(kind_of(scenario))
@@ -57,9 +61,7 @@ List meaning_of_results(const ExperimentResults& results) {
     list.items.emplace_back("A win gives three points, a draw one.");
   }
   if (!results.groups.empty()) {
-    list.items.emplace_back(
-        "The winner of a shoot-out wins the game. Shoot-out goals do not count as goals of the "
-        "game: goal differences, ratings in goals and sequential tests treat the game as drawn.");
+    list.items.emplace_back(kShootoutsInDifferences);
   }
   if (are_rated(results.standings)) {
     list.items.emplace_back(
@@ -70,15 +72,22 @@ List meaning_of_results(const ExperimentResults& results) {
   return list;
 }
 
+constexpr const char* kNewMinusOld =
+    "new minus old is the mean goal difference per game: of the games between the two teams, or of "
+    "the new team's minus the old team's against the same opponent with the same seeds. A pair "
+    "with "
+    "a void game is left out.";
+constexpr const char* kEndOfComparison =
+    "The comparison ends as soon as its interval excludes 0 or lies within the smallest difference "
+    "that matters. The interval remains valid even though the games decide when to stop (Lai "
+    "1976); "
+    "it is wider than Student's. p is that of the same test.";
+
 List meaning_of_comparison() {
   return List{
-      {"All intervals are 95 % confidence intervals.",
-       "new minus old is the mean goal difference per game: of the games between the two teams, or "
-       "of the new team's minus the old team's against the same opponent with the same seeds. A "
-       "pair with a void game is left out.",
-       "The comparison ends as soon as its interval excludes 0 or lies within the smallest "
-       "difference that matters. The interval remains valid even though the games decide when to "
-       "stop (Lai 1976); it is wider than Student's. p is that of the same test."}};
+      {"All intervals in the table are 95 % confidence intervals.", kNewMinusOld, kEndOfComparison,
+       "Intervals in the plots and in summary.csv are Student's, which do not allow for that.",
+       kShootoutsInDifferences}};
 }
 
 List meaning_of_tuning() {
@@ -150,9 +159,9 @@ Section played_section(const ResultFolder& folder, const ExperimentResults& resu
   if (List notes{rule_notes(folder.completed_games.done)}; !notes.items.empty())
     section.emplace_back(std::move(notes));
   if (!folder.is_complete()) {
-    section.emplace_back(Paragraph{fmt::format("{} games are missing. {}",
-                                               folder.needed - folder.completed_games.done.size(),
-                                               kInterimWarning)});
+    section.emplace_back(Paragraph{
+        fmt::format("{} games are missing.{}", folder.needed - folder.completed_games.done.size(),
+                    results.comparison ? "" : fmt::format(" {}", kInterimWarning))});
   }
   return section;
 }
@@ -165,7 +174,7 @@ Section results_section(const ExperimentResults& results) {
 
 Section meaning_of(const ExperimentResults& results) {
   Section lists;
-  if (results.verdict) {
+  if (results.comparison) {
     lists.emplace_back(meaning_of_comparison());
   } else if (!results.groups.empty()) {
     lists.emplace_back(meaning_of_results(results));

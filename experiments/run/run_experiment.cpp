@@ -54,8 +54,10 @@ Outcomes outcomes_of_records(const Scenario& scenario, const ExperimentOptions& 
           [&scenario, &options](const RowsById& rows) {
             ExperimentResults results = scenario.experiment().results(rows);
             if (options.show) options.show(results);
-            return io::ProgressView{"so far; do not stop early because of these intervals:",
-                                    std::move(results.shown), std::move(results.json)};
+            const char* const heading =
+                results.comparison ? "so far:"
+                                   : "so far; do not stop early because of these intervals:";
+            return io::ProgressView{heading, std::move(results.shown), std::move(results.json)};
           }};
 }
 

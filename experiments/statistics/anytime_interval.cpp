@@ -15,7 +15,7 @@ namespace {
 constexpr double kEffectVariance = 0.1;
 
 // More pairs than this are not worth an estimate.
-constexpr double kMostPairsEstimated = 1e6;
+constexpr int kMostPairsEstimated = 1'000'000;
 
 // Half the width of the interval of n values; nullopt while it is unbounded.
 std::optional<double> half_width(double n, double deviation) {
@@ -36,17 +36,20 @@ double p_of_zero(double n, double mean, double deviation) {
 }
 
 // Mean and variance, value by value (Welford, Note on a method for calculating corrected sums of
-// squares and products, Technometrics 4, 1962).
+// squares and products, Technometrics 4, 1962). The mean is the same as that of mean().
 struct RunningSample {
   double n = 0;
-  double mean = 0;
+  double sum = 0;
   double squares = 0;  // sum of squared distances from the mean
 
+  double mean() const { return sum / n; }
+  double variance() const { return squares / (n - 1); }
+
   void add(double value) {
+    const double distance = n > 0 ? value - mean() : 0;
     ++n;
-    const double distance = value - mean;
-    mean += distance / n;
-    squares += distance * (value - mean);
+    sum += value;
+    squares += distance * (value - mean());
   }
 };
 
@@ -71,6 +74,8 @@ std::optional<Interval> anytime_interval(std::span<const double> sample, double 
   return Interval{mean(sample) - *half, mean(sample) + *half};
 }
 
+double least_deviation(const ComparisonTest& test) { return std::sqrt(test.least); }
+
 ComparisonState decided_by(const ComparisonTest& test, std::span<const double> pair_differences) {
   assert(test.least > 0 && test.max_pairs > 0);
   ComparisonState state;
@@ -79,12 +84,12 @@ ComparisonState decided_by(const ComparisonTest& test, std::span<const double> p
     assert(std::isfinite(difference));
     sample.add(difference);
     ++state.pairs;
-    state.mean = sample.mean;
+    state.mean = sample.mean();
     if (state.pairs > 1) {
-      const double deviation = std::sqrt(std::max(sample.squares / (sample.n - 1), test.least));
+      const double deviation = std::max(std::sqrt(sample.variance()), least_deviation(test));
       const std::optional<double> half = half_width(sample.n, deviation);
-      if (half) state.interval = Interval{sample.mean - *half, sample.mean + *half};
-      state.p = p_of_zero(sample.n, sample.mean, deviation);
+      if (half) state.interval = Interval{state.mean - *half, state.mean + *half};
+      state.p = p_of_zero(sample.n, state.mean, deviation);
     }
     state.verdict = verdict_of(test, state);
     if (state.verdict != ThreeWayVerdict::kGoOn) break;
@@ -95,9 +100,16 @@ ComparisonState decided_by(const ComparisonTest& test, std::span<const double> p
 std::optional<int> pairs_to_decide(const ComparisonTest& test, const ComparisonState& state) {
   if (!state.interval) return std::nullopt;
   const double half = (state.interval->high - state.interval->low) / 2;
+  const double deviation = half / half_width(state.pairs, 1).value();
   const double needed = std::max(std::abs(state.mean), test.least - std::abs(state.mean));
-  const double pairs = std::ceil(state.pairs * (half / needed) * (half / needed));
-  return pairs <= kMostPairsEstimated ? std::optional(static_cast<int>(pairs)) : std::nullopt;
+  int too_few = state.pairs;
+  int enough = kMostPairsEstimated;
+  if (half_width(enough, deviation).value() > needed) return std::nullopt;
+  while (enough - too_few > 1) {
+    const int middle = too_few + (enough - too_few) / 2;
+    (half_width(middle, deviation).value() > needed ? too_few : enough) = middle;
+  }
+  return enough;
 }
 
 }  // namespace autoref::experiments

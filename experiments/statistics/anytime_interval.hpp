@@ -39,6 +39,11 @@ struct ComparisonTest {
   int max_pairs = 300;  // the comparison ends undecided after this pair
 };
 
+// The least standard deviation that the comparison assumes, in goals: the variance is at least
+// `least` (in squared goals), for the reason given at least_variance_of(). A few pairs without
+// goals, or games that all end 10:0, would show no spread.
+double least_deviation(const ComparisonTest& test);
+
 struct ComparisonState {
   // kNotShown: the difference is smaller than the test's `least`.
   ThreeWayVerdict verdict = ThreeWayVerdict::kGoOn;
@@ -59,8 +64,7 @@ struct ComparisonState {
 // however the comparison ends, and are exact for normal values; `coverage` (tools/coverage/)
 // measures them for goals, along with the share of differences found.
 //
-// The variance is taken to be at least `least` (in squared goals), for the reason given at
-// least_variance_of(): a few pairs without goals, or games that all end 10:0, would show no spread.
+// The standard deviation is taken to be at least least_deviation().
 //
 // p is the inverse of the likelihood ratio above for a mean of 0, at most 1. It is below 0.05
 // exactly if the interval does not contain 0.
@@ -71,7 +75,7 @@ struct ComparisonState {
 ComparisonState decided_by(const ComparisonTest& test, std::span<const double> pair_differences);
 
 // About how many pairs would decide an undecided comparison if mean and spread stayed as they are;
-// nullopt if that cannot be said.
+// nullopt without an interval, and if more than a million pairs are needed.
 std::optional<int> pairs_to_decide(const ComparisonTest& test, const ComparisonState& state);
 
 }  // namespace autoref::experiments

@@ -71,13 +71,12 @@ struct SequentialState {
 // 2 <= min_pairs <= max_pairs.
 SequentialState decided_by(const SequentialTest& test, std::span<const double> pair_differences);
 
-// The outcomes of a test of whether one team is better than another. `delta` is the smallest
-// difference that matters.
+// The outcomes of a test of whether one team is better than another.
 enum class ThreeWayVerdict : std::uint8_t {
-  kGoOn,       // more pairs are needed
-  kBetter,     // the mean is nearer to delta than to 0
-  kWorse,      // the mean is nearer to -delta than to 0
-  kNotShown,   // the mean is nearer to 0 than to either
+  kGoOn,  // more pairs are needed
+  kBetter,
+  kWorse,
+  kNotShown,   // there is no difference that matters, or none is shown
   kUndecided,  // max_pairs were not enough
 };
 

@@ -12,7 +12,6 @@ namespace {
 
 constexpr const char* kAgainst = "against";
 constexpr const char* kComparisonTest = "test";
-constexpr Range kLeastDifference = {0, 50, true};  // in goals per game; values above 0
 constexpr Range kComparedPairs = {1, kMostPairs};
 
 Key old_and_new_key(Comparison& comparison) {
@@ -33,8 +32,8 @@ Key old_and_new_key(Comparison& comparison) {
 }
 
 Key against_key(Comparison& comparison) {
-  Key key = teams_key(kAgainst, "opponents that both teams play as well; they may be left out",
-                      comparison.against, comparison.base, {1});
+  Key key = teams_key(kAgainst, "opponents that both teams play as well", comparison.against,
+                      comparison.base, {1});
   key.value += "; none";
   key.read = [&comparison, read_teams = key.read](TopReader& top) {
     if (top.find(kAgainst) == nullptr) {
@@ -42,11 +41,12 @@ Key against_key(Comparison& comparison) {
       return;
     }
     read_teams(top);
-    for (const char* name : {kOldTeam, kNewTeam}) {
+    for (const char* name : {kOldTeam, kNewTeam, kAllOpponents}) {
       if (!comparison.against.contains(name)) continue;
       const std::string path = fmt::format("{}.{}", kAgainst, name);
       top.file().refuse(top.locations()[path], path,
-                        "one of the compared teams already has this name; rename the opponent");
+                        fmt::format("the names {}, {} and {} are taken; rename the opponent",
+                                    kOldTeam, kNewTeam, kAllOpponents));
     }
   };
   key.text = [&comparison, text_of_teams = key.text] {
@@ -81,7 +81,7 @@ NamedTeams everyone_in(const Comparison& comparison) {
 }  // namespace
 
 constinit const Kind Comparison::kKind = {
-    "compare", "Is a new team better than an old one? Until the answer is known.", make};
+    "compare", "Plays until it is known whether a new team is better than an old one.", make};
 
 std::vector<Matchup> matchups_of(const Comparison& comparison) {
   std::vector<Matchup> matchups = {{kNewTeam, kOldTeam}};
@@ -116,6 +116,11 @@ std::vector<Key> Comparison::keys() {
 std::vector<ScheduledGame> Comparison::games() const {
   check(base, teams);
   check(base, against, kAgainst);
+  if (base.match.on_team_fault == referee::OnTeamFault::kForfeit) {
+    throw game::SettingError("match.on_team_fault",
+                             ": a comparison counts goals, of which a forfeited game says nothing; "
+                             "leave the key out, then such a game is void");
+  }
   const std::vector<Matchup> matchups = matchups_of(*this);
   return games_of(everyone_in(*this), matchups, combinations_order({matchups.size()}),
                   test.max_pairs);
@@ -139,7 +144,7 @@ bool Comparison::is_decided(const RowsById& rows) const {
 }
 
 ExperimentResults Comparison::results(const RowsById& rows) const {
-  return comparison_results(*this, compared_teams(*this, rows));
+  return comparison_results(*this, rows);
 }
 
 }  // namespace autoref::experiments

@@ -2,7 +2,6 @@
 // there are any, until the difference is known well enough.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "experiments/kinds/experiment.hpp"
@@ -11,14 +10,18 @@
 
 namespace autoref::experiments {
 
-// The names of the two teams.
+// The names of the two teams, and of the mean over all opponents, which no opponent may have.
 inline constexpr const char* kOldTeam = "old";
 inline constexpr const char* kNewTeam = "new";
+inline constexpr const char* kAllOpponents = "all";
+
+// Of the smallest difference that matters, in goals per game; above 0.
+inline constexpr Range kLeastDifference = {0, 50, true};
 
 struct Comparison : NamedTeams, ExperimentOf<Comparison> {  // `teams` are old and new
   static const Kind kKind;
 
-  Teams against;        // common opponents, which both teams play; none is called old or new
+  Teams against;        // common opponents, which both teams play; none is called old, new or all
   ComparisonTest test;  // of the new team's goal difference minus the old team's
 
   std::vector<Key> keys() override;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -63,6 +64,14 @@ std::vector<ComparedOpponent> opponents_in(const Comparison& comparison, const R
   return opponents;
 }
 
+// The rows of these pair numbers.
+RowsById rows_of(const std::vector<int>& pairs, const RowsById& rows) {
+  RowsById some;
+  for (const auto& [id, row] : rows)
+    if (std::binary_search(pairs.begin(), pairs.end(), row.pair)) some[id] = row;
+  return some;
+}
+
 // The mean difference over all opponents; nullopt if a leg is void.
 std::optional<double> mean_difference(const std::vector<ComparedOpponent>& opponents, int pair) {
   double sum = 0;
@@ -74,23 +83,28 @@ std::optional<double> mean_difference(const std::vector<ComparedOpponent>& oppon
   return sum / static_cast<double>(opponents.size());
 }
 
-// The number of games considered by the test.
+// The number of games considered by the test, against one opponent and in all.
+int games_of(const ComparedTeams& compared, const ComparedOpponent& opponent) {
+  return (opponent.of_old ? 4 : 2) * compared.test.pairs;
+}
 int games_of(const ComparedTeams& compared) {
   int games = 0;
-  for (const ComparedOpponent& opponent : compared.opponents)
-    games += opponent.of_new.games() + (opponent.of_old ? opponent.of_old->games() : 0);
+  for (const ComparedOpponent& opponent : compared.opponents) games += games_of(compared, opponent);
   return games;
 }
 
-double least_deviation(const Comparison& comparison) { return std::sqrt(comparison.test.least); }
-
 std::optional<Interval> interval_of(const Comparison& comparison,
                                     const ComparedOpponent& opponent) {
-  return anytime_interval(values_of(opponent.differences), least_deviation(comparison));
+  return anytime_interval(values_of(opponent.differences), least_deviation(comparison.test));
 }
 
+// "+0.42 [+0.11, +0.73]". A bound that would read as zero has a third decimal.
 std::string mean_with_interval(double mean, const std::optional<Interval>& interval) {
-  return interval ? mean_text(mean, interval) : fmt::format("{:+.2f}", mean);
+  if (!interval) return fmt::format("{:+.2f}", mean);
+  const auto bound = [](double value) {
+    return std::abs(value) < 0.005 ? fmt::format("{:+.3f}", value) : fmt::format("{:+.2f}", value);
+  };
+  return fmt::format("{:+.2f} [{}, {}]", mean, bound(interval->low), bound(interval->high));
 }
 
 // "1.20 : 0.50": mean goals of a group's team a and of its opponents.
@@ -102,7 +116,7 @@ std::string goals_text(const Group& group) {
 std::string more_games_text(const Comparison& comparison, const ComparedTeams& compared) {
   if (!compared.test.interval) return "; too few games for an interval";
   const std::optional<int> pairs = pairs_to_decide(comparison.test, compared.test);
-  if (!pairs) return "";
+  if (!pairs || *pairs > kMostPairs) return "; more games than one comparison can have are needed";
   return fmt::format("; about {} games would decide it",
                      2 * *pairs * static_cast<int>(matchups_of(comparison).size()));
 }
@@ -115,16 +129,15 @@ std::vector<io::Cells> comparison_rows(const Comparison& comparison,
       {"against", "games", "goals of new", "goals of old", "new minus old [95 %]"}};
   for (const ComparedOpponent& opponent : compared.opponents) {
     const std::vector<double> differences = values_of(opponent.differences);
-    const int games = opponent.of_new.games() + (opponent.of_old ? opponent.of_old->games() : 0);
-    rows.push_back(
-        {opponent.of_old ? opponent.name : "each other", std::to_string(games),
-         goals_text(opponent.of_new), opponent.of_old ? goals_text(*opponent.of_old) : "",
-         differences.empty()
-             ? "-"
-             : mean_with_interval(mean(differences), interval_of(comparison, opponent))});
+    rows.push_back({opponent.of_old ? opponent.name : "each other",
+                    std::to_string(games_of(compared, opponent)), goals_text(opponent.of_new),
+                    opponent.of_old ? goals_text(*opponent.of_old) : "",
+                    differences.empty() ? "-"
+                                        : mean_with_interval(mean(differences),
+                                                             interval_of(comparison, opponent))});
   }
   if (compared.opponents.size() > 1) {
-    rows.push_back({"all", std::to_string(games_of(compared)), "", "",
+    rows.push_back({kAllOpponents, std::to_string(games_of(compared)), "", "",
                     mean_with_interval(compared.test.mean, compared.test.interval)});
   }
   return rows;
@@ -139,7 +152,7 @@ std::string explanation(const ComparedTeams& compared) {
   if (compared.opponents.size() > 1)
     text += " \"all\" is the mean of the rows above it; against itself, old would play 0.";
   if (compared.void_pairs > 0)
-    text += fmt::format(" {} pairs with a void game are left out.", compared.void_pairs);
+    text += fmt::format(" Pairs left out because of a void game: {}.", compared.void_pairs);
   return text + "\n";
 }
 
@@ -147,15 +160,16 @@ std::string notes_on_opponents(const Comparison& comparison, const ComparedTeams
   std::string text;
   for (const ComparedOpponent& opponent : compared.opponents) {
     if (!opponent.of_old) continue;
-    const std::string note = saturation_text(opponent.name, comparison.against.at(opponent.name),
-                                             {&opponent.of_new, &*opponent.of_old});
+    const std::string note =
+        saturation_text(opponent.name, comparison.against.at(opponent.name),
+                        {&opponent.of_new, &*opponent.of_old}, "or leave it out");
     if (!note.empty()) text += "\n" + note + "\n";
     if (opponent.equal_games > 0) {
       text += fmt::format(
-          "\n{} of new's {} games against {} are the same as old's in every frame: what changed "
+          "\nOf new's {} games against {}, {} are the same as old's in every frame: what changed "
           "had "
           "no effect in them.\n",
-          opponent.equal_games, opponent.of_new.games(), opponent.name);
+          opponent.of_new.games(), opponent.name, opponent.equal_games);
     }
   }
   return text;
@@ -176,11 +190,12 @@ struct ComparedRow {
   std::string p;
 };
 
-ComparedRow row_against(const Comparison& comparison, const ComparedOpponent& opponent) {
+ComparedRow row_against(const Comparison& comparison, const ComparedTeams& compared,
+                        const ComparedOpponent& opponent) {
   const Group& of_new = opponent.of_new;
   ComparedRow row{opponent.name,
-                  of_new.games(),
-                  static_cast<int>(opponent.differences.size()),
+                  games_of(compared, opponent),
+                  compared.test.pairs,
                   mean_of(of_new.goals_a),
                   mean_of(of_new.goals_b),
                   {},
@@ -190,7 +205,6 @@ ComparedRow row_against(const Comparison& comparison, const ComparedOpponent& op
                   "",
                   ""};
   if (!opponent.of_old) return row;
-  row.games += opponent.of_old->games();
   row.goals_of_old = mean_of(opponent.of_old->goals_a);
   row.goals_against_old = mean_of(opponent.of_old->goals_b);
   return row;
@@ -200,9 +214,9 @@ std::vector<ComparedRow> compared_rows(const Comparison& comparison,
                                        const ComparedTeams& compared) {
   std::vector<ComparedRow> rows;
   for (const ComparedOpponent& opponent : compared.opponents)
-    rows.push_back(row_against(comparison, opponent));
+    rows.push_back(row_against(comparison, compared, opponent));
   ComparedRow all;
-  all.opponent = "all";
+  all.opponent = kAllOpponents;
   all.games = games_of(compared);
   all.pairs = compared.test.pairs;
   if (all.pairs > 0) all.difference = compared.test.mean;
@@ -237,19 +251,24 @@ io::Json comparison_json(const std::vector<ComparedRow>& rows, const Comparison&
     io::add_members(opponents.back(), comparison_columns(), row);
   }
   opponents.erase(opponents.size() - 1);  // the row of all opponents
-  return {
-      {"answer", answer(comparison, compared)}, {"verdict", verdict_name(compared.test.verdict)},
-      {"least", comparison.test.least},         {"games", games_of(compared)},
-      {"pairs", compared.test.pairs},           {"void_pairs", compared.void_pairs},
-      {"mean_diff", compared.test.mean},        {"diff_low95", io::json_number(low)},
-      {"diff_high95", io::json_number(high)},   {"p", compared.test.p},
-      {"opponents", std::move(opponents)}};
+  return {{"answer", answer(comparison, compared)},
+          {"verdict", verdict_name(compared.test.verdict)},
+          {"least", comparison.test.least},
+          {"games", games_of(compared)},
+          {"pairs", compared.test.pairs},
+          {"void_pairs", compared.void_pairs},
+          {"mean_diff", io::json_number(rows.back().difference)},
+          {"diff_low95", io::json_number(low)},
+          {"diff_high95", io::json_number(high)},
+          {"p", compared.test.p},
+          {"opponents", std::move(opponents)}};
 }
 
 }  // namespace
 
 ComparedTeams compared_teams(const Comparison& comparison, const RowsById& rows) {
-  ComparedTeams compared{opponents_in(comparison, rows), {}};
+  ComparedTeams compared;
+  compared.opponents = opponents_in(comparison, rows);
   std::vector<std::string> matchups;
   for (const Matchup& matchup : matchups_of(comparison)) matchups.push_back(matchup_name(matchup));
   std::vector<double> differences;
@@ -268,6 +287,8 @@ ComparedTeams compared_teams(const Comparison& comparison, const RowsById& rows)
   } else if (last == comparison.test.max_pairs) {  // void legs left fewer than max_pairs
     compared.test.verdict = ThreeWayVerdict::kUndecided;
   }
+  numbers.resize(static_cast<std::size_t>(compared.test.pairs));
+  compared.pairs = std::move(numbers);
   compared.is_decided = compared.test.verdict != ThreeWayVerdict::kGoOn;
   compared.void_pairs = compared.last_pair - compared.test.pairs;
   return compared;
@@ -275,23 +296,22 @@ ComparedTeams compared_teams(const Comparison& comparison, const RowsById& rows)
 
 std::string answer(const Comparison& comparison, const ComparedTeams& compared) {
   const ComparisonState& test = compared.test;
-  const std::string difference = fmt::format(
-      "{:+.2f} goals per game{}", test.mean,
-      test.interval ? fmt::format(" [{:+.2f}, {:+.2f}]", test.interval->low, test.interval->high)
-                    : "");
+  std::string difference = mean_with_interval(test.mean, test.interval);
+  difference.insert(std::min(difference.find(' '), difference.size()), " goals per game");
   const int games = games_of(compared);
   switch (test.verdict) {
     case ThreeWayVerdict::kBetter:
     case ThreeWayVerdict::kWorse:
       return fmt::format("{} is {} than {}: {}, decided after {} games; p {}", kNewTeam,
                          verdict_name(test.verdict), kOldTeam, difference, games,
-                         test.p < 0.001 ? "< 0.001" : fmt::format("= {:.3f}", test.p));
+                         test.p < 0.001 ? "< 0.001" : fmt::format("= {:.3g}", test.p));
     case ThreeWayVerdict::kNotShown:
       return fmt::format(
-          "{} and {} do not differ by {} goals per game or more: {}, decided after "
-          "{} games",
+          "{} and {} differ by less than {} goals per game: {}, decided after {} "
+          "games",
           kNewTeam, kOldTeam, comparison.test.least, difference, games);
     case ThreeWayVerdict::kUndecided:
+      if (test.pairs == 0) return "undecided, since every pair has a void game";
       return fmt::format("undecided after {} games whether {} is better than {}: {}{}", games,
                          kNewTeam, kOldTeam, difference, more_games_text(comparison, compared));
     case ThreeWayVerdict::kGoOn:
@@ -302,25 +322,26 @@ std::string answer(const Comparison& comparison, const ComparedTeams& compared) 
                      difference);
 }
 
-ExperimentResults comparison_results(const Comparison& comparison, ComparedTeams compared) {
+ExperimentResults comparison_results(const Comparison& comparison, const RowsById& all_rows) {
+  ComparedTeams compared = compared_teams(comparison, all_rows);
+  compared.opponents = opponents_in(comparison, rows_of(compared.pairs, all_rows));
   const std::vector<ComparedRow> rows = compared_rows(comparison, compared);
+  const std::string sentence = answer(comparison, compared);
   std::vector<io::Cells> table = comparison_rows(comparison, compared);
   ExperimentResults results;
   results.files = {{"comparison.csv", "a row per opponent, and one of all",
                     io::csv_text(io::table_rows(comparison_columns(), rows))}};
-  results.table = {answer(comparison, compared) + "\n\n",
-                   io::TextTable{table, kComparisonColumns, 1},
+  results.table = {sentence + "\n\n", io::TextTable{table, kComparisonColumns, 1},
                    "\n" + explanation(compared) + notes_on_opponents(comparison, compared)};
-  results.verdict = compared.test.verdict;
+  results.comparison = ComparisonAnswer{compared.test.verdict, sentence};
   results.shown = {{std::move(table), kComparisonColumns, "opponents", {}}};
-  results.shown.front().text = answer(comparison, compared) + "\n";
+  results.shown.front().text = sentence + "\n";
   results.json = std::make_shared<io::Json>(
       io::Json{{"comparison", comparison_json(rows, comparison, compared)}});
-  for (ComparedOpponent& opponent : compared.opponents) {
-    results.groups.push_back(std::move(opponent.of_new));
-    if (opponent.of_old) results.groups.push_back(std::move(*opponent.of_old));
-  }
-  results.files.push_back({"summary.csv", "a row per matchup", matchups_csv(results.groups)});
+  results.groups = grouped(matchups_of(comparison), all_rows);
+  results.files.push_back({"summary.csv",
+                           "a row per matchup, with intervals for a fixed number of games",
+                           matchups_csv(results.groups)});
   return results;
 }
 

@@ -21,8 +21,8 @@ struct ComparedOpponent {
   // void leg. Against itself, the old team's expected goal difference is 0, so for kOldTeam, these
   // are the new team's goal differences.
   DifferenceByPair differences;
-  // Number of the new team's games that equal the old team's game with the same seed in every
-  // frame.
+  // Number of the new team's games, of all those played, that equal the old team's game with the
+  // same seed in every frame.
   int equal_games = 0;
 };
 
@@ -30,6 +30,7 @@ struct ComparedTeams {
   std::vector<ComparedOpponent> opponents;  // kOldTeam first
   // The test of the mean difference over all opponents. kUndecided after max_pairs.
   ComparisonState test;
+  std::vector<int> pairs;   // the pair numbers that the test considered, ascending
   int last_pair = 0;        // number of the last pair considered
   int void_pairs = 0;       // number of pair numbers up to last_pair with a void leg
   bool is_decided = false;  // whether no further pairs are needed
@@ -41,9 +42,11 @@ struct ComparedTeams {
 ComparedTeams compared_teams(const Comparison& comparison, const RowsById& rows);
 
 // The answer in one sentence: "new is better than old: +0.42 goals per game [+0.11, +0.73], decided
-// after 86 games; p = 0.004".
+// after 86 games; p = 0.0041".
 std::string answer(const Comparison& comparison, const ComparedTeams& compared);
 
-ExperimentResults comparison_results(const Comparison& comparison, ComparedTeams compared);
+// The tables and comparison.csv contain only the pair numbers that the test considered; summary.csv
+// and the groups contain all games.
+ExperimentResults comparison_results(const Comparison& comparison, const RowsById& rows);
 
 }  // namespace autoref::experiments

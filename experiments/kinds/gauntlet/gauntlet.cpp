@@ -40,7 +40,8 @@ std::string notes_on_field(const Gauntlet& gauntlet, const std::vector<Group>& m
     std::vector<const Group*> games;
     for (const Group& matchup : matchups)
       if (matchup.values[1] == name) games.push_back(&matchup);
-    const std::string note = saturation_text(name, team, games);
+    const std::string note = saturation_text(
+        name, team, games, "or the challengers against each other (autoref compare)");
     if (!note.empty()) text += "\n" + note + "\n";
   }
   return text;

@@ -8,6 +8,7 @@
 
 #include "app/experiment/comparison_arguments.hpp"
 #include "app/experiment/team_argument.hpp"
+#include "experiments/kinds/compare/comparison.hpp"
 #include "experiments/kinds/scenario_reader.hpp"
 #include "io/errors.hpp"
 #include "io/json.hpp"
@@ -44,19 +45,20 @@ TEST(TeamArgument, IsTheNameOfATeam) {
 TEST(TeamArgument, IsACommand) {
   const TeamArgument team = team_argument("python3 teams/my-team.py --fast x", "OLD");
   EXPECT_EQ(setting_of(team, "command"), "python3 teams/my-team.py --fast x");
-  EXPECT_EQ(team_argument("python3 teams/my-team.py", "OLD").name, "my_team");
+  EXPECT_EQ(team_argument("python3 teams/my-team.py --fast", "OLD").name, "my_team");
+  EXPECT_FALSE(fault_of("python3 'my_team.py").empty());
 }
 
 TEST(TeamArgument, IsAProgramThatCanBeExecutedOrAPythonFile) {
   const TemporaryFolder folder;
   const std::string python = (folder / "mine.py").string();
-  const std::string other = (folder / "mine.js").string();
+  const std::string other = (folder / "my team.js").string();
   write_content(python, "");
   write_content(other, "");
   EXPECT_EQ(setting_of(team_argument(python, "OLD"), "command"), "python3 " + python);
   EXPECT_TRUE(has(fault_of(other), "is not executable; give the command")) << fault_of(other);
   fs::permissions(other, fs::perms::owner_all);
-  EXPECT_EQ(setting_of(team_argument(other, "OLD"), "command"), other);
+  EXPECT_EQ(setting_of(team_argument(other, "OLD"), "command"), "'" + other + "'");
 }
 
 TEST(TeamArgument, IsAFileWithTheTeamsSettings) {
@@ -73,6 +75,10 @@ TEST(TeamArgument, IsAFileWithTheTeamsSettings) {
   }
   write_content(file, "command: [python3, 'my team.py']\n");
   EXPECT_EQ(setting_of(team_argument(file, "OLD"), "command"), "python3 'my team.py'");
+  write_content(file, "prams: { shot_mps: 5 }\n");
+  EXPECT_EQ(setting_of(team_argument(file, "OLD"), "prams.shot_mps"), "5");  // refused later
+  write_content(file, "tuned: {}\n");
+  EXPECT_TRUE(has(fault_of(file), "expected settings of a team")) << fault_of(file);
   write_content(file, "schema: 1\nkind: game\n");
   EXPECT_TRUE(has(fault_of(file), "this is a scenario")) << fault_of(file);
 }
@@ -80,7 +86,8 @@ TEST(TeamArgument, IsAFileWithTheTeamsSettings) {
 TEST(TeamArgument, RefusesWhatItDoesNotKnow) {
   EXPECT_TRUE(has(fault_of("cobald"), "OLD: expected a team")) << fault_of("cobald");
   EXPECT_TRUE(has(fault_of("cobald"), "did you mean 'cobalt'?")) << fault_of("cobald");
-  EXPECT_FALSE(fault_of("").empty());
+  EXPECT_FALSE(fault_of(" ").empty());
+  EXPECT_TRUE(has(fault_of("missing/team.js"), "there is no file missing/team.js"));
   EXPECT_FALSE(fault_of("missing.yaml").empty());
 }
 
@@ -125,10 +132,14 @@ TEST(CompareScenario, HasAFolderOfItsOwn) {
 
 class CompareVerb : public testing::Test {
  protected:
-  Answer compare(std::vector<const char*> more) const {
-    std::vector<const char*> words = {"compare", "-o",    folder_.c_str(),  "-j",
-                                      "1",       "--set", "match.half_s=2", "--progress",
-                                      "none"};
+  Answer compare(const std::vector<const char*>& more) const {
+    std::vector<const char*> words = {"--set", "match.half_s=2"};
+    words.insert(words.end(), more.begin(), more.end());
+    return compare_in(folder_, words);
+  }
+  static Answer compare_in(const std::string& folder, const std::vector<const char*>& more) {
+    std::vector<const char*> words = {"compare", "-o",         folder.c_str(), "-j",
+                                      "1",       "--progress", "none"};
     words.insert(words.end(), more.begin(), more.end());
     return answer_to(words);
   }
@@ -161,8 +172,33 @@ TEST_F(CompareVerb, KnowsWhenNoDifferenceMatters) {
   const Answer answer =
       compare({"dummy", "dummy", "--games", "100", "--least", "5", "--require", "equal"});
   EXPECT_EQ(answer.code, io::kDone) << answer.out;
-  EXPECT_TRUE(answer.out.starts_with("new and old do not differ by 5 goals per game or more: "))
+  EXPECT_TRUE(answer.out.starts_with("new and old differ by less than 5 goals per game: "))
       << answer.out;
+}
+
+TEST_F(CompareVerb, KnowsABetterTeamAndAWorseOne) {
+  const auto code = [this](const char* one, const char* other, const char* required) {
+    const std::string folder = (parent_ / one).string();
+    return compare_in(folder, {one, other, "--games", "40", "--set", "match.half_s=60", "--require",
+                               required})
+        .code;
+  };
+  EXPECT_EQ(code("dummy", "chaser", "better"), io::kDone);
+  EXPECT_EQ(code("dummy", "chaser", "equal"), io::kDone);
+  EXPECT_EQ(code("chaser", "dummy", "not-worse"), io::kNotMet);
+  EXPECT_EQ(code("chaser", "dummy", "equal"), io::kNotMet);
+}
+
+TEST(CompareScenario, HasOpponentsWithNamesOfTheirOwn) {
+  CompareArguments arguments;
+  arguments.old_team = "basic";
+  arguments.new_team = "counter";
+  arguments.against = {"cobalt, cobalt", "node new.js --list '1,2'", "node all.js"};
+  const experiments::Scenario scenario = comparison_in(arguments);
+  std::vector<std::string> names;
+  for (const auto& [name, team] : scenario.get<experiments::Comparison>().against)
+    names.push_back(name);
+  EXPECT_EQ(names, (std::vector<std::string>{"all_2", "cobalt", "cobalt_2", "new_2"}));
 }
 
 TEST_F(CompareVerb, PrintsOneJsonObject) {
@@ -190,13 +226,20 @@ TEST_F(CompareVerb, RefusesWhatItCannotCompare) {
   };
   const std::vector<Refused> all = {
       {{"basic"}, "NEW: give a second team"},
-      {{"basic", "--set", "a.robots=5"}, "are called old and new"},
+      {{"basic", "--set", "a.robots=5"}, "a setting of one of the teams old and new"},
       {{"basic", "counter", "--set", "new.params.nothing=1"}, "no parameter 'nothing'"},
-      {{"basic", "counter", "--games", "2", "--against", "zone"}, "--games: expected at least 6"},
+      {{"basic", "counter", "--games", "2", "--against", "zone"}, "--games: expected 6 games"},
       {{"basic", "counter", "--rules", "2025"}, "--rules 2025: expected one of"},
       {{"basic", "counter", "--camera", "x"}, "--camera x: expected one of"},
+      {{"basic", "counter", "--games", "1000000"}, "--games: expected 2 games"},
+      {{"basic", "--set", "teams.new=cobalt"}, "such as new.robots=5 or new.strategy=cobalt"},
+      {{"basic", "--set", "new=cobalt"}, "such as new.robots=5 or new.strategy=cobalt"},
+      {{"basic", "counter", "--set", "against=3"}, "expected a setting of one of the teams"},
+      {{"basic", "counter", "--least", "nan"}, "--least: expected a number above 0"},
+      {{"basic", "counter", "--against", "zone,"}, "--against: expected a team"},
       {{"basic", "counter", "--seed", "x"}, "--seed: expected a whole number"},
-      {{"basic", "counter", "--least", "0"}, "--least: expected a number"},
+      {{"basic", "counter", "--least", "0"},
+       "--least: expected a number above 0 and at most 50, found 0"},
       {{"basic", "counter", "--require", "good"}, "expected one of"}};
   for (const Refused& refused : all) {
     const Answer answer = compare(refused.words);

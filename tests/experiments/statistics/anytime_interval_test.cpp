@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <span>
 #include <vector>
 
@@ -112,7 +111,7 @@ TEST(ComparisonByInterval, AgreesWithItsIntervalAndItsPValue) {
       // The interval has the given mean and the spread of the values considered.
       const std::vector<double> values = normal_values(seed, mean);
       const std::span<const double> used(values.data(), static_cast<std::size_t>(state.pairs));
-      EXPECT_NEAR(anytime_interval(used, std::sqrt(test.least))->low, state.interval->low, 1e-9);
+      EXPECT_NEAR(anytime_interval(used, least_deviation(test))->low, state.interval->low, 1e-9);
     }
   }
 }
@@ -128,16 +127,19 @@ TEST(ComparisonByInterval, DecidesEvenIfAllPairsAreEqual) {
   EXPECT_GT(never.pairs, 20);
 }
 
+// With about that many pairs of the same mean and spread, the interval decides. (After an odd
+// number of values, their mean is a little higher.)
 TEST(ComparisonByInterval, EstimatesHowManyPairsWouldDecide) {
-  const ComparisonTest test{.least = 1, .max_pairs = 40};
-  ComparisonState state{ThreeWayVerdict::kUndecided, 40, 0.5, Interval{-0.5, 1.5}, 0.3};
-  // The interval must become half as wide, either to exclude 0 or to stay below 1.
-  EXPECT_EQ(pairs_to_decide(test, state), 160);
-  state.mean = 0;
-  state.interval = {-2, 2};
-  EXPECT_EQ(pairs_to_decide(test, state), 160);
-  state.interval = std::nullopt;
-  EXPECT_FALSE(pairs_to_decide(test, state));
+  const ComparisonTest test{.least = 1, .max_pairs = 30};
+  std::vector<double> values;
+  for (int i = 0; i < 15; ++i) values.insert(values.end(), {2.5, -1.5});  // mean 0.5
+  const ComparisonState state = decided_by(test, values);
+  ASSERT_EQ(state.verdict, ThreeWayVerdict::kUndecided);
+  const int pairs = pairs_to_decide(test, state).value();
+  EXPECT_GT(pairs, 30);
+  for (int i = 0; i < 100; ++i) values.insert(values.end(), {2.5, -1.5});
+  EXPECT_NEAR(decided_by({.least = 1, .max_pairs = 230}, values).pairs, pairs, 15);
+  EXPECT_FALSE(pairs_to_decide(test, decided_by(test, {values.data(), 5})));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "experiments/kinds/compare/comparison_report.hpp"
 #include "experiments/kinds/scenario_reader.hpp"
@@ -92,8 +93,8 @@ TEST(ComparisonRun, SaysThatNoDifferenceMatters) {
   scenario.as<Comparison>()->test.least = 1;
   const TemporaryFolder folder;
   const ExperimentReport report = played(scenario, folder.path(), 0);
-  EXPECT_EQ(report.results.verdict, ThreeWayVerdict::kNotShown);
-  EXPECT_NE(table_of(report).find("new and old do not differ by 1 goals per game or more: "),
+  EXPECT_EQ(report.results.comparison->verdict, ThreeWayVerdict::kNotShown);
+  EXPECT_NE(table_of(report).find("new and old differ by less than 1 goals per game: "),
             std::string::npos);
   EXPECT_LT(report.games, 800);
 }
@@ -112,7 +113,7 @@ TEST(ComparisonRun, EndsWithThePairThatDecidesItForAnyNumberOfWorkers) {
     const TemporaryFolder folder;
     const ExperimentReport report = played(small_comparison(400), folder.path(), 3, workers);
     EXPECT_LT(report.games, 60);
-    EXPECT_EQ(report.results.verdict, ThreeWayVerdict::kBetter);
+    EXPECT_EQ(report.results.comparison->verdict, ThreeWayVerdict::kBetter);
     const std::string results = results_in(folder) + content_of(folder / "comparison.csv");
     if (first.empty()) first = results;
     EXPECT_EQ(results, first);
@@ -134,7 +135,7 @@ TEST(ComparisonRun, TestsTheMeanOverAllOpponents) {
 TEST(ComparisonRun, NoticesThatAChangeHasNoEffect) {
   const Scenario scenario = comparison_against({4}, 12);
   const TemporaryFolder folder;
-  const std::string note = "games against team0 are the same as old's in every frame";
+  const std::string note = "22 are the same as old's in every frame";
   EXPECT_NE(table_of(run_experiment(scenario, fake_options(folder.path()))).find(note),
             std::string::npos);
   ExperimentOptions options = fake_options(folder / "other");
@@ -160,7 +161,12 @@ TEST(ComparisonRun, LeavesPairNumbersWithAVoidGameOut) {
   const io::Json& json = (*report.results.json)["comparison"];
   EXPECT_EQ(json["void_pairs"], 1);
   EXPECT_EQ(json["pairs"].get<int>() + 1, report.games / 2);
-  EXPECT_NE(table_of(report).find("1 pairs with a void game are left out"), std::string::npos);
+  EXPECT_EQ(json["opponents"][0]["games"], 2 * json["pairs"].get<int>());
+  // Goals and difference are those of the same games, without the good leg of the void pair.
+  EXPECT_NEAR(json["opponents"][0]["goals_of_new"].get<double>() -
+                  json["opponents"][0]["goals_against_new"].get<double>(),
+              json["mean_diff"].get<double>(), 1e-9);
+  EXPECT_NE(table_of(report).find("Pairs left out because of a void game: 1."), std::string::npos);
 }
 
 TEST(ComparisonRun, ContinuesAfterAnInterruptAndWithMorePairs) {
@@ -231,7 +237,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{"OpponentWithATakenName",
                             kComparisonTop + kComparedTeams + "against: { old: {} }\n",
                             "x.yaml:5:12: against.old: ",
-                            {"already has this name", "rename"}},
+                            {"are taken", "rename"}},
                     Mistake{"NoLeastDifference",
                             kComparisonTop + kComparedTeams + "test: { least: 0 }\n",
                             "x.yaml:5:16: test.least: ",
