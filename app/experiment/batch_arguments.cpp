@@ -30,6 +30,8 @@ void override_pairs(const std::string& text, experiments::Scenario& scenario) {
   game::locate_errors("--pairs", [&] { experiments::set_pairs(scenario.experiment(), *pairs); });
 }
 
+}  // namespace
+
 void override_seed(const std::string& text, experiments::Scenario& scenario) {
   if (text.empty()) return;
   const std::optional<std::uint64_t> seed = io::seed_in(text);
@@ -40,8 +42,6 @@ void override_seed(const std::string& text, experiments::Scenario& scenario) {
   }
   experiments::set_master_seed(scenario.experiment(), *seed);
 }
-
-}  // namespace
 
 std::filesystem::path BatchArguments::results_folder() const {
   if (!folder.empty()) return folder;

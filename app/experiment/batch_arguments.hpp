@@ -36,6 +36,10 @@ void add_override_options(CLI::App& verb, BatchArguments& arguments);
 // InputError for a scenario of another kind, naming the verb that plays it.
 experiments::Scenario read_experiment(const BatchArguments& arguments);
 
+// Sets the experiment's seed to the value of --seed; an empty text changes nothing. Throws
+// InputError.
+void override_seed(const std::string& text, experiments::Scenario& scenario);
+
 // Prints which games were not played by the official rules, and an empty line; nothing if all were.
 void print_rule_notes(const experiments::ExperimentReport& report);
 

@@ -60,7 +60,7 @@ int compare_verb(const CompareOptions& options) {
   }
   const experiments::Scenario scenario = comparison_in(options);
   RunArguments arguments = options;
-  arguments.file = results_name(options, scenario);
+  arguments.file = results_name(options, scenario);  // names the results folder and the page
   const PlayedExperiment played =
       play_experiment(scenario, arguments, [&](const experiments::ExperimentReport& report) {
         print_comparison(scenario, report, options.json);
@@ -114,9 +114,10 @@ void add_compare_verb(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<CompareOptions>();
   add_team_arguments(*verb, *options);
   add_game_options(*verb, *options);
-  verb->add_option("--require", options->required,
-                   "Exit with 1 if NEW is worse (not-worse, the default), unless it is better or "
-                   "does not differ (equal), or unless it is better (better).")
+  verb->add_option(
+          "--require", options->required,
+          "When to exit with 0 instead of 1: unless NEW is worse (not-worse, the default), "
+          "if NEW is better or equal (equal), or only if it is better (better).")
       ->type_name("OUTCOME")
       ->check(one_of({kNotWorse, kEqualOrBetter, kBetter}));
   verb->add_flag("--scenario", options->is_scenario_asked,

@@ -25,13 +25,14 @@ namespace {
 using experiments::kNewTeam;
 using experiments::kOldTeam;
 
+constexpr const char* kUsualSeed = "1";
+
 // What the arguments say: the teams with their names in the scenario, and all settings.
 struct GivenComparison {
   std::string about;
   std::vector<std::string> opponents;  // names of the common opponents
   game::Assignments settings;          // with full paths
   int pairs = 0;                       // maximum number of pairs per opponent
-  std::uint64_t seed = 1;
 };
 
 // The part of the path in front of its first dot.
@@ -148,13 +149,21 @@ void check_least(double least) {
                                    range.high, least));
 }
 
-std::uint64_t seed_in(const CompareArguments& arguments) {
-  if (arguments.seed.empty()) return 1;
-  const std::optional<std::uint64_t> seed = io::seed_in(arguments.seed);
-  if (seed) return *seed;
-  throw io::InputError(
-      {"--seed"}, "",
-      fmt::format("expected a whole number from 0 to 2^64 - 1, found '{}'", arguments.seed));
+// "Is new better than old? old: basic; new: counter; both also against zone."
+std::string about_text(const TeamArgument& old_team, const TeamArgument& new_team,
+                       const std::vector<std::string>& opponents,
+                       const game::Assignments& changes) {
+  const std::string text = fmt::format("Is new better than old? old: {}; new: {}",
+                                       description_of(old_team, kOldTeam, changes),
+                                       description_of(new_team, kNewTeam, changes));
+  return opponents.empty() ? text + "."
+                           : fmt::format("{}; both also against {}.", text, io::listed(opponents));
+}
+
+void add_game_settings(const CompareArguments& arguments, GivenComparison& given) {
+  given.settings.push_back({"--rules " + arguments.rules, "match.rules", arguments.rules});
+  if (!arguments.camera.empty())
+    given.settings.push_back({"--camera " + arguments.camera, "sim.camera", arguments.camera});
 }
 
 GivenComparison given_in(const CompareArguments& arguments) {
@@ -164,26 +173,17 @@ GivenComparison given_in(const CompareArguments& arguments) {
   refuse_missing_team(arguments, changes);
   const TeamArgument new_team =
       arguments.new_team.empty() ? old_team : team_argument(arguments.new_team, "NEW");
-  const std::vector<TeamArgument> opponents = opponents_in(arguments);
   GivenComparison given;
-  given.settings.push_back({"--rules " + arguments.rules, "match.rules", arguments.rules});
-  if (!arguments.camera.empty())
-    given.settings.push_back({"--camera " + arguments.camera, "sim.camera", arguments.camera});
+  add_game_settings(arguments, given);
   add_team(old_team, "teams.old", given);
   add_team(new_team, "teams.new", given);
-  given.about = fmt::format("Is new better than old? old: {}; new: {}",
-                            description_of(old_team, kOldTeam, changes),
-                            description_of(new_team, kNewTeam, changes));
-  for (const TeamArgument& opponent : opponents) {
+  for (const TeamArgument& opponent : opponents_in(arguments)) {
     add_team(opponent, "against." + opponent.name, given);
     given.opponents.push_back(opponent.name);
   }
-  if (!opponents.empty())
-    given.about += fmt::format("; both also against {}", io::listed(given.opponents));
-  given.about += ".";
   given.settings.insert(given.settings.end(), changes.begin(), changes.end());
-  given.pairs = pairs_in(arguments, opponents.size());
-  given.seed = seed_in(arguments);
+  given.about = about_text(old_team, new_team, given.opponents, changes);
+  given.pairs = pairs_in(arguments, given.opponents.size());
   return given;
 }
 
@@ -200,7 +200,7 @@ YAML::Node scenario_node(const CompareArguments& arguments, const GivenCompariso
     node["against"][opponent] = YAML::Node(YAML::NodeType::Map);
   node["test"]["least"] = io::text_of(arguments.least);
   node["test"]["max_pairs"] = std::to_string(given.pairs);
-  node["seed"] = std::to_string(given.seed);
+  node["seed"] = kUsualSeed;
   return node;
 }
 
@@ -221,6 +221,7 @@ std::string text_of(const YAML::Node& node) {
 std::string scenario_text(const CompareArguments& arguments) {
   const GivenComparison given = given_in(arguments);
   YAML::Node node = scenario_node(arguments, given);
+  if (!arguments.seed.empty()) node["seed"] = arguments.seed;
   for (const game::Assignment& setting : given.settings) {
     const std::string branch = setting.path.substr(0, setting.path.find('.'));
     const bool is_of_team = branch == "teams" || branch == "against";
@@ -233,6 +234,7 @@ experiments::Scenario comparison_in(const CompareArguments& arguments) {
   const GivenComparison given = given_in(arguments);
   experiments::Scenario scenario = experiments::read_scenario_text(
       text_of(scenario_node(arguments, given)), "the comparison", given.settings);
+  override_seed(arguments.seed, scenario);
   experiments::note_program_versions(scenario);
   return scenario;
 }

@@ -64,7 +64,8 @@ class TeamFile {
   }
 
  private:
-  // The settings below a key that is the team's name; empty if these are no settings of a team.
+  // The settings below a key that is the team's name. Returns an empty list if they are not a
+  // team's settings.
   std::vector<game::YamlEntry> team_below(const game::YamlEntry& name) const {
     if (!name.value.IsMap()) return {};
     std::vector<game::YamlEntry> entries = file_.entries(name, name.key, {});
@@ -110,14 +111,13 @@ std::string command_in(const std::string& text, const std::string& place) {
 }
 
 [[noreturn]] void refuse_team(const std::string& text, const std::string& place) {
-  if (text.find('/') != std::string::npos || !fs::path(text).extension().empty()) {
-    throw io::InputError({place}, "", fmt::format("there is no file {}", text));
-  }
+  const bool is_path = text.find('/') != std::string::npos || !fs::path(text).extension().empty();
   throw io::InputError(
       {place}, "",
-      fmt::format("expected a team that autoref show teams lists, a file, or a command in "
-                  "quotes, found '{}'{}",
-                  text, io::suggestion(text, names_of_teams())));
+      fmt::format("{} '{}'; expected a team that autoref show teams lists, a file, or a command in "
+                  "quotes{}",
+                  is_path ? "cannot find the file" : "unknown team", text,
+                  io::suggestion(text, names_of_teams())));
 }
 
 // A name of letters, digits and underscores, from the last word that is not an option, without its

@@ -50,7 +50,7 @@ std::string next_team_text(const game::TeamSettings& opponent, bool is_stronger)
   return team + 1 == teams.end() ? "" : fmt::format(", such as {}", *(team + 1));
 }
 
-// "31 of 40 games ended early by the lead in goals" or "it won all 40 games".
+// "31 of 40 games ended early because of the lead in goals" or "it won all 40 games".
 std::string one_sided_text(const std::vector<SideOfGroup>& sides, bool has_opponent_won) {
   SideOfGroup all;
   bool is_by_lead = true;
@@ -60,9 +60,10 @@ std::string one_sided_text(const std::vector<SideOfGroup>& sides, bool has_oppon
     all.won_by_lead += side.won_by_lead;
     is_by_lead = is_by_lead && side.is_ended_by_lead();
   }
-  if (is_by_lead)
-    return fmt::format("{} of {} games ended early by the lead in goals", all.won_by_lead,
+  if (is_by_lead) {
+    return fmt::format("{} of {} games ended early because of the lead in goals", all.won_by_lead,
                        all.games);
+  }
   return fmt::format("it {} {} {} games", has_opponent_won ? "won" : "lost",
                      all.won == all.games ? "all" : fmt::format("{} of", all.won), all.games);
 }
@@ -75,9 +76,10 @@ std::string saturation_text(const std::string& opponent, const game::TeamSetting
     const std::vector<SideOfGroup> sides = sides_of(groups, has_opponent_won);
     if (!are_one_sided(sides)) continue;
     return fmt::format(
-        "{} hardly tells the teams apart: {}. To see differences, play against a {} team{}, {}.",
-        opponent, one_sided_text(sides, has_opponent_won), has_opponent_won ? "weaker" : "stronger",
-        next_team_text(team, !has_opponent_won), otherwise);
+        "{} is too {} for a comparison of these teams: {}. Play against a {} team{}, {}.", opponent,
+        has_opponent_won ? "strong" : "weak", one_sided_text(sides, has_opponent_won),
+        has_opponent_won ? "weaker" : "stronger", next_team_text(team, !has_opponent_won),
+        otherwise);
   }
   return {};
 }

@@ -32,7 +32,7 @@ NamedTeams everyone_in(const Gauntlet& gauntlet) {
   return everyone;
 }
 
-// Sentences about teams of the field that hardly tell the challengers apart.
+// Notes on teams of the field that are too strong or too weak to compare the challengers.
 std::string notes_on_field(const Gauntlet& gauntlet, const std::vector<Group>& matchups) {
   if (gauntlet.challengers.size() < 2) return {};
   std::string text;

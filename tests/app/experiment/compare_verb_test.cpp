@@ -84,10 +84,10 @@ TEST(TeamArgument, IsAFileWithTheTeamsSettings) {
 }
 
 TEST(TeamArgument, RefusesWhatItDoesNotKnow) {
-  EXPECT_TRUE(has(fault_of("cobald"), "OLD: expected a team")) << fault_of("cobald");
+  EXPECT_TRUE(has(fault_of("cobald"), "OLD: unknown team 'cobald'")) << fault_of("cobald");
   EXPECT_TRUE(has(fault_of("cobald"), "did you mean 'cobalt'?")) << fault_of("cobald");
   EXPECT_FALSE(fault_of(" ").empty());
-  EXPECT_TRUE(has(fault_of("missing/team.js"), "there is no file missing/team.js"));
+  EXPECT_TRUE(has(fault_of("missing/team.js"), "cannot find the file 'missing/team.js'"));
   EXPECT_FALSE(fault_of("missing.yaml").empty());
 }
 
@@ -236,7 +236,7 @@ TEST_F(CompareVerb, RefusesWhatItCannotCompare) {
       {{"basic", "--set", "new=cobalt"}, "such as new.robots=5 or new.strategy=cobalt"},
       {{"basic", "counter", "--set", "against=3"}, "expected a setting of one of the teams"},
       {{"basic", "counter", "--least", "nan"}, "--least: expected a number above 0"},
-      {{"basic", "counter", "--against", "zone,"}, "--against: expected a team"},
+      {{"basic", "counter", "--against", "zone,"}, "--against: unknown team ''"},
       {{"basic", "counter", "--seed", "x"}, "--seed: expected a whole number"},
       {{"basic", "counter", "--least", "0"},
        "--least: expected a number above 0 and at most 50, found 0"},

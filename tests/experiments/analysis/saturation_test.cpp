@@ -37,24 +37,24 @@ std::string text_for(const Group& one, const Group& other, const std::string& st
 }
 
 TEST(Saturation, IsNoticedIfHalfOfTheGamesEndByTheLead) {
-  EXPECT_EQ(text_for(games_with(0, 1, 19, 16), games_with(0, 0, 20, 15)),
-            "it hardly tells the teams apart: 31 of 40 games ended early by the lead in goals. To "
-            "see differences, play against a weaker team, such as chaser, or otherwise.");
+  EXPECT_EQ(
+      text_for(games_with(0, 1, 19, 16), games_with(0, 0, 20, 15)),
+      "it is too strong for a comparison of these teams: 31 of 40 games ended early because of "
+      "the lead in goals. Play against a weaker team, such as chaser, or otherwise.");
   EXPECT_EQ(text_for(games_with(3, 1, 16, 10), games_with(2, 1, 17, 9)), "");
 }
 
 TEST(Saturation, IsNoticedIfOneSideWinsAllGames) {
-  EXPECT_NE(
-      text_for(games_with(20, 0, 0, 0), games_with(20, 0, 0, 0))
-          .find("it lost all 40 games. To see differences, play against a stronger team, such "
-                "as zone,"),
-      std::string::npos);
+  EXPECT_NE(text_for(games_with(20, 0, 0, 0), games_with(20, 0, 0, 0))
+                .find("it is too weak for a comparison of these teams: it lost all 40 games. Play "
+                      "against a stronger team, such as zone,"),
+            std::string::npos);
   EXPECT_NE(text_for(games_with(0, 0, 20, 0), games_with(0, 0, 20, 0)).find("it won all 40 games"),
             std::string::npos);
   EXPECT_EQ(text_for(games_with(20, 0, 0, 0), games_with(19, 1, 0, 0)), "");
 }
 
-// Nothing tells two teams apart better than an opponent that one of them beats and the other not.
+// An opponent that only one of two teams beats shows best which of them is better.
 TEST(Saturation, NeedsTheSameSideToWinAgainstEveryTeam) {
   EXPECT_EQ(text_for(games_with(20, 0, 0, 20), games_with(0, 0, 20, 20)), "");
   EXPECT_EQ(text_for(games_with(20, 0, 0, 20), games_with(8, 4, 8, 0)), "");
