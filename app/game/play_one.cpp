@@ -10,11 +10,13 @@
 #include "app/output_file.hpp"
 #include "app/shared_options.hpp"
 #include "experiments/results/game_report.hpp"
+#include "game/loop/chain_log.hpp"
 #include "game/loop/event_log.hpp"
 #include "game/loop/game_configuration.hpp"
 #include "game/loop/game_event_fields.hpp"
 #include "game/team_programs/program_games.hpp"
 #include "io/build_id.hpp"
+#include "io/csv.hpp"
 #include "io/errors.hpp"
 #include "io/table.hpp"
 #include "io/terminal.hpp"
@@ -29,12 +31,15 @@ namespace {
 // The output files of a game. They appear when the game is over.
 struct GameFiles {
   explicit GameFiles(const GameOutput& output)
-      : events("--events", output.events), game_events("--game-events", output.game_events) {
+      : events("--events", output.events),
+        game_events("--game-events", output.game_events),
+        chains("--chains", output.chains) {
     open_output(view, "--view", output.view);
   }
 
   LineOutput events;
   LineOutput game_events;
+  LineOutput chains;
   std::optional<io::PendingFile> view;
 };
 
@@ -48,9 +53,13 @@ void end_soon(int signal) {
 // Writes the game's files while it is played. After Ctrl-C, ends the game at its next frame.
 class GameOutputs final : public game::Observer {
  public:
-  GameOutputs(GameFiles& files, const game::EventGame& events, league::GameLog* log)
-      : files_(&files), events_(events), log_(log) {
+  GameOutputs(GameFiles& files, const game::GameConfiguration& game, league::GameLog* log)
+      : files_(&files),
+        events_(game::event_game_of(game)),
+        log_(log),
+        chain_columns_(game::chain_columns(events_, game.sim.frame_rate_hz)) {
     note_interrupts();
+    if (files.chains.is_open()) files.chains.add(io::csv_line(io::heads_of(chain_columns_)));
   }
   void on_other_detections(const OtherDetections& others) override {
     if (log_ != nullptr) log_->note(others);
@@ -64,6 +73,11 @@ class GameOutputs final : public game::Observer {
     if (files_->events.is_open()) files_->events.add(game::decision_json(decision, events_));
     if (files_->game_events.is_open()) add_game_event(decision);
     if (log_ != nullptr) log_decision(decision);
+  }
+  void on_chain(const game::PossessionChain& chain) override {
+    if (!files_->chains.is_open()) return;
+    const game::ChainRow row{++chains_, chain};
+    files_->chains.add(io::csv_line(io::cells_of(chain_columns_, row)));
   }
 
  private:
@@ -81,11 +95,14 @@ class GameOutputs final : public game::Observer {
   GameFiles* files_;
   game::EventGame events_;
   league::GameLog* log_;  // null unless a log is written
+  io::TableColumns<game::ChainRow> chain_columns_;
+  int chains_ = 0;  // number of chains so far
 };
 
 void check_files(const GameOutput& output, const std::vector<std::string>& inputs) {
   check_outputs({{"--events", output.events},
                  {"--game-events", output.game_events},
+                 {"--chains", output.chains},
                  {"--log", output.log},
                  {"--view", output.view},
                  {"--record", output.record}},
@@ -165,6 +182,8 @@ void check_interrupt() {
 
 void add_output_options(CLI::App& verb, GameOutput& output) {
   add_decision_outputs(verb, output.events, output.game_events);
+  verb.add_option("--chains", output.chains, "Write the teams' possession chains to FILE, as CSV.")
+      ->type_name("FILE");
   verb.add_option("--log", output.log,
                   "Write the game to FILE as an SSL log; compressed if FILE ends in .gz.")
       ->type_name("FILE");
@@ -196,7 +215,7 @@ game::GameRecord play_one(const game::GameConfiguration& game, const GameOutput&
   open_log(log, game, output.log);
   PageRecorder page;
   const std::optional<double> frames_per_s = pace_of(game, output);
-  GameOutputs outputs(files, game::event_game_of(game), log ? &*log : nullptr);
+  GameOutputs outputs(files, game, log ? &*log : nullptr);
   GameOnWeb game_on_web(game, output.web);
   game::Observers observers(game_on_web.observer());
   if (files.view) observers.add(&page);
@@ -216,6 +235,7 @@ game::GameRecord play_one(const game::GameConfiguration& game, const GameOutput&
   if (log) log->close();
   files.events.commit();
   files.game_events.commit();
+  files.chains.commit();
   if (files.view) files.view->commit(page.page(game, record));
   const experiments::GameReport report{game, record, wall_s, io::build_id()};
   fmt::print("{}\n", output.json

@@ -162,6 +162,19 @@ void add_count_columns(std::vector<Column>& columns, const game::CountField& fie
   }
 }
 
+// Columns such as chains_corner_kick_a, for all ways in which possession chains begin.
+void add_chain_columns(std::vector<Column>& columns, const game::ChainCountField& field) {
+  for (const game::ChainGroup& group : game::chain_groups()) {
+    for (const std::size_t team : {0U, 1U}) {
+      columns.push_back(integer_column(
+          fmt::format("{}_{}_{}", field.name, group.name, team == 0 ? 'a' : 'b'),
+          [ team, &group, member = field.count ](auto& row) -> auto& {
+            return group.of(row.record.counts[team]).*member;
+          }));
+    }
+  }
+}
+
 Column status_column() {
   return named_column(
       "status", [](auto& row) -> auto& { return row.record.status; });
@@ -227,6 +240,8 @@ std::vector<Column> played_columns() {
         }));
   }
   for (const game::CountField& field : game::count_fields()) add_count_columns(columns, field);
+  for (const game::ChainCountField& field : game::chain_count_fields())
+    add_chain_columns(columns, field);
   columns.push_back(shootout_column("shootout_a", 0));
   columns.push_back(shootout_column("shootout_b", 1));
   columns.push_back(transitions_column());

@@ -135,6 +135,16 @@ void add_counts(io::Json& json, const game::GameRecord& record, const game::Coun
   json[fmt::format("{}_b", field.name)] = count_json(record.counts[1], field);
 }
 
+// {"kick_off": {"chains": 3, "shots": 1, "goals": 0}, ...}
+io::Json chains_json(const game::PlayCounts& team) {
+  io::Json groups;
+  for (const game::ChainGroup& group : game::chain_groups()) {
+    for (const game::ChainCountField& field : game::chain_count_fields())
+      groups[std::string(group.name)][std::string(field.name)] = group.of(team).*field.count;
+  }
+  return groups;
+}
+
 }  // namespace
 
 std::string end_text(const game::GameConfiguration& game, const game::GameRecord& record) {
@@ -174,6 +184,8 @@ std::string json_of(const GameReport& report) {
       {"calls", calls_json(record)}};
   for (const game::GameTotal& one : game::game_totals()) json[one.name] = record.*one.count;
   for (const game::CountField& field : game::count_fields()) add_counts(json, record, field);
+  json["chains_a"] = chains_json(record.counts[0]);
+  json["chains_b"] = chains_json(record.counts[1]);
   for (const game::MeasuredTime& time : game::measured_times())
     json[time.name] = record.*time.seconds;
   json.update({{"wall_s", report.wall_s},

@@ -235,6 +235,8 @@ class Game::Impl {
   void count_play() {
     statistics_.update({world_.state(), world_.touches(), referee_.decisions(),
                         referee_.state() == referee::State::kRun, referee_.is_ball_in_play()});
+    for (const PossessionChain& chain : statistics_.ended_chains())
+      observers_.call(&Observer::on_chain, chain);
   }
 
   PerSide<TeamRequests> requests() const {

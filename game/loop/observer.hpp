@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "game/play_counts/possession_chains.hpp"
 #include "referee/decision.hpp"
 #include "sim/world.hpp"
 #include "soccer/frame.hpp"
@@ -39,6 +40,9 @@ class Observer {
                            const std::optional<Placement>& /*placement*/,
                            const sim::World& /*world*/) {}
   virtual void on_decision(const referee::Decision& /*decision*/) {}
+  // Called when a possession chain has ended, after the decisions and before on_frame(). Not called
+  // in shoot-outs.
+  virtual void on_chain(const PossessionChain& /*chain*/) {}
 };
 
 // The observers of one game, in the order in which they are called. They must outlive the game.

@@ -13,9 +13,13 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <string_view>
 
+#include "game/play_counts/possession_chains.hpp"
+#include "soccer/named.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::game {
@@ -59,6 +63,14 @@ inline constexpr double kDuelBegins_s = 100_ms;  // how long both sides must be 
 inline constexpr double kDuelOver_m = 300_mm;
 inline constexpr double kLongestDuel_s = 3.0_s;  // longer duels are drawn
 
+// Of a team's possession chains that began in the same way.
+struct ChainCounts {
+  int chains = 0;
+  int shots = 0;
+  int goals = 0;
+  bool operator==(const ChainCounts&) const = default;
+};
+
 struct PlayCounts {
   // Kicks taken outside the team's own third of the field, with a path that crosses the opponents'
   // goal line at kArrival_mps or faster at any height, and at most kShotMiss_m outside the posts.
@@ -88,6 +100,11 @@ struct PlayCounts {
   // from it than kDuelOver_m. Nobody wins a duel if play stops first or if it takes longer than
   // kLongestDuel_s.
   int duels_won = 0;
+  // The team's possession chains by the way in which they began (ChainStart). Their shots are all
+  // the team's shots, and their goals are all its goals except the opponents' own goals.
+  std::array<ChainCounts, kChainStartCount> by_start{};
+  ChainCounts with_pass{};  // of the chains with at least one completed pass
+  int own_goals = 0;        // goals against the team that ended one of its own chains
   bool operator==(const PlayCounts&) const = default;
 };
 
@@ -108,8 +125,46 @@ inline std::span<const CountField> count_fields() {
       CountField{"possession_s", nullptr, &PlayCounts::possession_s},
       CountField{"fouls", &PlayCounts::fouls},
       CountField{"duels_won", &PlayCounts::duels_won},
+      CountField{"own_goals", &PlayCounts::own_goals},
   };
   return kFields;
+}
+
+// A member of ChainCounts by its name, such as "shots".
+struct ChainCountField {
+  std::string_view name;
+  int ChainCounts::*count;
+};
+
+inline std::span<const ChainCountField> chain_count_fields() {
+  static constexpr std::array kFields = {ChainCountField{"chains", &ChainCounts::chains},
+                                         ChainCountField{"shots", &ChainCounts::shots},
+                                         ChainCountField{"goals", &ChainCounts::goals}};
+  return kFields;
+}
+
+// A group of possession chains: those that began in one way, or those with a pass.
+struct ChainGroup {
+  std::string_view name;            // such as "corner_kick"; "with_pass"
+  std::optional<ChainStart> start;  // nullopt: chains with a pass
+
+  // The counts of a team, which may be const.
+  auto& of(auto& team) const {
+    return start ? team.by_start[static_cast<std::size_t>(*start)] : team.with_pass;
+  }
+};
+
+// All groups, in the order used in rows and JSON.
+inline std::span<const ChainGroup> chain_groups() {
+  static const std::array kGroups = [] {
+    std::array<ChainGroup, kChainStartCount + 1> groups{};
+    std::size_t next = 0;
+    for (const Named<ChainStart>& start : names_of(ChainStart{}))
+      groups[next++] = {start.name, start.value};
+    groups[next] = {"with_pass", std::nullopt};
+    return groups;
+  }();
+  return kGroups;
 }
 
 }  // namespace autoref::game

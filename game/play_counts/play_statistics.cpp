@@ -92,14 +92,17 @@ PlayStatistics::PlayStatistics(const Field& field, const sim::BallParameters& ba
       ball_(ball),
       frame_rate_hz_(frame_rate_hz),
       same_kick_frames_(std::lround(kSameKick_s * frame_rate_hz)),
-      duels_(frame_rate_hz) {}
+      duels_(frame_rate_hz),
+      chains_(same_kick_frames_) {}
 
 // Handles touches first: they happened after the previous frame, with play still in its previous
 // state.
 void PlayStatistics::update(const FrameSummary& summary) {
+  chains_.begin_frame();
   if (is_on_) touch(summary);
-  for (const referee::Decision& decision : summary.decisions) note(decision);
-  if (is_on_ && !summary.is_play_on) end_play();
+  for (const referee::Decision& decision : summary.decisions) note(decision, summary.now);
+  if (is_on_ && !summary.is_play_on) end_play(summary.now);
+  count_chains();
   is_on_ = summary.is_play_on;
   if (summary.is_ball_in_play && last_touch_) ++possession_frames_[*last_touch_];
 }
@@ -127,12 +130,25 @@ void PlayStatistics::touch(const FrameSummary& summary) {
 }
 
 void PlayStatistics::touch(const TouchGroup& group, const sim::WorldState& now) {
+  const ChainStart gained = gained_by(group, now);
   meet(group);
   const std::optional<Side> side = group.side();
   if (!side) return;
   last_touch_ = side;
   const sim::Touch& first = group.touches[0];
   if (first.is_kick) kick_ = kick_away(first, now, field_, ball_);
+  chains_.touch(first, first.is_kick && kick_, gained);
+}
+
+// Call it before meet(), which ends the kick in progress.
+ChainStart PlayStatistics::gained_by(const TouchGroup& group, const sim::WorldState& now) const {
+  const sim::Touch& first = group.touches[0];
+  const Side side = first.robot.side;
+  if (distance_to_defence_area(field_, side, first.ball_m) <= 0) return ChainStart::kKeeper;
+  if (kick_ && kick_->robot.side != side && (first.ball_m - kick_->from_m).norm() >= kAway_m)
+    return ChainStart::kInterception;
+  return Duels::nearness(now, opponent_of(side)).is_in_it ? ChainStart::kDuel
+                                                          : ChainStart::kLooseBall;
 }
 
 // Handles a touch while a kick is in progress, by the kicker or by other robots.
@@ -157,8 +173,10 @@ void PlayStatistics::settle(Next next) {
   if (next == Next::kMate && kick.is_for_mate) {
     ++team.passes_tried;
     ++team.passes_completed;
+    chains_.pass(kick.robot.side);
   } else if (kick.is_at_goal || next == Next::kGoal) {
     ++team.shots;
+    chains_.shoot(kick.robot.side);
     const bool is_met = next == Next::kOpponent && kick.is_between_posts;
     if (is_met || next == Next::kGoal) ++team.shots_on_goal;
   } else if (kick.is_for_mate) {
@@ -166,10 +184,11 @@ void PlayStatistics::settle(Next next) {
   }
 }
 
-void PlayStatistics::note(const referee::Decision& decision) {
+void PlayStatistics::note(const referee::Decision& decision, const sim::WorldState& now) {
   if (decision.finding.event == referee::Event::kGoal && decision.command) {
     give_goal(decision.command->side);
   }
+  chains_.decide(decision, now.ball.position_m);
   if (!referee::entry_of(decision.finding.event).is_foul) return;
   for (const Side side : kSides) {
     if (!decision.finding.offender || *decision.finding.offender == side) ++counts_[side].fouls;
@@ -182,13 +201,29 @@ void PlayStatistics::give_goal(Side scorer) {
   } else if (last_touch_ == scorer) {
     ++counts_[scorer].shots;
     ++counts_[scorer].shots_on_goal;
+    chains_.shoot(scorer);
   }
 }
 
-void PlayStatistics::end_play() {
+void PlayStatistics::end_play(const sim::WorldState& now) {
   settle(Next::kStop);
+  chains_.stop(now.frame, now.ball.position_m);
   last_touch_.reset();
   duels_.stop();
+}
+
+void PlayStatistics::count_chains() {
+  for (const PossessionChain& chain : chains_.ended()) {
+    PlayCounts& team = counts_[chain.team];
+    const auto add = [&chain](ChainCounts& counts) {
+      ++counts.chains;
+      counts.shots += chain.shots;
+      counts.goals += chain.end == ChainEnd::kGoal ? 1 : 0;
+    };
+    add(team.by_start[static_cast<std::size_t>(chain.start)]);
+    if (chain.passes > 0) add(team.with_pass);
+    team.own_goals += chain.end == ChainEnd::kOwnGoal ? 1 : 0;
+  }
 }
 
 }  // namespace autoref::game

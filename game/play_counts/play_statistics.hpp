@@ -8,6 +8,7 @@
 
 #include "game/play_counts/kick_away.hpp"
 #include "game/play_counts/play_counts.hpp"
+#include "game/play_counts/possession_chains.hpp"
 #include "referee/decision.hpp"
 #include "sim/world.hpp"
 #include "soccer/field.hpp"
@@ -26,13 +27,14 @@ class Duels {
                              std::optional<Side> kicked);
   void stop();  // call when play has stopped
 
- private:
   // How close a side's nearest robot is to the ball.
   struct Nearness {
     bool is_at_ball = false;  // within kDuel_m of the ball
     bool is_in_it = false;    // within kDuelOver_m of the ball
   };
   static Nearness nearness(const sim::WorldState& now, Side side);
+
+ private:
   void await(bool both_at_ball);
 
   enum class Stage { kNone, kOn, kDrawn };  // a duel stays kDrawn until the robots separate
@@ -44,7 +46,7 @@ class Duels {
 };
 
 // Owns the state of the current kick, duel and possession. The game loop calls update() once per
-// frame. Does not affect the game and does not allocate.
+// frame. Does not affect the game, and allocates at most when a possession chain ends.
 class PlayStatistics {
  public:
   // The state of the game in a frame, after the referee's update.
@@ -60,8 +62,11 @@ class PlayStatistics {
 
   void update(const FrameSummary& summary);
 
-  // The counts so far, excluding a kick in progress.
+  // The counts so far, excluding a kick and a possession chain in progress.
   PerSide<PlayCounts> counts() const;
+
+  // The possession chains that ended in the last frame; valid until the next update.
+  std::span<const PossessionChain> ended_chains() const { return chains_.ended(); }
 
  private:
   // Simultaneous touches: all kicks of a sub-step, or all hull contacts in it.
@@ -70,17 +75,20 @@ class PlayStatistics {
 
   void touch(const FrameSummary& summary);
   void touch(const TouchGroup& group, const sim::WorldState& now);
+  ChainStart gained_by(const TouchGroup& group, const sim::WorldState& now) const;
   void meet(const TouchGroup& group);
   void settle(Next next);
-  void note(const referee::Decision& decision);
+  void note(const referee::Decision& decision, const sim::WorldState& now);
   void give_goal(Side scorer);
-  void end_play();
+  void end_play(const sim::WorldState& now);
+  void count_chains();
 
   Field field_;
   sim::BallParameters ball_;
   double frame_rate_hz_;
   std::int64_t same_kick_frames_;
   Duels duels_;
+  PossessionChains chains_;
   bool is_on_ = false;              // whether play was on before this frame
   std::optional<KickAway> kick_;    // kick in progress
   std::optional<Side> last_touch_;  // side that touched the ball last since play started

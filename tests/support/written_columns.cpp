@@ -1,4 +1,5 @@
 // The headers of CSV files of small experiments.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,6 +14,8 @@
 #include "experiments/kinds/tune/tuning.hpp"
 #include "experiments/report/plots.hpp"
 #include "game/lab/lab.hpp"
+#include "game/loop/chain_log.hpp"
+#include "game/play_counts/play_counts.hpp"
 #include "io/csv.hpp"
 #include "judge/judge_report.hpp"
 #include "tests/experiments/kinds/rules/small_rules.hpp"
@@ -93,8 +96,21 @@ WrittenNames tuning_columns() {
 
 bool is_calls_column(const std::string& name) { return name.starts_with("calls_"); }
 
+// Columns of possession chains without repetitions: "chains_kick_off_a" becomes "chains_GROUP_a".
+WrittenNames with_chain_groups(const WrittenNames& names) {
+  WrittenNames shorter;
+  for (std::string name : names) {
+    for (const game::ChainGroup& group : game::chain_groups()) {
+      const std::size_t at = name.find(fmt::format("_{}_", group.name));
+      if (at != std::string::npos) name.replace(at + 1, group.name.size(), "GROUP");
+    }
+    if (std::find(shorter.begin(), shorter.end(), name) == shorter.end()) shorter.push_back(name);
+  }
+  return shorter;
+}
+
 WrittenNames results_columns() {
-  WrittenNames names = head_in_folder(experiments::small_sweep(), "results.csv");
+  WrittenNames names = with_chain_groups(head_in_folder(experiments::small_sweep(), "results.csv"));
   const auto first = std::find_if(names.begin(), names.end(), is_calls_column);
   if (first != names.end()) names.insert(first, "calls_EVENT");
   std::erase_if(names, [](const std::string& name) {
@@ -158,6 +174,7 @@ std::vector<Artefact> written_csv() {
   return {
       {"results.csv", results_columns},
       {"games/*.csv", circumstances_columns},
+      {"play --chains", [] { return io::heads_of(game::chain_columns({}, 60)); }},
       {"games/*.csv of autoref judge",
        [] { return experiments::row_format(experiments::JudgeSchedule{}).names(); }},
       {"summary.csv of a sweep",

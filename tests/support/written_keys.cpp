@@ -1,4 +1,5 @@
 // The keys of JSON objects, nested ones as paths: "score.yellow", "robots[].number".
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
@@ -10,6 +11,7 @@
 #include "experiments/kinds/knockout/knockout.hpp"
 #include "game/loop/event_log.hpp"
 #include "game/loop/game_event_fields.hpp"
+#include "game/play_counts/play_counts.hpp"
 #include "judge/judge_report.hpp"
 #include "logs/log_report.hpp"
 #include "tests/app/answer.hpp"
@@ -109,7 +111,11 @@ WrittenNames game_keys() {
   const app::Answer answer = app::answer_to({"play", file.c_str(), "--json"});
   EXPECT_EQ(answer.code, 0) << answer.err;
   Paths paths;
-  for (const std::string& path : paths_in(answer.out)) {
+  for (std::string path : paths_in(answer.out)) {
+    for (const game::ChainGroup& group : game::chain_groups()) {
+      const std::size_t at = path.find(fmt::format(".{}", group.name));
+      if (at != std::string::npos) path.replace(at + 1, group.name.size(), "GROUP");
+    }
     paths.insert(path.starts_with("calls.") ? "calls.EVENT" : path);
   }
   return sorted(paths);

@@ -42,6 +42,10 @@ GameRow full_row() {
       if (field.count != nullptr) record.counts[team].*field.count = ++next;
       if (field.seconds != nullptr) record.counts[team].*field.seconds = ++next + 0.25;
     }
+    for (const game::ChainCountField& field : game::chain_count_fields()) {
+      for (const game::ChainGroup& group : game::chain_groups())
+        group.of(record.counts[team]).*field.count = ++next;
+    }
   }
   int next_count = 60;
   for (const game::GameTotal& one : game::game_totals()) record.*one.count = ++next_count;
@@ -110,6 +114,20 @@ TEST(RowFormat, HasBothTeamsPlayCounts) {
     EXPECT_EQ(cells[names[i] + "_a"], of_a[i]) << names[i];
     EXPECT_EQ(cells[names[i] + "_b"], of_b[i]) << names[i];
   }
+}
+
+TEST(RowFormat, HasTheCountsOfPossessionChains) {
+  GameRow row = sample_row();
+  constexpr auto kCorner = static_cast<std::size_t>(game::ChainStart::kCornerKick);
+  row.record.counts[0].by_start[kCorner] = {.chains = 9, .shots = 4, .goals = 2};
+  row.record.counts[1].with_pass = {.chains = 8, .shots = 3, .goals = 1};
+  std::map<std::string, std::string> cells = cells_by_name(row);
+  EXPECT_EQ(cells["chains_corner_kick_a"], "9");
+  EXPECT_EQ(cells["shots_corner_kick_a"], "4");
+  EXPECT_EQ(cells["goals_corner_kick_a"], "2");
+  EXPECT_EQ(cells["goals_corner_kick_b"], "0");
+  EXPECT_EQ(cells["chains_with_pass_b"], "8");
+  EXPECT_EQ(cells["goals_with_pass_b"], "1");
 }
 
 TEST(RowFormat, ReadsBackEveryColumn) {

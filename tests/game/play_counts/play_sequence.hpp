@@ -39,6 +39,8 @@ class PlaySequence {
   void frame() {
     ++now.frame;
     statistics.update({now, touches_, decisions_, is_on, is_in_play});
+    const auto ended = statistics.ended_chains();
+    chains.insert(chains.end(), ended.begin(), ended.end());
     touches_.clear();
     decisions_.clear();
   }
@@ -75,6 +77,7 @@ class PlaySequence {
   PlayCounts east() const { return statistics.counts()[Side::kEast]; }
 
   sim::WorldState now;
+  std::vector<PossessionChain> chains;  // all that have ended
   PlayStatistics statistics{Field{}, sim::BallParameters{}, 60.0};
   bool is_on = false;
   bool is_in_play = false;

@@ -46,6 +46,7 @@ referee::Decision turned(referee::Decision decision) {
   if (decision.command) decision.command = mirrored(*decision.command);
   if (decision.finding.offender)
     decision.finding.offender = opponent_of(*decision.finding.offender);
+  decision.finding.restart = mirrored(decision.finding.restart);
   return decision;
 }
 
@@ -93,6 +94,15 @@ struct Setup {
   const char* team;
 };
 
+// The team's possession chains in all.
+ChainCounts all_chains(const PlayCounts& team) {
+  ChainCounts all;
+  for (const ChainCounts& some : team.by_start) {
+    for (const ChainCountField& field : chain_count_fields()) all.*field.count += some.*field.count;
+  }
+  return all;
+}
+
 class PlayCountsOfGames : public testing::TestWithParam<Setup> {
  protected:
   static GameConfiguration game(std::uint64_t seed) {
@@ -114,7 +124,12 @@ TEST_P(PlayCountsOfGames, AreConsistent) {
       EXPECT_LE(team.passes_completed, team.passes_tried);
       EXPECT_LE(team.shots_on_goal, team.shots);
       possession_s += team.possession_s;
+      EXPECT_EQ(all_chains(team).shots, team.shots);
+      for (const ChainCountField& field : chain_count_fields())
+        EXPECT_LE(team.with_pass.*field.count, all_chains(team).*field.count) << field.name;
     }
+    EXPECT_EQ(all_chains(record.counts[0]).goals + record.counts[1].own_goals, record.goals_a);
+    EXPECT_EQ(all_chains(record.counts[1]).goals + record.counts[0].own_goals, record.goals_b);
     EXPECT_LE(possession_s, record.ball_in_play_s + 1e-6);
     EXPECT_GT(possession_s, 0.5 * record.ball_in_play_s);
     EXPECT_LE(record.goals_a, record.counts[0].shots_on_goal + counters.own_goals[Side::kWest]);

@@ -1,0 +1,19 @@
+// Possession chains as a CSV file: one row per chain, in the order in which the chains ended.
+#pragma once
+
+#include "game/loop/event_log.hpp"
+#include "game/play_counts/possession_chains.hpp"
+#include "io/table_columns.hpp"
+
+namespace autoref::game {
+
+struct ChainRow {
+  int number = 1;  // counted from 1
+  PossessionChain chain;
+};
+
+// The columns. Positions are seen from the chain's team, as strategies see them: its own goal is at
+// -x, and y points to its left. `game` names the teams.
+io::TableColumns<ChainRow> chain_columns(const EventGame& game, double frame_rate_hz);
+
+}  // namespace autoref::game
