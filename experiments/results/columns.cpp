@@ -46,7 +46,7 @@ Column integer_column(std::string name, At at) {
 
 // A column with three decimals.
 template <typename At>
-Column seconds_column(std::string name, At at) {
+Column number_column(std::string name, At at) {
   return {std::move(name), [at](const GameRow& row) { return fmt::format("{:.3f}", at(row)); },
           [at](const std::string& cell, GameRow& row) {
             const std::optional<double> number = io::number_in(cell);
@@ -145,32 +145,37 @@ Column transitions_column() {
 }
 
 // Adds a column per team, with the suffixes "_a" and "_b".
-void add_count_columns(std::vector<Column>& columns, const game::CountField& field) {
+// `counts_of` returns the counts of one of the teams, of a row that may be const.
+template <typename Counts, typename CountsOf>
+void add_count_columns(std::vector<Column>& columns, const std::string& name,
+                       const game::CountField<Counts>& field, CountsOf counts_of) {
   for (const std::size_t team : {0U, 1U}) {
-    const std::string name = fmt::format("{}_{}", field.name, team == 0 ? 'a' : 'b');
+    const std::string column = fmt::format("{}_{}", name, team == 0 ? 'a' : 'b');
     if (field.count != nullptr) {
       columns.push_back(integer_column(
-          name, [ team, member = field.count ](auto& row) -> auto& {
-            return row.record.counts[team].*member;
+          column, [ team, counts_of, member = field.count ](auto& row) -> auto& {
+            return counts_of(row.record.counts[team]).*member;
           }));
     } else {
-      columns.push_back(seconds_column(
-          name, [ team, member = field.seconds ](auto& row) -> auto& {
-            return row.record.counts[team].*member;
+      columns.push_back(number_column(
+          column, [ team, counts_of, member = field.number ](auto& row) -> auto& {
+            return counts_of(row.record.counts[team]).*member;
           }));
     }
   }
 }
 
-// Columns such as chains_corner_kick_a, for all ways in which possession chains begin.
-void add_chain_columns(std::vector<Column>& columns, const game::ChainCountField& field) {
-  for (const game::ChainGroup& group : game::chain_groups()) {
-    for (const std::size_t team : {0U, 1U}) {
-      columns.push_back(integer_column(
-          fmt::format("{}_{}_{}", field.name, group.name, team == 0 ? 'a' : 'b'),
-          [ team, &group, member = field.count ](auto& row) -> auto& {
-            return group.of(row.record.counts[team]).*member;
-          }));
+// Columns such as shots_a and chains_corner_kick_a.
+void add_team_columns(std::vector<Column>& columns) {
+  for (const auto& field : game::count_fields()) {
+    add_count_columns(
+        columns, std::string(field.name), field, [](auto& team) -> auto& { return team; });
+  }
+  for (const auto& field : game::chain_count_fields()) {
+    for (const game::ChainGroup& group : game::chain_groups()) {
+      add_count_columns(
+          columns, fmt::format("{}_{}", field.name, group.name),
+          field, [&group](auto& team) -> auto& { return group.of(team); });
     }
   }
 }
@@ -239,14 +244,12 @@ std::vector<Column> played_columns() {
           return row.record.*member;
         }));
   }
-  for (const game::CountField& field : game::count_fields()) add_count_columns(columns, field);
-  for (const game::ChainCountField& field : game::chain_count_fields())
-    add_chain_columns(columns, field);
+  add_team_columns(columns);
   columns.push_back(shootout_column("shootout_a", 0));
   columns.push_back(shootout_column("shootout_b", 1));
   columns.push_back(transitions_column());
   for (const game::MeasuredTime& time : game::measured_times()) {
-    columns.push_back(seconds_column(
+    columns.push_back(number_column(
         std::string(time.name), [member = time.seconds](auto& row) -> auto& {
           return row.record.*member;
         }));
@@ -345,7 +348,7 @@ std::vector<Column> circumstance_columns() {
           text_column(
               "cpu", [](auto& row) -> auto& { return row.circumstances.cpu; }),
           repeatable_column(),
-          seconds_column(
+          number_column(
               "wall_s", [](auto& row) -> auto& { return row.circumstances.wall_s; }),
           integer_column(
               "attempt", [](auto& row) -> auto& { return row.circumstances.attempt; }),

@@ -124,23 +124,25 @@ io::Json teams_json(const game::GameConfiguration& game) {
   return {{"a", team_json(game, a)}, {"b", team_json(game, opponent_of(a))}};
 }
 
-// The value of a team's count; seconds are rounded to milliseconds.
-io::Json count_json(const game::PlayCounts& team, const game::CountField& field) {
-  return field.count != nullptr ? io::Json(team.*field.count)
-                                : io::Json(io::rounded(team.*field.seconds, 3));
+// The value of a count; numbers are rounded to three decimals.
+template <typename Counts>
+io::Json count_json(const Counts& counts, const game::CountField<Counts>& field) {
+  return field.count != nullptr ? io::Json(counts.*field.count)
+                                : io::Json(io::rounded(counts.*field.number, 3));
 }
 
-void add_counts(io::Json& json, const game::GameRecord& record, const game::CountField& field) {
+void add_counts(io::Json& json, const game::GameRecord& record,
+                const game::CountField<game::PlayCounts>& field) {
   json[fmt::format("{}_a", field.name)] = count_json(record.counts[0], field);
   json[fmt::format("{}_b", field.name)] = count_json(record.counts[1], field);
 }
 
-// {"kick_off": {"chains": 3, "shots": 1, "goals": 0}, ...}
+// {"kick_off": {"chains": 3, "shots": 1, "goals": 0, "xg": 0.1}, ...}
 io::Json chains_json(const game::PlayCounts& team) {
   io::Json groups;
   for (const game::ChainGroup& group : game::chain_groups()) {
-    for (const game::ChainCountField& field : game::chain_count_fields())
-      groups[std::string(group.name)][std::string(field.name)] = group.of(team).*field.count;
+    for (const auto& field : game::chain_count_fields())
+      groups[std::string(group.name)][std::string(field.name)] = count_json(group.of(team), field);
   }
   return groups;
 }
@@ -183,7 +185,7 @@ std::string json_of(const GameReport& report) {
       {"teams", teams_json(report.configuration)},
       {"calls", calls_json(record)}};
   for (const game::GameTotal& one : game::game_totals()) json[one.name] = record.*one.count;
-  for (const game::CountField& field : game::count_fields()) add_counts(json, record, field);
+  for (const auto& field : game::count_fields()) add_counts(json, record, field);
   json["chains_a"] = chains_json(record.counts[0]);
   json["chains_b"] = chains_json(record.counts[1]);
   for (const game::MeasuredTime& time : game::measured_times())

@@ -74,6 +74,13 @@ std::optional<Interval> anytime_interval(std::span<const double> sample, double 
   return Interval{mean(sample) - *half, mean(sample) + *half};
 }
 
+double anytime_p(std::span<const double> sample, double least_deviation) {
+  const std::optional<double> deviation = standard_deviation(sample);
+  if (!deviation || !(std::max(*deviation, least_deviation) > 0)) return 1;
+  return p_of_zero(static_cast<double>(sample.size()), mean(sample),
+                   std::max(*deviation, least_deviation));
+}
+
 double least_deviation(const ComparisonTest& test) { return std::sqrt(test.least); }
 
 ComparisonState decided_by(const ComparisonTest& test, std::span<const double> pair_differences) {

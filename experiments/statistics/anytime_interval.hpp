@@ -31,6 +31,11 @@ namespace autoref::experiments {
 std::optional<Interval> anytime_interval(std::span<const double> sample,
                                          double least_deviation = 0);
 
+// The p value of the hypothesis that the mean is 0; it is valid at any time, like
+// anytime_interval(), and below 0.05 exactly if that interval does not contain 0. It is 1 for fewer
+// than two values, and if all are equal and least_deviation is 0.
+double anytime_p(std::span<const double> sample, double least_deviation = 0);
+
 // When a comparison of two teams ends. Its unit is the pair of legs, or several pairs with the same
 // number against several opponents: one value of how much better the first team did, in goals per
 // game.

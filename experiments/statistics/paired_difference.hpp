@@ -23,6 +23,9 @@ namespace autoref::experiments {
 // on each other.
 std::vector<double> holm(std::span<const double> p);
 
+// The largest corrected p value of a difference that tables mark.
+inline constexpr double kSignificant = 0.05;
+
 // Sets `p_holm` of the tests that have a `p`, corrected over all of them. `test` returns an item's
 // test, if the item is not a test itself.
 template <typename Item, typename Test = std::identity>

@@ -35,7 +35,8 @@ io::TableColumns<ChainRow> chain_columns(const EventGame& game, double frame_rat
       {"end_x_m", coordinate(&PossessionChain::last_m, 0)},
       {"end_y_m", coordinate(&PossessionChain::last_m, 1)},
       {"passes", [](const ChainRow& row) { return row.chain.passes; }},
-      {"shots", [](const ChainRow& row) { return row.chain.shots; }}};
+      {"shots", [](const ChainRow& row) { return row.chain.shots; }},
+      {"xg", [](const ChainRow& row) { return std::optional(row.chain.xg); }}};
 }
 
 }  // namespace autoref::game

@@ -13,6 +13,7 @@
 #include "game/loop/state_hash.hpp"
 #include "game/loop/substitution.hpp"
 #include "game/loop/team_controller.hpp"
+#include "game/play_counts/chance.hpp"
 #include "game/play_counts/play_statistics.hpp"
 #include "sim/camera.hpp"
 #include "soccer/team_view.hpp"
@@ -77,7 +78,8 @@ class Game::Impl {
         substitution_controller_(configuration_.field, robots_of(configuration_),
                                  configuration_.match.rules.opponents_to_ball_m),
         tracks_(sim::split_latency(configuration_.sim).frames),
-        statistics_(configuration_.field, configuration_.sim.ball, rate_hz()),
+        statistics_(configuration_.field, configuration_.sim.ball, rate_hz(),
+                    chance_model(configuration_.match.rules.name)),
         players_{{TeamController(configuration_, Side::kWest, make_team),
                   TeamController(configuration_, Side::kEast, make_team)}} {
     if (configuration_.scene) scene_.emplace(*configuration_.scene, a());
@@ -237,6 +239,7 @@ class Game::Impl {
                         referee_.state() == referee::State::kRun, referee_.is_ball_in_play()});
     for (const PossessionChain& chain : statistics_.ended_chains())
       observers_.call(&Observer::on_chain, chain);
+    for (const Shot& shot : statistics_.ended_shots()) observers_.call(&Observer::on_shot, shot);
   }
 
   PerSide<TeamRequests> requests() const {

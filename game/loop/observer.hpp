@@ -43,6 +43,8 @@ class Observer {
   // Called when a possession chain has ended, after the decisions and before on_frame(). Not called
   // in shoot-outs.
   virtual void on_chain(const PossessionChain& /*chain*/) {}
+  // Called for each shot of these chains, after on_chain().
+  virtual void on_shot(const Shot& /*shot*/) {}
 };
 
 // The observers of one game, in the order in which they are called. They must outlive the game.

@@ -28,20 +28,32 @@ Vec2 velocity_mps(RobotId id, const sim::WorldState& now) {
   return {0, 0};
 }
 
-void assess_shot(const BallTrajectory& trajectory, const Field& field, KickAway& kick) {
-  const double forward = -goal_sign(kick.robot.side);
-  const double ahead_m = forward * kick.from_m.x();
-  if (ahead_m < (kClearanceShare - 0.5) * field.length_m) return;
+// The kick's path if it is that of a shot, otherwise nullopt.
+std::optional<ShotPath> shot_path(const BallTrajectory& trajectory, const Field& field,
+                                  Side kicker) {
+  const double forward = -goal_sign(kicker);
+  const double ahead_m = forward * trajectory.from_m().x();
+  if (ahead_m < (kClearanceShare - 0.5) * field.length_m) return std::nullopt;
   const double advance = forward * trajectory.direction().x();
-  if (advance <= 0 || ahead_m >= field.half_length_m()) return;
+  if (advance <= 0 || ahead_m >= field.half_length_m()) return std::nullopt;
   // Length of the straight path up to the goal line.
   const double to_line_m = (field.half_length_m() - ahead_m) / advance;
-  if (to_line_m > trajectory.reach_m() || trajectory.speed_mps(to_line_m) < kArrival_mps) return;
-  const double off_middle_m = std::abs(trajectory.point_m(to_line_m).y());
-  kick.is_at_goal = off_middle_m <= field.half_goal_m() + kShotMiss_m;
-  kick.is_between_posts =
+  if (to_line_m > trajectory.reach_m() || trajectory.speed_mps(to_line_m) < kArrival_mps)
+    return std::nullopt;
+  const Vec2 crossing_m = trajectory.point_m(to_line_m);
+  const double off_middle_m = std::abs(crossing_m.y());
+  if (off_middle_m > field.half_goal_m() + kShotMiss_m) return std::nullopt;
+  const bool is_on_target =
       off_middle_m < field.half_goal_m() &&
       trajectory.height_m(to_line_m) + kBallRadius_m < field.goal_opening_height_m;
+  return ShotPath{crossing_m, trajectory.time_s(to_line_m), is_on_target};
+}
+
+std::optional<ShotSituation> shot_in(const sim::Touch& kick, const BallTrajectory& trajectory,
+                                     const sim::WorldState& now, const Field& field) {
+  const std::optional<ShotPath> path = shot_path(trajectory, field, kick.robot.side);
+  if (!path) return std::nullopt;
+  return shot_situation(kick, *path, now, field);
 }
 
 // The distance that can be travelled along a path before the coordinate leaves +-limit_m;
@@ -132,10 +144,8 @@ std::optional<KickAway> kick_away(const sim::Touch& kick, const sim::WorldState&
                                   const Field& field, const sim::BallParameters& ball) {
   if ((kick.ball_mps - velocity_mps(kick.robot, now)).norm() < kAway_mps) return std::nullopt;
   const BallTrajectory trajectory(kick.ball_m, kick.ball_mps, kick.vertical_mps, ball);
-  KickAway away{kick.robot, kick.frame, kick.ball_m};
-  assess_shot(trajectory, field, away);
-  away.is_for_mate = is_for_mate(trajectory, field, kick.robot, now);
-  return away;
+  return KickAway{kick.robot, kick.frame, kick.ball_m, shot_in(kick, trajectory, now, field),
+                  is_for_mate(trajectory, field, kick.robot, now)};
 }
 
 }  // namespace autoref::game

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "game/play_counts/chance.hpp"
 #include "sim/sim_configuration.hpp"
 #include "sim/world.hpp"
 #include "soccer/field.hpp"
@@ -61,9 +62,8 @@ struct KickAway {
   RobotId robot;
   std::int64_t frame = 0;  // as in sim::Touch
   Vec2 from_m{0, 0};
-  bool is_at_goal = false;  // whether the kick's path is that of a shot
-  // The path is between the posts and below the bar; only if is_at_goal.
-  bool is_between_posts = false;
+  // Only if the kick's path is that of a shot.
+  std::optional<ShotSituation> shot{};
   bool is_for_mate = false;  // whether the kick's path is that of a pass
 };
 

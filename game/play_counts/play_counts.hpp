@@ -2,7 +2,8 @@
 //
 // The statistics are based on ground truth and the referee's signals and cannot see intentions.
 // Play lasts from a restart's signal until the referee stops it, so the kick that takes the restart
-// counts. Shoot-outs do not count.
+// counts. Touches of a ball that is entirely behind a goal line do not count, and shoot-outs do not
+// count.
 //
 // A kick counts only if the ball leaves the robot at kAway_mps or more and then travels at least
 // kAway_m. It is classified once, when another robot touches the ball, a goal is given or play
@@ -63,11 +64,12 @@ inline constexpr double kDuelBegins_s = 100_ms;  // how long both sides must be 
 inline constexpr double kDuelOver_m = 300_mm;
 inline constexpr double kLongestDuel_s = 3.0_s;  // longer duels are drawn
 
-// Of a team's possession chains that began in the same way.
+// Counts of a team's possession chains, for example of those that began in the same way.
 struct ChainCounts {
   int chains = 0;
   int shots = 0;
   int goals = 0;
+  double xg = 0;  // expected goals of the shots: the sum of their chances (Shot::chance)
   bool operator==(const ChainCounts&) const = default;
 };
 
@@ -100,46 +102,51 @@ struct PlayCounts {
   // from it than kDuelOver_m. Nobody wins a duel if play stops first or if it takes longer than
   // kLongestDuel_s.
   int duels_won = 0;
-  // The team's possession chains by the way in which they began (ChainStart). Their shots are all
-  // the team's shots, and their goals are all its goals except the opponents' own goals.
+  // The team's possession chains by the way in which they began (ChainStart), once they have ended.
+  // Their shots are all the team's shots, and their goals are all its goals except the opponents'
+  // own goals.
   std::array<ChainCounts, kChainStartCount> by_start{};
   ChainCounts with_pass{};  // of the chains with at least one completed pass
   int own_goals = 0;        // goals against the team that ended one of its own chains
+  // Expected goals: the sum of the chances of the team's shots, not knowing where they are aimed.
+  double xg = 0;
+  // Expected goals on target: the same, knowing the shots' paths (Shot::chance_on_target).
+  double xgot = 0;
   bool operator==(const PlayCounts&) const = default;
 };
 
 // A count's name, such as "shots", and its member; the other member pointer is null.
+template <typename Counts>
 struct CountField {
   std::string_view name;
-  int PlayCounts::*count = nullptr;
-  double PlayCounts::*seconds = nullptr;
+  int Counts::*count = nullptr;
+  double Counts::*number = nullptr;
 };
 
-// Every member of PlayCounts, in the order used in rows and JSON.
-inline std::span<const CountField> count_fields() {
+// Every member of PlayCounts that is a number, in the order used in rows and JSON.
+inline std::span<const CountField<PlayCounts>> count_fields() {
+  using Field = CountField<PlayCounts>;
   static constexpr std::array kFields = {
-      CountField{"shots", &PlayCounts::shots},
-      CountField{"shots_on_goal", &PlayCounts::shots_on_goal},
-      CountField{"passes_tried", &PlayCounts::passes_tried},
-      CountField{"passes_completed", &PlayCounts::passes_completed},
-      CountField{"possession_s", nullptr, &PlayCounts::possession_s},
-      CountField{"fouls", &PlayCounts::fouls},
-      CountField{"duels_won", &PlayCounts::duels_won},
-      CountField{"own_goals", &PlayCounts::own_goals},
+      Field{"shots", &PlayCounts::shots},
+      Field{"shots_on_goal", &PlayCounts::shots_on_goal},
+      Field{"passes_tried", &PlayCounts::passes_tried},
+      Field{"passes_completed", &PlayCounts::passes_completed},
+      Field{"possession_s", nullptr, &PlayCounts::possession_s},
+      Field{"fouls", &PlayCounts::fouls},
+      Field{"duels_won", &PlayCounts::duels_won},
+      Field{"own_goals", &PlayCounts::own_goals},
+      Field{"xg", nullptr, &PlayCounts::xg},
+      Field{"xgot", nullptr, &PlayCounts::xgot},
   };
   return kFields;
 }
 
-// A member of ChainCounts by its name, such as "shots".
-struct ChainCountField {
-  std::string_view name;
-  int ChainCounts::*count;
-};
-
-inline std::span<const ChainCountField> chain_count_fields() {
-  static constexpr std::array kFields = {ChainCountField{"chains", &ChainCounts::chains},
-                                         ChainCountField{"shots", &ChainCounts::shots},
-                                         ChainCountField{"goals", &ChainCounts::goals}};
+// Every member of ChainCounts.
+inline std::span<const CountField<ChainCounts>> chain_count_fields() {
+  using Field = CountField<ChainCounts>;
+  static constexpr std::array kFields = {
+      Field{"chains", &ChainCounts::chains}, Field{"shots", &ChainCounts::shots},
+      Field{"goals", &ChainCounts::goals}, Field{"xg", nullptr, &ChainCounts::xg}};
   return kFields;
 }
 

@@ -87,9 +87,10 @@ struct PlayStatistics::TouchGroup {
 };
 
 PlayStatistics::PlayStatistics(const Field& field, const sim::BallParameters& ball,
-                               double frame_rate_hz)
+                               double frame_rate_hz, const ChanceModel& model)
     : field_(field),
       ball_(ball),
+      model_(&model),
       frame_rate_hz_(frame_rate_hz),
       same_kick_frames_(std::lround(kSameKick_s * frame_rate_hz)),
       duels_(frame_rate_hz),
@@ -130,6 +131,7 @@ void PlayStatistics::touch(const FrameSummary& summary) {
 }
 
 void PlayStatistics::touch(const TouchGroup& group, const sim::WorldState& now) {
+  if (std::abs(group.touches[0].ball_m.x()) > field_.half_length_m() + kBallRadius_m) return;
   const ChainStart gained = gained_by(group, now);
   meet(group);
   const std::optional<Side> side = group.side();
@@ -144,6 +146,7 @@ void PlayStatistics::touch(const TouchGroup& group, const sim::WorldState& now) 
 ChainStart PlayStatistics::gained_by(const TouchGroup& group, const sim::WorldState& now) const {
   const sim::Touch& first = group.touches[0];
   const Side side = first.robot.side;
+  if (chains_.team() == side) return ChainStart::kLooseBall;  // has the ball already
   if (distance_to_defence_area(field_, side, first.ball_m) <= 0) return ChainStart::kKeeper;
   if (kick_ && kick_->robot.side != side && (first.ball_m - kick_->from_m).norm() >= kAway_m)
     return ChainStart::kInterception;
@@ -173,21 +176,35 @@ void PlayStatistics::settle(Next next) {
   if (next == Next::kMate && kick.is_for_mate) {
     ++team.passes_tried;
     ++team.passes_completed;
-    chains_.pass(kick.robot.side);
-  } else if (kick.is_at_goal || next == Next::kGoal) {
-    ++team.shots;
-    chains_.shoot(kick.robot.side);
-    const bool is_met = next == Next::kOpponent && kick.is_between_posts;
+    chains_.complete_pass(kick.robot.side);
+  } else if (kick.shot || next == Next::kGoal) {
+    count_shot(shot_of(kick));
+    const bool is_met = next == Next::kOpponent && kick.shot->path.is_on_target;
     if (is_met || next == Next::kGoal) ++team.shots_on_goal;
   } else if (kick.is_for_mate) {
     ++team.passes_tried;
   }
 }
 
+// The shot of a kick that ended as one.
+Shot PlayStatistics::shot_of(const KickAway& kick) const {
+  Shot shot{kick.robot.side, kick.frame, kick.from_m, kick.shot};
+  if (!kick.shot) return shot;
+  shot.chance = model_->chance(*kick.shot);
+  shot.chance_on_target = model_->chance_on_target(*kick.shot);
+  return shot;
+}
+
+void PlayStatistics::count_shot(const Shot& shot) {
+  PlayCounts& team = counts_[shot.team];
+  ++team.shots;
+  team.xg += shot.chance;
+  team.xgot += shot.chance_on_target;
+  chains_.end_shot(shot);
+}
+
 void PlayStatistics::note(const referee::Decision& decision, const sim::WorldState& now) {
-  if (decision.finding.event == referee::Event::kGoal && decision.command) {
-    give_goal(decision.command->side);
-  }
+  if (const std::optional<Side> scorer = scorer_in(decision)) give_goal(*scorer, now);
   chains_.decide(decision, now.ball.position_m);
   if (!referee::entry_of(decision.finding.event).is_foul) return;
   for (const Side side : kSides) {
@@ -195,13 +212,12 @@ void PlayStatistics::note(const referee::Decision& decision, const sim::WorldSta
   }
 }
 
-void PlayStatistics::give_goal(Side scorer) {
+void PlayStatistics::give_goal(Side scorer, const sim::WorldState& now) {
   if (kick_ && kick_->robot.side == scorer) {
     settle(Next::kGoal);
   } else if (last_touch_ == scorer) {
-    ++counts_[scorer].shots;
     ++counts_[scorer].shots_on_goal;
-    chains_.shoot(scorer);
+    count_shot({scorer, now.frame, now.ball.position_m});
   }
 }
 
@@ -219,6 +235,7 @@ void PlayStatistics::count_chains() {
       ++counts.chains;
       counts.shots += chain.shots;
       counts.goals += chain.end == ChainEnd::kGoal ? 1 : 0;
+      counts.xg += chain.xg;
     };
     add(team.by_start[static_cast<std::size_t>(chain.start)]);
     if (chain.passes > 0) add(team.with_pass);

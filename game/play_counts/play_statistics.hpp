@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "game/play_counts/chance.hpp"
 #include "game/play_counts/kick_away.hpp"
 #include "game/play_counts/play_counts.hpp"
 #include "game/play_counts/possession_chains.hpp"
@@ -46,7 +47,8 @@ class Duels {
 };
 
 // Owns the state of the current kick, duel and possession. The game loop calls update() once per
-// frame. Does not affect the game, and allocates at most when a possession chain ends.
+// frame. Does not affect the game, and allocates only when a shot or a possession
+// chain ends.
 class PlayStatistics {
  public:
   // The state of the game in a frame, after the referee's update.
@@ -58,15 +60,19 @@ class PlayStatistics {
     bool is_ball_in_play = false;
   };
 
-  PlayStatistics(const Field& field, const sim::BallParameters& ball, double frame_rate_hz);
+  // `model` must outlive this object.
+  PlayStatistics(const Field& field, const sim::BallParameters& ball, double frame_rate_hz,
+                 const ChanceModel& model);
 
   void update(const FrameSummary& summary);
 
   // The counts so far, excluding a kick and a possession chain in progress.
   PerSide<PlayCounts> counts() const;
 
-  // The possession chains that ended in the last frame; valid until the next update.
+  // The possession chains that ended in the last frame, and their shots; valid until the next
+  // update.
   std::span<const PossessionChain> ended_chains() const { return chains_.ended(); }
+  std::span<const Shot> ended_shots() const { return chains_.ended_shots(); }
 
  private:
   // Simultaneous touches: all kicks of a sub-step, or all hull contacts in it.
@@ -78,13 +84,16 @@ class PlayStatistics {
   ChainStart gained_by(const TouchGroup& group, const sim::WorldState& now) const;
   void meet(const TouchGroup& group);
   void settle(Next next);
+  Shot shot_of(const KickAway& kick) const;
+  void count_shot(const Shot& shot);
   void note(const referee::Decision& decision, const sim::WorldState& now);
-  void give_goal(Side scorer);
+  void give_goal(Side scorer, const sim::WorldState& now);
   void end_play(const sim::WorldState& now);
   void count_chains();
 
   Field field_;
   sim::BallParameters ball_;
+  const ChanceModel* model_;
   double frame_rate_hz_;
   std::int64_t same_kick_frames_;
   Duels duels_;

@@ -33,6 +33,11 @@ bool is_out(referee::Event event) {
 
 }  // namespace
 
+std::optional<Side> scorer_in(const referee::Decision& decision) {
+  if (decision.finding.event != referee::Event::kGoal || !decision.command) return std::nullopt;
+  return opponent_of(decision.finding.restart.side);
+}
+
 void PossessionChains::touch(const sim::Touch& touch, bool is_kick_away, ChainStart gained) {
   const Side side = touch.robot.side;
   if (chain_ && side == chain_->team) {
@@ -51,21 +56,23 @@ void PossessionChains::touch(const sim::Touch& touch, bool is_kick_away, ChainSt
   if (!chain_ || is_kick_away || is_second) gain_ball();
 }
 
-void PossessionChains::pass(Side team) {
+void PossessionChains::complete_pass(Side team) {
   if (chain_ && chain_->team == team) ++chain_->passes;
 }
 
-void PossessionChains::shoot(Side team) {
-  if (next_ && next_->team == team) gain_ball();
-  if (!chain_ || chain_->team != team) return;
+void PossessionChains::end_shot(const Shot& shot) {
+  if (next_ && next_->team == shot.team) gain_ball();
+  if (!chain_ || chain_->team != shot.team) return;
   ++chain_->shots;
+  chain_->xg += shot.chance;
+  shots_.push_back(shot);
   is_shot_last_ = true;
 }
 
 void PossessionChains::decide(const referee::Decision& decision, const Vec2& ball_m) {
   const referee::Finding& finding = decision.finding;
-  if (finding.event == referee::Event::kGoal && decision.command) {
-    const bool has_scored = chain_ && chain_->team == decision.command->side;
+  if (const std::optional<Side> scorer = scorer_in(decision)) {
+    const bool has_scored = chain_ && chain_->team == *scorer;
     end(has_scored ? ChainEnd::kGoal : ChainEnd::kOwnGoal, decision.frame, ball_m);
   } else if (decision.from == referee::State::kRun && decision.to != referee::State::kRun) {
     stopped_by_ = end_by(finding);
@@ -83,6 +90,7 @@ void PossessionChains::stop(std::int64_t frame, const Vec2& ball_m) {
 ChainStart PossessionChains::first_start(Side side, ChainStart gained) {
   const std::optional<Restart> restart = restart_;
   restart_.reset();
+  awarded_ = {};
   if (!restart || !restart->side) return ChainStart::kLooseBall;
   return restart->side == side ? restart->start : gained;
 }
@@ -99,6 +107,9 @@ void PossessionChains::end(ChainEnd how, std::int64_t frame, const Vec2& ball_m)
     chain_->last_frame = frame;
     chain_->last_m = ball_m;
     ended_.push_back(*chain_);
+    if (!shots_.empty()) shots_.back().has_scored = how == ChainEnd::kGoal && is_shot_last_;
+    ended_shots_.insert(ended_shots_.end(), shots_.begin(), shots_.end());
+    shots_.clear();
   }
   chain_.reset();
   next_.reset();

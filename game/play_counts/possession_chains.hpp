@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "game/play_counts/chance.hpp"
 #include "referee/decision.hpp"
 #include "sim/world.hpp"
 #include "soccer/geometry.hpp"
@@ -34,8 +35,6 @@ enum class ChainStart : std::uint8_t {
   kDuel,          // touch next to an opponent: within kDuelOver_m
   kLooseBall,     // every other touch, such as the first one after a force start
 };
-inline constexpr std::size_t kChainStartCount = 10;
-
 constexpr auto names_of(ChainStart /*any*/) {
   return std::to_array<Named<ChainStart>>({{ChainStart::kKickOff, "kick_off"},
                                            {ChainStart::kPenalty, "penalty"},
@@ -48,11 +47,12 @@ constexpr auto names_of(ChainStart /*any*/) {
                                            {ChainStart::kDuel, "duel"},
                                            {ChainStart::kLooseBall, "loose_ball"}});
 }
+inline constexpr std::size_t kChainStartCount = names_of(ChainStart{}).size();
 
 enum class ChainEnd : std::uint8_t {
   kGoal,
   kOwnGoal,  // the team's ball in its own goal
-  kShot,     // a shot without a goal was the last that the team did
+  kShot,     // the team's last action was a shot that did not score
   kLost,     // the opponents gained the ball
   kOut,      // the ball left the field
   kFoul,     // by the team
@@ -83,8 +83,30 @@ struct PossessionChain {
   Vec2 last_m{0, 0};
   int passes = 0;  // completed passes and shots, as in PlayCounts
   int shots = 0;
+  double xg = 0;  // sum of the shots' chances
   bool operator==(const PossessionChain&) const = default;
 };
+
+struct Shot {
+  Side team = Side::kWest;
+  std::int64_t frame = 0;  // of the kick, as in sim::Touch
+  Vec2 from_m{0, 0};       // the ball's position at the kick
+  // nullopt if there was no kick at the goal: a robot pushed the ball into it, or the path of a
+  // kick that went in was not that of a shot. If there was no kick at all, frame and from_m are
+  // those of the goal.
+  std::optional<ShotSituation> situation{};
+  // The probabilities that it scores: xG and xGOT (chance.hpp). Both are 1 without a situation,
+  // since such a chance is known only after the goal.
+  double chance = 1;
+  double chance_on_target = 1;
+  // Whether the team's chain ended with a goal after this shot, with no other touch by the team.
+  bool has_scored = false;
+};
+
+// The team that a goal is given to; nullopt if the decision is another one. The kick-off after a
+// goal is the other team's. (The command names the scorer only if AutoRef commands the game.)
+// Includes goals that are awarded because of a foul at a penalty kick.
+std::optional<Side> scorer_in(const referee::Decision& decision);
 
 // Divides a game into possession chains. PlayStatistics calls these functions in the order of
 // events.
@@ -93,17 +115,24 @@ class PossessionChains {
   explicit PossessionChains(std::int64_t same_kick_frames) : same_kick_frames_(same_kick_frames) {}
 
   // Call at the start of each frame: discards the chains that ended in the previous one.
-  void begin_frame() { ended_.clear(); }
-  // The chains that have ended in this frame.
+  void begin_frame() {
+    ended_.clear();
+    ended_shots_.clear();
+  }
+  // The chains that have ended in this frame, and the shots of these chains.
   std::span<const PossessionChain> ended() const { return ended_; }
+  std::span<const Shot> ended_shots() const { return ended_shots_; }
+
+  // The team with the ball; nullopt until the first touch after a restart.
+  std::optional<Side> team() const { return chain_ ? std::optional(chain_->team) : std::nullopt; }
 
   // A touch by a single team. `is_kick_away`: whether it kicked the ball away. `gained`: how the
-  // team gains the ball with this touch, unless it takes a restart.
+  // team gains the ball with this touch, if it does so and takes no restart.
   void touch(const sim::Touch& touch, bool is_kick_away, ChainStart gained);
   // The team has completed a pass.
-  void pass(Side team);
-  // The team's shot has ended. With a touch that became a goal, the team has gained the ball.
-  void shoot(Side team);
+  void complete_pass(Side team);
+  // A shot has ended. If it is a single touch that became a goal, the team gains the ball with it.
+  void end_shot(const Shot& shot);
   // `ball_m`: the ball's position in the decision's frame.
   void decide(const referee::Decision& decision, const Vec2& ball_m);
   // Ends the chain when play has stopped. Call it after the decisions of this frame.
@@ -123,10 +152,12 @@ class PossessionChains {
 
   std::int64_t same_kick_frames_;
   std::vector<PossessionChain> ended_;
+  std::vector<Shot> ended_shots_;
+  std::vector<Shot> shots_;               // of the chain in progress
   std::optional<PossessionChain> chain_;  // nullopt until the first touch after a restart
   // The chain that begins if the other team, which touched the ball last, gains it.
   std::optional<PossessionChain> next_;
-  bool is_shot_last_ = false;  // whether a shot was the last that the team did
+  bool is_shot_last_ = false;  // whether the team's last action was a shot
   ChainEnd stopped_by_ = ChainEnd::kWhistle;
   std::optional<Restart> restart_;  // until it is taken
   Restart awarded_;                 // by the last call that stopped play

@@ -96,19 +96,6 @@ WrittenNames tuning_columns() {
 
 bool is_calls_column(const std::string& name) { return name.starts_with("calls_"); }
 
-// Columns of possession chains without repetitions: "chains_kick_off_a" becomes "chains_GROUP_a".
-WrittenNames with_chain_groups(const WrittenNames& names) {
-  WrittenNames shorter;
-  for (std::string name : names) {
-    for (const game::ChainGroup& group : game::chain_groups()) {
-      const std::size_t at = name.find(fmt::format("_{}_", group.name));
-      if (at != std::string::npos) name.replace(at + 1, group.name.size(), "GROUP");
-    }
-    if (std::find(shorter.begin(), shorter.end(), name) == shorter.end()) shorter.push_back(name);
-  }
-  return shorter;
-}
-
 WrittenNames results_columns() {
   WrittenNames names = with_chain_groups(head_in_folder(experiments::small_sweep(), "results.csv"));
   const auto first = std::find_if(names.begin(), names.end(), is_calls_column);
@@ -164,6 +151,18 @@ experiments::Scenario robin() { return experiments::small_roundrobin({6, 5, 4});
 
 }  // namespace
 
+WrittenNames with_chain_groups(const WrittenNames& names) {
+  WrittenNames shorter;
+  for (std::string name : names) {
+    for (const game::ChainGroup& group : game::chain_groups()) {
+      const std::size_t at = name.find(fmt::format("_{}_", group.name));
+      if (at != std::string::npos) name.replace(at + 1, group.name.size(), "GROUP");
+    }
+    if (std::find(shorter.begin(), shorter.end(), name) == shorter.end()) shorter.push_back(name);
+  }
+  return shorter;
+}
+
 WrittenNames calls_columns() {
   WrittenNames names = head_in_folder(experiments::small_sweep(), "results.csv");
   std::erase_if(names, [](const std::string& name) { return !is_calls_column(name); });
@@ -196,6 +195,7 @@ std::vector<Artefact> written_csv() {
        [] { return head_in_folder(robin(), "differences.csv"); }},
       {"comparison.csv",
        [] { return head_in_folder(experiments::small_comparison(), "comparison.csv"); }},
+      {"parts.csv", [] { return head_in_folder(experiments::small_comparison(), "parts.csv"); }},
       {"differences.csv of situations",
        [] { return head_with_own_column(experiments::small_situations(), "differences.csv"); }},
       {"summary.csv of an experiment on rules",

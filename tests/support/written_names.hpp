@@ -22,6 +22,10 @@ inline void PrintTo(const Artefact& artefact, std::ostream* out) { *out << artef
 // The columns of results.csv that count calls, one for each call of docs/reference/rules.md.
 WrittenNames calls_columns();
 
+// The names without repetitions, where the columns of all groups of possession chains have the same
+// name: "chains_kick_off_a" becomes "chains_GROUP_a".
+WrittenNames with_chain_groups(const WrittenNames& names);
+
 std::vector<Artefact> written_csv();
 std::vector<Artefact> written_plots();
 std::vector<Artefact> written_json();

@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "experiments/analysis/difference_parts.hpp"
 #include "experiments/analysis/saturation.hpp"
 #include "experiments/analysis/standings.hpp"
+#include "experiments/kinds/compare/parts_report.hpp"
 #include "experiments/statistics/sample.hpp"
 #include "io/table_columns.hpp"
 
@@ -96,15 +97,6 @@ int games_of(const ComparedTeams& compared) {
 std::optional<Interval> interval_of(const Comparison& comparison,
                                     const ComparedOpponent& opponent) {
   return anytime_interval(values_of(opponent.differences), least_deviation(comparison.test));
-}
-
-// "+0.42 [+0.11, +0.73]". A bound that would read as zero has a third decimal.
-std::string mean_with_interval(double mean, const std::optional<Interval>& interval) {
-  if (!interval) return fmt::format("{:+.2f}", mean);
-  const auto bound = [](double value) {
-    return std::abs(value) < 0.005 ? fmt::format("{:+.3f}", value) : fmt::format("{:+.2f}", value);
-  };
-  return fmt::format("{:+.2f} [{}, {}]", mean, bound(interval->low), bound(interval->high));
 }
 
 // "1.20 : 0.50": mean goals of a group's team a and of its opponents.
@@ -243,7 +235,8 @@ io::TableColumns<ComparedRow> comparison_columns() {
 }
 
 io::Json comparison_json(const std::vector<ComparedRow>& rows, const Comparison& comparison,
-                         const ComparedTeams& compared) {
+                         const ComparedTeams& compared,
+                         const std::optional<DifferenceParts>& parts) {
   const auto [low, high] = bounds_of(compared.test.interval);
   io::Json opponents = io::Json::array();
   for (const ComparedRow& row : rows) {
@@ -261,7 +254,30 @@ io::Json comparison_json(const std::vector<ComparedRow>& rows, const Comparison&
           {"diff_low95", io::json_number(low)},
           {"diff_high95", io::json_number(high)},
           {"p", compared.test.p},
-          {"opponents", std::move(opponents)}};
+          {"opponents", std::move(opponents)},
+          {"parts", parts ? parts_json(*parts) : io::Json::array()}};
+}
+
+std::vector<PartOpponent> part_opponents_of(const ComparedTeams& compared) {
+  std::vector<PartOpponent> opponents;
+  for (const ComparedOpponent& opponent : compared.opponents) {
+    if (opponent.of_old)
+      opponents.push_back(
+          {matchup_name({kNewTeam, opponent.name}), matchup_name({kOldTeam, opponent.name})});
+    else
+      opponents.push_back({matchup_name({kNewTeam, kOldTeam}), std::nullopt});
+  }
+  return opponents;
+}
+
+// Where the difference comes from; nullopt before the first complete pair.
+std::optional<DifferenceParts> parts_of(const ComparedTeams& compared, const RowsById& rows) {
+  if (compared.pairs.empty()) return std::nullopt;
+  DifferenceParts parts = difference_parts(part_opponents_of(compared), compared.pairs, rows);
+  // The interval of the answer, which assumes some spread even if few goals were scored.
+  parts.goals.interval = compared.test.interval;
+  parts.goals.p = parts.goals.p_holm = compared.test.p;
+  return parts;
 }
 
 }  // namespace
@@ -296,8 +312,7 @@ ComparedTeams compared_teams(const Comparison& comparison, const RowsById& rows)
 
 std::string answer(const Comparison& comparison, const ComparedTeams& compared) {
   const ComparisonState& test = compared.test;
-  std::string difference = mean_with_interval(test.mean, test.interval);
-  difference.insert(std::min(difference.find(' '), difference.size()), " goals per game");
+  const std::string difference = goals_with_interval(test.mean, test.interval);
   const int games = games_of(compared);
   switch (test.verdict) {
     case ThreeWayVerdict::kBetter:
@@ -331,13 +346,21 @@ ExperimentResults comparison_results(const Comparison& comparison, const RowsByI
   ExperimentResults results;
   results.files = {{"comparison.csv", "a row per opponent, and one of all",
                     io::csv_text(io::table_rows(comparison_columns(), rows))}};
-  results.table = {sentence + "\n\n", io::TextTable{table, kComparisonColumns, 1},
+  const std::optional<DifferenceParts> parts = parts_of(compared, all_rows);
+  const std::string reason = parts ? most_certain_text(*parts) + "\n" : "";
+  results.table = {sentence + "\n" + reason + "\n", io::TextTable{table, kComparisonColumns, 1},
                    "\n" + explanation(compared) + notes_on_opponents(comparison, compared)};
+  if (parts) {
+    results.table.emplace_back("\n");
+    for (auto& block : parts_table(*parts, compared.opponents.size() > 1))
+      results.table.push_back(std::move(block));
+    results.files.push_back({"parts.csv", "the parts of the difference", parts_csv(*parts)});
+  }
   results.comparison = ComparisonAnswer{compared.test.verdict, sentence};
   results.shown = {{std::move(table), kComparisonColumns, "opponents", {}}};
   results.shown.front().text = sentence + "\n";
   results.json = std::make_shared<io::Json>(
-      io::Json{{"comparison", comparison_json(rows, comparison, compared)}});
+      io::Json{{"comparison", comparison_json(rows, comparison, compared, parts)}});
   results.groups = grouped(matchups_of(comparison), all_rows);
   results.files.push_back({"summary.csv",
                            "a row per matchup, with intervals for a fixed number of games",

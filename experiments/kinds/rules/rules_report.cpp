@@ -19,8 +19,7 @@
 namespace autoref::experiments {
 namespace {
 
-constexpr double kSignificant = 0.05;  // largest corrected p of a marked difference
-constexpr double kRareCalls = 0.05;    // per game; the table leaves out kinds with fewer calls
+constexpr double kRareCalls = 0.05;  // per game; the table leaves out kinds with fewer calls
 constexpr std::size_t kVariantsInTable = 2;  // besides the first; more would not fit side by side
 constexpr const char* kCallsOf = "calls_";
 

@@ -38,13 +38,16 @@ GameRow full_row() {
   for (std::size_t i = 0; i < record.events.size(); ++i) record.events[i] = static_cast<int>(i + 1);
   for (const int team : {0, 1}) {
     int next = 20 * team;
-    for (const game::CountField& field : game::count_fields()) {
+    for (const auto& field : game::count_fields()) {
       if (field.count != nullptr) record.counts[team].*field.count = ++next;
-      if (field.seconds != nullptr) record.counts[team].*field.seconds = ++next + 0.25;
+      if (field.number != nullptr) record.counts[team].*field.number = ++next + 0.25;
     }
-    for (const game::ChainCountField& field : game::chain_count_fields()) {
-      for (const game::ChainGroup& group : game::chain_groups())
-        group.of(record.counts[team]).*field.count = ++next;
+    for (const auto& field : game::chain_count_fields()) {
+      for (const game::ChainGroup& group : game::chain_groups()) {
+        game::ChainCounts& counts = group.of(record.counts[team]);
+        if (field.count != nullptr) counts.*field.count = ++next;
+        if (field.number != nullptr) counts.*field.number = ++next + 0.75;
+      }
     }
   }
   int next_count = 60;

@@ -138,8 +138,35 @@ TEST(ComparisonByInterval, EstimatesHowManyPairsWouldDecide) {
   const int pairs = pairs_to_decide(test, state).value();
   EXPECT_GT(pairs, 30);
   for (int i = 0; i < 100; ++i) values.insert(values.end(), {2.5, -1.5});
-  EXPECT_NEAR(decided_by({.least = 1, .max_pairs = 230}, values).pairs, pairs, 15);
+  EXPECT_NEAR(decided_by(ComparisonTest{.least = 1, .max_pairs = 230}, values).pairs, pairs, 15);
   EXPECT_FALSE(pairs_to_decide(test, decided_by(test, {values.data(), 5})));
+}
+
+TEST(AnytimeP, IsBelowFivePercentExactlyIfTheIntervalExcludesZero) {
+  RandomStream random(5);
+  int excluded = 0;
+  for (int i = 0; i < 200; ++i) {
+    std::vector<double> values;
+    for (int n = 0; n < 40; ++n) values.push_back(0.5 + random.normal());
+    const Interval interval = anytime_interval(values).value();
+    const bool excludes = interval.low > 0 || interval.high < 0;
+    excluded += excludes ? 1 : 0;
+    EXPECT_EQ(anytime_p(values) < 0.05, excludes);
+  }
+  EXPECT_GT(excluded, 20);
+  EXPECT_LT(excluded, 180);
+}
+
+TEST(AnytimeP, IsThatOfAComparison) {
+  const std::vector<double> values = {1, 0, 2, -1, 0, 1, 1, 0, 0, 2, -1};
+  const ComparisonTest test{.least = 0.01, .max_pairs = 100};
+  EXPECT_DOUBLE_EQ(anytime_p(values, least_deviation(test)), decided_by(test, values).p);
+}
+
+TEST(AnytimeP, IsOneWithoutSpread) {
+  EXPECT_EQ(anytime_p(std::vector<double>{}), 1);
+  EXPECT_EQ(anytime_p(std::vector<double>{2}), 1);
+  EXPECT_EQ(anytime_p(std::vector<double>{2, 2, 2}), 1);
 }
 
 }  // namespace

@@ -26,39 +26,39 @@ std::vector<double> in_place_of(std::vector<double> differences, double d0_plus_
 }
 
 TEST(SequentialTest, ContinuesBetweenWaldsBounds) {
-  const SequentialState state = decided_by({}, kNotQuiteEnough);
+  const SequentialState state = decided_by(SequentialTest{}, kNotQuiteEnough);
   EXPECT_EQ(state.verdict, Verdict::kGoOn);
   EXPECT_NEAR(state.log_likelihood_ratio, kNotQuiteEnoughRatio, 1e-12);
 }
 
 TEST(SequentialTest, AcceptsD1AboveTheUpperBound) {
-  const SequentialState state = decided_by({}, kMuch);
+  const SequentialState state = decided_by(SequentialTest{}, kMuch);
   EXPECT_EQ(state.verdict, Verdict::kAcceptD1);
   EXPECT_NEAR(state.log_likelihood_ratio, kMuchRatio, 1e-12);
 }
 
 TEST(SequentialTest, AcceptsD0BelowTheLowerBound) {
-  const SequentialState state = decided_by({}, in_place_of(kMuch, 1));
+  const SequentialState state = decided_by(SequentialTest{}, in_place_of(kMuch, 1));
   EXPECT_EQ(state.verdict, Verdict::kAcceptD0);
   EXPECT_NEAR(state.log_likelihood_ratio, -kMuchRatio, 1e-12);
 }
 
 TEST(SequentialTest, DerivesBoundsFromTheErrorRates) {
   // The bounds log((1 - 0.05) / 0.1) = 2.25 and log((1 - 0.5) / 0.05) = 2.30 are below the ratio.
-  EXPECT_EQ(decided_by({.alpha = 0.1}, kNotQuiteEnough).verdict, Verdict::kAcceptD1);
-  EXPECT_EQ(decided_by({.beta = 0.5}, kNotQuiteEnough).verdict, Verdict::kAcceptD1);
-  EXPECT_EQ(decided_by({.alpha = 0.001}, kMuch).verdict, Verdict::kGoOn);
+  EXPECT_EQ(decided_by(SequentialTest{.alpha = 0.1}, kNotQuiteEnough).verdict, Verdict::kAcceptD1);
+  EXPECT_EQ(decided_by(SequentialTest{.beta = 0.5}, kNotQuiteEnough).verdict, Verdict::kAcceptD1);
+  EXPECT_EQ(decided_by(SequentialTest{.alpha = 0.001}, kMuch).verdict, Verdict::kGoOn);
 }
 
 TEST(SequentialTest, DecidesNothingBeforeItsMinimumOfPairs) {
-  EXPECT_EQ(decided_by({}, repeated(1, 9)).verdict, Verdict::kGoOn);
-  EXPECT_EQ(decided_by({}, repeated(1, 10)).verdict, Verdict::kAcceptD1);
+  EXPECT_EQ(decided_by(SequentialTest{}, repeated(1, 9)).verdict, Verdict::kGoOn);
+  EXPECT_EQ(decided_by(SequentialTest{}, repeated(1, 10)).verdict, Verdict::kAcceptD1);
 }
 
 TEST(SequentialTest, KeepsItsVerdictWhateverComesAfter) {
   std::vector<double> differences = kMuch;
   for (int i = 0; i < 30; ++i) differences.push_back(-3);
-  const SequentialState state = decided_by({}, differences);
+  const SequentialState state = decided_by(SequentialTest{}, differences);
   EXPECT_EQ(state.verdict, Verdict::kAcceptD1);
   EXPECT_EQ(state.pairs, 10);
 }
@@ -72,13 +72,13 @@ TEST(SequentialTest, EndsUndecidedAtItsMaximumOfPairs) {
 }
 
 TEST(SequentialTest, DecidesAtItsMaximumOfPairsIfItCan) {
-  EXPECT_EQ(decided_by({.max_pairs = 10}, kMuch).verdict, Verdict::kAcceptD1);
+  EXPECT_EQ(decided_by(SequentialTest{.max_pairs = 10}, kMuch).verdict, Verdict::kAcceptD1);
 }
 
 TEST(SequentialTest, DecidesIfAllPairsAreTheSame) {
-  EXPECT_EQ(decided_by({}, repeated(0, 10)).verdict, Verdict::kAcceptD0);
-  EXPECT_EQ(decided_by({}, repeated(1, 10)).verdict, Verdict::kAcceptD1);
-  EXPECT_EQ(decided_by({}, repeated(0.5, 10)).log_likelihood_ratio, 0.0);
+  EXPECT_EQ(decided_by(SequentialTest{}, repeated(0, 10)).verdict, Verdict::kAcceptD0);
+  EXPECT_EQ(decided_by(SequentialTest{}, repeated(1, 10)).verdict, Verdict::kAcceptD1);
+  EXPECT_EQ(decided_by(SequentialTest{}, repeated(0.5, 10)).log_likelihood_ratio, 0.0);
 }
 
 TEST(SequentialTest, DoesNotTakeTheFirstGoallessPairsForCertainty) {
@@ -97,13 +97,14 @@ TEST(SequentialTest, KnowsTheLeastVarianceFromTheLargerHypothesis) {
 }
 
 TEST(SequentialTest, ContinuesBeforeTheFirstPair) {
-  const SequentialState state = decided_by({}, {});
+  const SequentialState state = decided_by(SequentialTest{}, {});
   EXPECT_EQ(state.verdict, Verdict::kGoOn);
   EXPECT_EQ(state.pairs, 0);
 }
 
 TEST(SequentialTest, CanTestForANegativeDifference) {
-  EXPECT_EQ(decided_by({.d0 = 0, .d1 = -1}, in_place_of(kMuch, 0)).verdict, Verdict::kAcceptD1);
+  EXPECT_EQ(decided_by(SequentialTest{.d0 = 0, .d1 = -1}, in_place_of(kMuch, 0)).verdict,
+            Verdict::kAcceptD1);
 }
 
 }  // namespace

@@ -41,6 +41,8 @@ class PlaySequence {
     statistics.update({now, touches_, decisions_, is_on, is_in_play});
     const auto ended = statistics.ended_chains();
     chains.insert(chains.end(), ended.begin(), ended.end());
+    const auto ended_shots = statistics.ended_shots();
+    shots.insert(shots.end(), ended_shots.begin(), ended_shots.end());
     touches_.clear();
     decisions_.clear();
   }
@@ -69,6 +71,7 @@ class PlaySequence {
     referee::Decision goal;
     goal.finding.event = referee::Event::kGoal;
     goal.command = Command{CommandKind::kGoal, side};
+    goal.finding.restart = {CommandKind::kPrepareKickoff, opponent_of(side)};
     decide(goal);
     stop();
   }
@@ -78,7 +81,8 @@ class PlaySequence {
 
   sim::WorldState now;
   std::vector<PossessionChain> chains;  // all that have ended
-  PlayStatistics statistics{Field{}, sim::BallParameters{}, 60.0};
+  std::vector<Shot> shots;              // of these chains
+  PlayStatistics statistics{Field{}, sim::BallParameters{}, 60.0, chance_model("paper")};
   bool is_on = false;
   bool is_in_play = false;
   int substep = 0;  // the sub-step of touches added from now on

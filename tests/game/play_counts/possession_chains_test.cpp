@@ -206,7 +206,7 @@ TEST(PossessionChain, EndsWithAGoalAfterAParry) {
   EXPECT_EQ(play.chains[0].end, ChainEnd::kGoal);
   EXPECT_EQ(play.chains[0].passes, 1);
   EXPECT_EQ(play.chains[0].shots, 1);
-  const ChainCounts once{.chains = 1, .shots = 1, .goals = 1};
+  const ChainCounts once{.chains = 1, .shots = 1, .goals = 1, .xg = play.shots[0].chance};
   EXPECT_EQ(play.west().by_start[static_cast<std::size_t>(ChainStart::kLooseBall)], once);
   EXPECT_EQ(play.west().with_pass, once);
   EXPECT_EQ(play.east().by_start, PlayCounts{}.by_start);
@@ -256,6 +256,75 @@ TEST(PossessionChain, IsTheScorersIfTheyTouchedTheBallLast) {
   EXPECT_EQ(play.chains[1].team, Side::kEast);
   EXPECT_EQ(play.chains[1].shots, 1);
   EXPECT_EQ(play.chains[1].end, ChainEnd::kGoal);
+}
+
+// The call of a referee beside a person stops play, and its command names no team.
+TEST(PossessionChain, EndsWithTheGoalOfTheTeamThatDoesNotKickOff) {
+  ChainPlay play;
+  play.gain(kEast1, {-2, 0});
+  referee::Decision goal = call(Event::kGoal);
+  goal.finding.restart = {CommandKind::kPrepareKickoff, Side::kWest};
+  play.stop_by(goal);
+  ASSERT_EQ(play.chains.size(), 1U);
+  EXPECT_EQ(play.chains[0].end, ChainEnd::kGoal);
+  EXPECT_EQ(play.east().own_goals, 0);
+  EXPECT_EQ(play.east().shots_on_goal, 1);
+}
+
+TEST(PossessionChain, IsNotChangedByTouchesInTheGoal) {
+  ChainPlay play;
+  play.kick(kWest1, {1, 0}, {6, 0});
+  play.frames(30);
+  play.gain(kEast1, {3.1, 0});
+  play.gain(kWest2, {3.1, 0});
+  play.goal_of(Side::kWest);
+  ASSERT_EQ(play.chains.size(), 1U);
+  EXPECT_EQ(play.chains[0].end, ChainEnd::kGoal);
+  EXPECT_EQ(play.chains[0].shots, 1);
+}
+
+TEST(Shot, HasScoredIfAGoalFollowsWithoutAnotherTouchByTheTeam) {
+  ChainPlay play;
+  play.kick(kWest1, {1, 0}, {6, 0});
+  play.frames(20);
+  play.hull(kEast1, {2.9, 0});
+  play.frames(20);
+  play.kick(kWest2, {2, 0}, {6, 0.5});
+  play.frames(10);
+  play.hull(kEast1, {2.95, 0.1});
+  play.frame();
+  play.goal_of(Side::kWest);
+  ASSERT_EQ(play.shots.size(), 2U);
+  EXPECT_FALSE(play.shots[0].has_scored);
+  EXPECT_TRUE(play.shots[1].has_scored);
+  for (const Shot& shot : play.shots) {
+    ASSERT_TRUE(shot.situation);
+    EXPECT_EQ(shot.chance, chance_model("paper").chance(*shot.situation));
+    EXPECT_EQ(shot.chance_on_target, chance_model("paper").chance_on_target(*shot.situation));
+  }
+  EXPECT_EQ(play.shots[1].from_m, Vec2(2, 0));
+  EXPECT_DOUBLE_EQ(play.west().xg, play.shots[0].chance + play.shots[1].chance);
+  EXPECT_DOUBLE_EQ(play.chains[0].xg, play.west().xg);
+}
+
+TEST(Shot, HasNotScoredIfTheKeeperHoldsIt) {
+  ChainPlay play;
+  play.kick(kWest1, {1, 0}, {6, 0});
+  play.frames(20);
+  play.gain(kEast1, {2.9, 0});
+  ASSERT_EQ(play.shots.size(), 1U);
+  EXPECT_FALSE(play.shots[0].has_scored);
+}
+
+TEST(Shot, IsCertainIfTheBallIsPushedIntoTheGoal) {
+  ChainPlay play;
+  play.gain(kWest1, {2.9, 0});
+  play.goal_of(Side::kWest);
+  ASSERT_EQ(play.shots.size(), 1U);
+  EXPECT_FALSE(play.shots[0].situation);
+  EXPECT_TRUE(play.shots[0].has_scored);
+  EXPECT_EQ(play.west().xg, 1);
+  EXPECT_EQ(play.west().xgot, 1);
 }
 
 }  // namespace
