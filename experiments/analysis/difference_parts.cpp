@@ -36,6 +36,8 @@ struct PartDefinition {
   bool is_defence = false;  // whether the team contributes it at its own goal
 };
 
+// Summed over the ways to gain the ball, whose numbers are rounded in rows, so that the parts add
+// up.
 double chances_in(const TeamGame& game) {
   double xg = 0;
   for (const game::ChainCounts& chains : game.own->by_start) xg += chains.xg;
@@ -121,7 +123,6 @@ DifferencePart part_of(const PartDefinition& definition, const std::vector<PartO
                        const std::vector<int>& pairs, const RowsById& rows) {
   DifferencePart part;
   part.name = definition.name;
-  part.pairs = pairs.size();
   const double share = 1.0 / static_cast<double>(opponents.size());
   const double share_of_pair = share / static_cast<double>(pairs.size());
   std::vector<double> differences;

@@ -13,7 +13,6 @@
 // completed a pass.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,8 +31,7 @@ struct PartOpponent {
 
 // How much better the new team did in one respect, in goals per game: means over all games.
 struct DifferencePart {
-  std::string name;       // "chances from corner kicks"
-  std::size_t pairs = 0;  // number of pair numbers
+  std::string name;  // "chances from corner kicks"
   // What each team contributed; for goals, how many it scored. With common opponents, the
   // difference also depends on what these contributed.
   double of_new = 0;

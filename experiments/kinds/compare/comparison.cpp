@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "experiments/kinds/compare/compared_teams.hpp"
 #include "experiments/kinds/compare/comparison_report.hpp"
 #include "experiments/reading/named_teams_reader.hpp"
 #include "experiments/reading/settings_text.hpp"

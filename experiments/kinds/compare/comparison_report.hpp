@@ -1,45 +1,13 @@
-// The state of a comparison, computed from its rows, and its results as a sentence, a table, CSV
-// files and JSON.
+// The results of a comparison as a sentence, a table, CSV files and JSON.
 #pragma once
 
-#include <optional>
 #include <string>
-#include <vector>
 
-#include "experiments/analysis/groups.hpp"
+#include "experiments/kinds/compare/compared_teams.hpp"
 #include "experiments/kinds/compare/comparison.hpp"
 #include "experiments/kinds/results.hpp"
 
 namespace autoref::experiments {
-
-// How much better the new team did against one opponent.
-struct ComparedOpponent {
-  std::string name;             // kOldTeam: the new team against the old one
-  Group of_new;                 // the new team's games; it is team a
-  std::optional<Group> of_old;  // the old team's games; nullopt for kOldTeam
-  // The new team's goal difference minus the old team's, by pair number, without pairs that have a
-  // void leg. Against itself, the old team's expected goal difference is 0, so for kOldTeam, these
-  // are the new team's goal differences.
-  DifferenceByPair differences;
-  // Number of the new team's games, of all those played, that equal the old team's game with the
-  // same seed in every frame.
-  int equal_games = 0;
-};
-
-struct ComparedTeams {
-  std::vector<ComparedOpponent> opponents;  // kOldTeam first
-  // The test of the mean difference over all opponents. kUndecided after max_pairs.
-  ComparisonState test;
-  std::vector<int> pairs;   // the pair numbers that the test considered, ascending
-  int last_pair = 0;        // number of the last pair considered
-  int void_pairs = 0;       // number of pair numbers up to last_pair with a void leg
-  bool is_decided = false;  // whether no further pairs are needed
-};
-
-// Considers pair numbers in ascending order until one lacks a row or decides the comparison. The
-// verdict therefore depends neither on the number of workers nor on games played after the deciding
-// pair. Pair numbers with a void leg are left out of the test.
-ComparedTeams compared_teams(const Comparison& comparison, const RowsById& rows);
 
 // The answer in one sentence: "new is better than old: +0.42 goals per game [+0.11, +0.73], decided
 // after 86 games; p = 0.0041".

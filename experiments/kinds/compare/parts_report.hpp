@@ -12,8 +12,8 @@
 
 namespace autoref::experiments {
 
-// "+0.42 [+0.11, +0.73]". Numbers that would read as zero have a third decimal. Only the mean if
-// there is no interval yet.
+// "+0.42 [+0.11, +0.73]". Numbers that would read as zero have a third decimal. Only the mean
+// without an interval.
 std::string mean_with_interval(double mean, const std::optional<Interval>& interval);
 
 // The same with its unit: "+0.42 goals per game [+0.11, +0.73]".

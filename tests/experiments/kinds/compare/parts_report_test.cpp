@@ -14,7 +14,6 @@ namespace {
 DifferencePart part(const std::string& name, double mean, double half_width, double p_holm = 1) {
   DifferencePart part;
   part.name = name;
-  part.pairs = 30;
   part.of_new = 0.5 + mean;
   part.of_old = 0.5;
   part.each_other = mean;
