@@ -16,8 +16,10 @@
 #include <vector>
 
 #include "experiments/analysis/difference_parts.hpp"
+#include "experiments/analysis/play_differences.hpp"
 #include "experiments/kinds/compare/comparison.hpp"
 #include "experiments/kinds/compare/parts_report.hpp"
+#include "experiments/kinds/compare/play_report.hpp"
 #include "experiments/results/row_format.hpp"
 #include "game/loop/game.hpp"
 #include "game/loop/team_controller.hpp"
@@ -106,8 +108,8 @@ game::GameRecord play_with(const game::GameConfiguration& game, const PlantedCau
   return game::play(game, {}, make_team);
 }
 
-experiments::DifferenceParts parts_after(const PlantedCause& cause, int games) {
-  const experiments::Comparison comparison = comparison_of(cause, games);
+experiments::RowsById rows_of_games(const PlantedCause& cause,
+                                    const experiments::Comparison& comparison) {
   const std::vector<experiments::ScheduledGame> scheduled = comparison.games();
   const experiments::RowFormat format({});
   std::vector<std::size_t> jobs;
@@ -128,10 +130,25 @@ experiments::DifferenceParts parts_after(const PlantedCause& cause, int games) {
   pool.workers = io::processors();
   if (io::do_jobs(jobs, pool, {work, done, [] {}}) == io::Ending::kInterrupted)
     throw io::Interrupted();
+  return rows;
+}
+
+// The report's lines and tables of reasons.
+std::string reasons_after(const PlantedCause& cause, int games) {
+  const experiments::Comparison comparison = comparison_of(cause, games);
+  const experiments::RowsById rows = rows_of_games(cause, comparison);
   std::vector<int> pairs;
   for (int pair = 1; pair <= games / 2; ++pair) pairs.push_back(pair);
-  const std::string matchup = experiments::matchup_name(experiments::matchups_of(comparison)[0]);
-  return experiments::difference_parts({{matchup, std::nullopt}}, pairs, rows);
+  const std::vector<experiments::PairedOpponent> opponents = {
+      {experiments::matchup_name(experiments::matchups_of(comparison)[0]), std::nullopt}};
+  const auto parts = experiments::difference_parts(opponents, pairs, rows);
+  const auto play = experiments::play_differences(opponents, pairs, rows);
+  std::string text = fmt::format("{}\n\n{}\n\n{}", experiments::most_certain_text(parts),
+                                 experiments::most_certain_text(play),
+                                 io::text_of(experiments::parts_table(parts, false)));
+  if (const io::TextBlocks table = experiments::play_table(play); !table.empty())
+    text += "\n" + io::text_of(table);
+  return text;
 }
 
 int main_of(int games) {
@@ -140,9 +157,7 @@ int main_of(int games) {
       "it (old), rules 2026-b.\n\n",
       games);
   for (const PlantedCause& cause : kCauses) {
-    const experiments::DifferenceParts parts = parts_after(cause, games);
-    fmt::print("## {}\n\n{}\n\n{}\n", cause.name, experiments::most_certain_text(parts),
-               io::text_of(experiments::parts_table(parts, false)));
+    fmt::print("## {}\n\n{}\n", cause.name, reasons_after(cause, games));
     std::fflush(stdout);
   }
   return 0;

@@ -2,11 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <functional>
-#include <stdexcept>
-#include <string_view>
-
-#include "experiments/schedule/schedule.hpp"
 #include "experiments/statistics/anytime_interval.hpp"
 #include "experiments/statistics/paired_difference.hpp"
 #include "game/play_counts/play_counts.hpp"
@@ -14,25 +9,10 @@
 namespace autoref::experiments {
 namespace {
 
-// A game as one of its teams sees it.
-struct TeamGame {
-  int goals = 0;
-  int goals_against = 0;
-  const game::PlayCounts* own = nullptr;
-  const game::PlayCounts* opponents = nullptr;
-
-  static TeamGame of_a(const game::GameRecord& record) {
-    return {record.goals_a, record.goals_b, record.counts.data(), &record.counts[1]};
-  }
-  static TeamGame of_b(const game::GameRecord& record) {
-    return {record.goals_b, record.goals_a, &record.counts[1], record.counts.data()};
-  }
-};
-
 // What a team contributes to its goal difference in a game.
 struct PartDefinition {
   std::string name;
-  std::function<double(const TeamGame&)> goals;
+  TeamNumber goals;
   bool is_defence = false;  // whether the team contributes it at its own goal
 };
 
@@ -42,34 +22,6 @@ double chances_in(const TeamGame& game) {
   double xg = 0;
   for (const game::ChainCounts& chains : game.own->by_start) xg += chains.xg;
   return xg;
-}
-
-// What chances come from, in the plural.
-std::string_view plural_of(game::ChainStart start) {
-  using enum game::ChainStart;
-  switch (start) {
-    case kKickOff:
-      return "kick-offs";
-    case kPenalty:
-      return "penalties";
-    case kFreeKick:
-      return "free kicks";
-    case kCornerKick:
-      return "corner kicks";
-    case kGoalKick:
-      return "goal kicks";
-    case kThrowIn:
-      return "throw-ins";
-    case kKeeper:
-      return "its own defence area";
-    case kInterception:
-      return "interceptions";
-    case kDuel:
-      return "duels";
-    case kLooseBall:
-      return "loose balls";
-  }
-  throw std::logic_error("unknown start of a chain");
 }
 
 std::vector<PartDefinition> definitions_by_start() {
@@ -101,26 +53,9 @@ std::vector<PartDefinition> other_definitions() {
        kIsDefence}};
 }
 
-// The contributions of both teams, on average over the legs of a pair.
-struct Contributions {
-  double own = 0;
-  double opponents = 0;
-};
-
-Contributions contributions_in(const PartDefinition& part, const std::string& matchup, int pair,
-                               const RowsById& rows) {
-  constexpr int kLegs = 2;
-  Contributions mean;
-  for (int leg = 1; leg <= kLegs; ++leg) {
-    const game::GameRecord& record = rows.at(game_id(matchup, pair, leg)).record;
-    mean.own += part.goals(TeamGame::of_a(record)) / kLegs;
-    mean.opponents += part.goals(TeamGame::of_b(record)) / kLegs;
-  }
-  return mean;
-}
-
-DifferencePart part_of(const PartDefinition& definition, const std::vector<PartOpponent>& opponents,
-                       const std::vector<int>& pairs, const RowsById& rows) {
+DifferencePart part_of(const PartDefinition& definition,
+                       const std::vector<PairedOpponent>& opponents, const std::vector<int>& pairs,
+                       const RowsById& rows) {
   DifferencePart part;
   part.name = definition.name;
   const double share = 1.0 / static_cast<double>(opponents.size());
@@ -128,19 +63,19 @@ DifferencePart part_of(const PartDefinition& definition, const std::vector<PartO
   std::vector<double> differences;
   for (const int pair : pairs) {
     double difference = 0;
-    for (const PartOpponent& opponent : opponents) {
-      const Contributions of_new = contributions_in(definition, opponent.of_new, pair, rows);
-      part.of_new += share_of_pair * of_new.own;
+    for (const PairedOpponent& opponent : opponents) {
+      const TeamNumbers of_new = mean_over_legs(definition.goals, opponent.of_new, pair, rows);
+      part.of_new += share_of_pair * of_new.of_a;
       if (!opponent.of_old) {
-        part.of_old += share_of_pair * of_new.opponents;
-        part.each_other += share_of_pair * (of_new.own - of_new.opponents);
-        difference += share * (of_new.own - of_new.opponents);
+        part.of_old += share_of_pair * of_new.of_b;
+        part.each_other += share_of_pair * (of_new.of_a - of_new.of_b);
+        difference += share * (of_new.of_a - of_new.of_b);
         continue;
       }
-      const Contributions of_old = contributions_in(definition, *opponent.of_old, pair, rows);
-      part.of_old += share_of_pair * of_old.own;
-      const double own = of_new.own - of_old.own;
-      const double opponents_less = of_old.opponents - of_new.opponents;
+      const TeamNumbers of_old = mean_over_legs(definition.goals, *opponent.of_old, pair, rows);
+      part.of_old += share_of_pair * of_old.of_a;
+      const double own = of_new.of_a - of_old.of_a;
+      const double opponents_less = of_old.of_b - of_new.of_b;
       part.attack += share_of_pair * (definition.is_defence ? opponents_less : own);
       part.defence += share_of_pair * (definition.is_defence ? own : opponents_less);
       difference += share * (own + opponents_less);
@@ -165,7 +100,7 @@ const DifferencePart* DifferenceParts::most_certain() const {
   return best;
 }
 
-DifferenceParts difference_parts(const std::vector<PartOpponent>& opponents,
+DifferenceParts difference_parts(const std::vector<PairedOpponent>& opponents,
                                  const std::vector<int>& pairs, const RowsById& rows) {
   const auto parts_of = [&](const std::vector<PartDefinition>& definitions) {
     std::vector<DifferencePart> parts;

@@ -17,17 +17,10 @@
 #include <string>
 #include <vector>
 
-#include "experiments/results/game_row.hpp"
+#include "experiments/analysis/team_games.hpp"
 #include "experiments/statistics/interval.hpp"
 
 namespace autoref::experiments {
-
-// The games against one opponent, by the names of their matchups. The team in question is team a.
-struct PartOpponent {
-  std::string of_new;
-  // The old team's games with the same seeds; nullopt if the opponent is the old team.
-  std::optional<std::string> of_old;
-};
 
 // How much better the new team did in one respect, in goals per game: means over all games.
 struct DifferencePart {
@@ -60,7 +53,7 @@ struct DifferenceParts {
 
 // Divides the mean difference over all opponents. Every game of these pair numbers must have a row,
 // and none of them may be void.
-DifferenceParts difference_parts(const std::vector<PartOpponent>& opponents,
+DifferenceParts difference_parts(const std::vector<PairedOpponent>& opponents,
                                  const std::vector<int>& pairs, const RowsById& rows);
 
 }  // namespace autoref::experiments

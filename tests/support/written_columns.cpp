@@ -196,6 +196,7 @@ std::vector<Artefact> written_csv() {
       {"comparison.csv",
        [] { return head_in_folder(experiments::small_comparison(), "comparison.csv"); }},
       {"parts.csv", [] { return head_in_folder(experiments::small_comparison(), "parts.csv"); }},
+      {"play.csv", [] { return head_in_folder(experiments::small_comparison(), "play.csv"); }},
       {"differences.csv of situations",
        [] { return head_with_own_column(experiments::small_situations(), "differences.csv"); }},
       {"summary.csv of an experiment on rules",

@@ -7,9 +7,11 @@
 #include <utility>
 
 #include "experiments/analysis/difference_parts.hpp"
+#include "experiments/analysis/play_differences.hpp"
 #include "experiments/analysis/saturation.hpp"
 #include "experiments/analysis/standings.hpp"
 #include "experiments/kinds/compare/parts_report.hpp"
+#include "experiments/kinds/compare/play_report.hpp"
 #include "experiments/statistics/sample.hpp"
 #include "io/table_columns.hpp"
 
@@ -166,9 +168,39 @@ io::TableColumns<ComparedRow> comparison_columns() {
       io::TableColumns<ComparedRow>{{"verdict", &ComparedRow::verdict}, {"p", &ComparedRow::p}});
 }
 
+// Why one team is better.
+struct Reasons {
+  DifferenceParts parts;
+  std::vector<PlayDifference> play;
+};
+
+std::vector<PairedOpponent> paired_opponents_of(const ComparedTeams& compared) {
+  std::vector<PairedOpponent> opponents;
+  for (const ComparedOpponent& opponent : compared.opponents) {
+    if (opponent.of_old)
+      opponents.push_back(
+          {matchup_name({kNewTeam, opponent.name}), matchup_name({kOldTeam, opponent.name})});
+    else
+      opponents.push_back({matchup_name({kNewTeam, kOldTeam}), std::nullopt});
+  }
+  return opponents;
+}
+
+// nullopt before the first complete pair.
+std::optional<Reasons> reasons_of(const ComparedTeams& compared, const RowsById& rows) {
+  if (compared.pairs.empty()) return std::nullopt;
+  const std::vector<PairedOpponent> opponents = paired_opponents_of(compared);
+  Reasons reasons = {difference_parts(opponents, compared.pairs, rows),
+                     play_differences(opponents, compared.pairs, rows)};
+  // The interval of the answer, which assumes some spread even if few goals were scored.
+  DifferencePart& goals = reasons.parts.goals;
+  goals.interval = compared.test.interval;
+  goals.p = goals.p_holm = compared.test.p;
+  return reasons;
+}
+
 io::Json comparison_json(const std::vector<ComparedRow>& rows, const Comparison& comparison,
-                         const ComparedTeams& compared,
-                         const std::optional<DifferenceParts>& parts) {
+                         const ComparedTeams& compared, const std::optional<Reasons>& reasons) {
   const auto [low, high] = bounds_of(compared.test.interval);
   io::Json opponents = io::Json::array();
   for (const ComparedRow& row : rows) {
@@ -187,29 +219,23 @@ io::Json comparison_json(const std::vector<ComparedRow>& rows, const Comparison&
           {"diff_high95", io::json_number(high)},
           {"p", compared.test.p},
           {"opponents", std::move(opponents)},
-          {"parts", parts ? parts_json(*parts) : io::Json::array()}};
+          {"parts", reasons ? parts_json(reasons->parts) : io::Json::array()},
+          {"play", reasons ? play_json(reasons->play) : io::Json::array()}};
 }
 
-std::vector<PartOpponent> part_opponents_of(const ComparedTeams& compared) {
-  std::vector<PartOpponent> opponents;
-  for (const ComparedOpponent& opponent : compared.opponents) {
-    if (opponent.of_old)
-      opponents.push_back(
-          {matchup_name({kNewTeam, opponent.name}), matchup_name({kOldTeam, opponent.name})});
-    else
-      opponents.push_back({matchup_name({kNewTeam, kOldTeam}), std::nullopt});
+// The lines below the answer.
+std::string reason_texts(const Reasons& reasons) {
+  return most_certain_text(reasons.parts) + "\n" + most_certain_text(reasons.play) + "\n";
+}
+
+void add_reasons(const Reasons& reasons, bool has_opponents, ExperimentResults& results) {
+  for (const io::TextBlocks& blocks :
+       {parts_table(reasons.parts, has_opponents), play_table(reasons.play)}) {
+    if (!blocks.empty()) results.table.emplace_back("\n");
+    results.table.insert(results.table.end(), blocks.begin(), blocks.end());
   }
-  return opponents;
-}
-
-// Where the difference comes from; nullopt before the first complete pair.
-std::optional<DifferenceParts> parts_of(const ComparedTeams& compared, const RowsById& rows) {
-  if (compared.pairs.empty()) return std::nullopt;
-  DifferenceParts parts = difference_parts(part_opponents_of(compared), compared.pairs, rows);
-  // The interval of the answer, which assumes some spread even if few goals were scored.
-  parts.goals.interval = compared.test.interval;
-  parts.goals.p = parts.goals.p_holm = compared.test.p;
-  return parts;
+  results.files.push_back({"parts.csv", "the parts of the difference", parts_csv(reasons.parts)});
+  results.files.push_back({"play.csv", "what new does differently", play_csv(reasons.play)});
 }
 
 }  // namespace
@@ -250,21 +276,16 @@ ExperimentResults comparison_results(const Comparison& comparison, const RowsByI
   ExperimentResults results;
   results.files = {{"comparison.csv", "a row per opponent, and one of all",
                     io::csv_text(io::table_rows(comparison_columns(), rows))}};
-  const std::optional<DifferenceParts> parts = parts_of(compared, all_rows);
-  const std::string reason = parts ? most_certain_text(*parts) + "\n" : "";
-  results.table = {sentence + "\n" + reason + "\n", io::TextTable{table, kComparisonColumns, 1},
+  const std::optional<Reasons> reasons = reasons_of(compared, all_rows);
+  results.table = {sentence + "\n" + (reasons ? reason_texts(*reasons) : "") + "\n",
+                   io::TextTable{table, kComparisonColumns, 1},
                    "\n" + explanation(compared) + notes_on_opponents(comparison, compared)};
-  if (parts) {
-    results.table.emplace_back("\n");
-    for (auto& block : parts_table(*parts, compared.opponents.size() > 1))
-      results.table.push_back(std::move(block));
-    results.files.push_back({"parts.csv", "the parts of the difference", parts_csv(*parts)});
-  }
+  if (reasons) add_reasons(*reasons, compared.opponents.size() > 1, results);
   results.comparison = ComparisonAnswer{compared.test.verdict, sentence};
   results.shown = {{std::move(table), kComparisonColumns, "opponents", {}}};
   results.shown.front().text = sentence + "\n";
   results.json = std::make_shared<io::Json>(
-      io::Json{{"comparison", comparison_json(rows, comparison, compared, parts)}});
+      io::Json{{"comparison", comparison_json(rows, comparison, compared, reasons)}});
   results.groups = grouped(matchups_of(comparison), all_rows);
   results.files.push_back({"summary.csv",
                            "a row per matchup, with intervals for a fixed number of games",

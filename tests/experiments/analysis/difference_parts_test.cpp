@@ -37,11 +37,11 @@ game::PlayCounts random_counts(RandomStream& random) {
 // Rows of games between teams that are equal except for what `change` does to the new team.
 class Games {
  public:
-  Games(std::vector<PartOpponent> opponents, int pairs, std::uint64_t seed, Change change = {})
+  Games(std::vector<PairedOpponent> opponents, int pairs, std::uint64_t seed, Change change = {})
       : opponents_(std::move(opponents)), random_(seed), change_(std::move(change)) {
     for (int pair = 1; pair <= pairs; ++pair) {
       pairs_.push_back(pair);
-      for (const PartOpponent& opponent : opponents_) {
+      for (const PairedOpponent& opponent : opponents_) {
         add(opponent.of_new, pair, true);
         if (opponent.of_old) add(*opponent.of_old, pair, false);
       }
@@ -53,7 +53,7 @@ class Games {
   // The difference in goals computed directly.
   double goal_difference() const {
     double sum = 0;
-    for (const PartOpponent& opponent : opponents_) {
+    for (const PairedOpponent& opponent : opponents_) {
       sum += difference_of(opponent.of_new);
       if (opponent.of_old) sum -= difference_of(*opponent.of_old);
     }
@@ -82,15 +82,15 @@ class Games {
     return sum / 2 / static_cast<double>(pairs_.size());
   }
 
-  std::vector<PartOpponent> opponents_;
+  std::vector<PairedOpponent> opponents_;
   std::vector<int> pairs_;
   RandomStream random_;
   Change change_;
   RowsById rows_;
 };
 
-const std::vector<PartOpponent> kEachOther = {{"new~old", std::nullopt}};
-const std::vector<PartOpponent> kThree = {
+const std::vector<PairedOpponent> kEachOther = {{"new~old", std::nullopt}};
+const std::vector<PairedOpponent> kThree = {
     {"new~old", std::nullopt}, {"new~x", "old~x"}, {"new~y", "old~y"}};
 
 double sum_of(const std::vector<DifferencePart>& parts, double DifferencePart::*member) {
@@ -115,7 +115,7 @@ TEST(DifferenceParts, AddUpInTwoHundredExperiments) {
   }
 }
 
-std::string most_certain_after(const std::vector<PartOpponent>& opponents, const Change& change) {
+std::string most_certain_after(const std::vector<PairedOpponent>& opponents, const Change& change) {
   const DifferenceParts parts = Games(opponents, 50, 7, change).parts();
   const DifferencePart* part = parts.most_certain();
   return part == nullptr ? "none" : part->name;
