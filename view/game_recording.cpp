@@ -199,12 +199,22 @@ GameRecording GameRecording::take_recording() {
 }
 
 void GameRecording::add(RecordedDecision decision) {
-  if (!is_shown(decision.event)) return;
-  if (decisions_.size() >= kMostDecisions) {
+  if (is_shown(decision.event)) add_to_list(decisions_, kMostDecisions, std::move(decision));
+}
+
+void GameRecording::add(RecordedChain chain) {
+  add_to_list(chains_, kMostChains, std::move(chain));
+}
+
+void GameRecording::add(const RecordedShot& shot) { add_to_list(shots_, kMostShots, shot); }
+
+template <typename T>
+void GameRecording::add_to_list(std::vector<T>& list, std::size_t most, T value) {
+  if (list.size() < most) {
+    list.push_back(std::move(value));
+  } else {
     is_full_ = true;
-    return;
   }
-  decisions_.push_back(std::move(decision));
 }
 
 std::vector<RobotId> GameRecording::robots() const {

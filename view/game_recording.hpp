@@ -1,5 +1,5 @@
-// A recording of a game: every frame, the referee's signals and its decisions, packed for a page
-// (page.hpp).
+// A recording of a game: every frame, the referee's signals and its decisions, and the possession
+// chains and shots of a simulated game, packed for a page (page.hpp).
 #pragma once
 
 #include <array>
@@ -59,14 +59,37 @@ struct ClockMark {
   int left_s = 0;
 };
 
+// A possession chain of a simulated game.
+struct RecordedChain {
+  double start_s = 0;
+  double end_s = 0;
+  Side team = Side::kWest;
+  std::string start;  // how it began and how it ended: names in ChainKinds
+  std::string end;
+  int passes = 0;
+  int shots = 0;
+  double xg = 0;  // expected goals of these shots
+};
+
+// A shot of a simulated game.
+struct RecordedShot {
+  double time_s = 0;
+  Side team = Side::kWest;
+  Vec2 from_m{0, 0};  // the ball's position at that time, as published
+  double xg = 0;      // probability that it scores
+  bool has_scored = false;
+};
+
 // Takes positions as published (soccer/referee_signal.hpp).
 class GameRecording {
  public:
-  // Frames, signals and decisions beyond these limits are left out. No game in the league reaches
-  // these limits: kMostFrames frames last 4.6 hours at 60 frames per second.
+  // Frames, signals, decisions, chains and shots beyond these limits are left out. No game in the
+  // league reaches these limits: kMostFrames frames last 4.6 hours at 60 frames per second.
   static constexpr std::size_t kMostFrames = 1'000'000;
   static constexpr std::size_t kMostSignals = 100'000;
   static constexpr std::size_t kMostDecisions = 100'000;
+  static constexpr std::size_t kMostChains = 100'000;
+  static constexpr std::size_t kMostShots = 100'000;
 
   // Times must increase.
   void add(const Frame& frame);
@@ -78,6 +101,9 @@ class GameRecording {
   // Stores the decision if pages show it.
   void add(RecordedDecision decision);
 
+  void add(RecordedChain chain);
+  void add(const RecordedShot& shot);
+
   // Returns the recording so far and begins an empty one, which continues from the previous
   // signals.
   GameRecording take_recording();
@@ -88,6 +114,8 @@ class GameRecording {
   const std::vector<RecordedSignal>& signals() const { return signals_; }
   const std::vector<ClockMark>& clock() const { return clock_; }
   const std::vector<RecordedDecision>& decisions() const { return decisions_; }
+  const std::vector<RecordedChain>& chains() const { return chains_; }
+  const std::vector<RecordedShot>& shots() const { return shots_; }
   bool is_full() const { return is_full_; }  // whether anything was left out
 
   // All robots seen so far, in the order of their columns.
@@ -107,6 +135,10 @@ class GameRecording {
   void add_time(double time_s);
   void add_robots(const SeenRobots& robots, Columns& columns);
 
+  // Appends the value unless the list is full.
+  template <typename T>
+  void add_to_list(std::vector<T>& list, std::size_t most, T value);
+
   std::size_t frames_ = 0;
   double first_s_ = 0;
   double last_s_ = 0;
@@ -116,6 +148,8 @@ class GameRecording {
   std::vector<RecordedSignal> signals_;
   std::vector<ClockMark> clock_;
   std::vector<RecordedDecision> decisions_;
+  std::vector<RecordedChain> chains_;
+  std::vector<RecordedShot> shots_;
   std::optional<RecordedSignal> last_signal_;
   std::optional<ClockMark> last_mark_;
   bool is_full_ = false;

@@ -136,8 +136,32 @@ io::Json signal_json(const RecordedSignal& recorded) {
 
 io::Json clock_json(const ClockMark& mark) { return io::Json::array({mark.time_s, mark.left_s}); }
 
+// The number of a side in the page's script.
+int number_of(Side side) { return side == Side::kWest ? 0 : 1; }
+
 io::Json robot_json(RobotId robot) {
-  return io::Json::array({robot.side == Side::kWest ? 0 : 1, robot.number});
+  return io::Json::array({number_of(robot.side), robot.number});
+}
+
+constexpr int kTimeDecimals = 3;  // of times in seconds
+constexpr int kXgDecimals = 3;
+
+// Chains and shots are arrays, which view/page/chains.js names: a game has hundreds of chains.
+io::Json chain_json(const RecordedChain& chain) {
+  return io::Json::array({io::rounded(chain.start_s, kTimeDecimals),
+                          io::rounded(chain.end_s, kTimeDecimals), number_of(chain.team),
+                          chain.start, chain.end, chain.passes, chain.shots,
+                          io::rounded(chain.xg, kXgDecimals)});
+}
+
+io::Json shot_json(const RecordedShot& shot) {
+  return io::Json::array({io::rounded(shot.time_s, kTimeDecimals), number_of(shot.team),
+                          position_json(shot.from_m), io::rounded(shot.xg, kXgDecimals),
+                          shot.has_scored});
+}
+
+io::Json kinds_json(const ChainKinds& kinds) {
+  return {{"starts", kinds.starts}, {"ends", kinds.ends}};
 }
 
 io::Json fact_json(const PageFact& fact) { return io::Json::array({fact.what, fact.value}); }
@@ -205,6 +229,8 @@ void fill_recording(const GameRecording& recording, io::Json& json) {
   json["signals"] = list_json(recording.signals(), signal_json);
   json["clock"] = list_json(recording.clock(), clock_json);
   json["decisions"] = list_json(recording.decisions(), page_json);
+  json["chains"] = list_json(recording.chains(), chain_json);
+  json["shots"] = list_json(recording.shots(), shot_json);
 }
 
 io::Json game_json(const PageContent& content) {
@@ -213,6 +239,7 @@ io::Json game_json(const PageContent& content) {
                    {"shapes", shapes_json()}};
   fill_recording(content.recording, json);
   json["compared"] = content.compared ? list_json(*content.compared, compared_json) : io::Json();
+  json["chainKinds"] = content.chain_kinds ? kinds_json(*content.chain_kinds) : io::Json();
   json["facts"] = list_json(content.facts, fact_json);
   return json;
 }

@@ -29,6 +29,13 @@ struct ComparedCall {
   bool operator==(const ComparedCall&) const = default;
 };
 
+// The names of all ways in which possession chains begin and end, in the order in which a page
+// offers them for selection.
+struct ChainKinds {
+  std::vector<std::string> starts;
+  std::vector<std::string> ends;
+};
+
 struct PageContent {
   const GameRecording& recording;
   Field field;
@@ -36,6 +43,8 @@ struct PageContent {
   std::vector<PageFact> facts{};  // shown below the game, such as {"build", "1.0.0-..."}
   // Compared calls in order of time; nullopt: no comparison.
   std::optional<std::vector<ComparedCall>> compared{};
+  // nullopt: the game is not divided into possession chains, because it is not simulated.
+  std::optional<ChainKinds> chain_kinds{};
 };
 
 // The page: HTML with style, script (view/page/) and the game's data.
@@ -55,7 +64,8 @@ std::string html_text(std::string_view text);
 // frames (GameRecording::bytes()).
 io::Json game_json(const PageContent& content);
 
-// Adds the content of the recording: the number of frames, robots, signals, clock and decisions.
+// Adds the content of the recording: the number of frames, robots, signals, clock, decisions,
+// chains and shots.
 void fill_recording(const GameRecording& recording, io::Json& json);
 
 }  // namespace autoref::view

@@ -47,9 +47,9 @@ std::optional<std::string> StartedGames::page(const std::string& id) const {
   if (!game) return std::nullopt;
   try {
     const game::GameConfiguration configuration = experiments::resolved(*game);
-    PageRecorder recorder;
+    PageRecorder recorder(configuration);
     const game::GameRecord record = game::play(configuration, &recorder);
-    return recorder.page(configuration, record);
+    return recorder.page(record);
   } catch (const std::exception&) {
     return std::nullopt;  // the run reports why: its game is void for the same reason
   }

@@ -25,21 +25,53 @@ view::RecordedDecision recorded(const referee::Decision& decision) {
   return view::recorded(game::decision_object(decision));
 }
 
+view::RecordedChain recorded(const game::PossessionChain& chain, double frame_rate_hz) {
+  return {static_cast<double>(chain.first_frame) / frame_rate_hz,
+          static_cast<double>(chain.last_frame) / frame_rate_hz,
+          chain.team,
+          std::string(name_of(chain.start)),
+          std::string(name_of(chain.end)),
+          chain.passes,
+          chain.shots,
+          chain.xg};
+}
+
+view::RecordedShot recorded(const game::Shot& shot, double frame_rate_hz,
+                            bool blue_on_positive_half) {
+  return {static_cast<double>(shot.frame) / frame_rate_hz, shot.team,
+          published(shot.from_m, blue_on_positive_half), shot.chance, shot.has_scored};
+}
+
+view::ChainKinds chain_kinds() {
+  return {all_names<game::ChainStart>(), all_names<game::ChainEnd>()};
+}
+
 void PageRecorder::on_frame(const Frame& frame, const RefereeSignal& signal,
                             const sim::World& /*world*/) {
   recording_.add(published(frame, signal.blue_on_positive_half));
   recording_.add(frame.time_s, published(signal));
+  blue_on_positive_half_ = signal.blue_on_positive_half;
 }
 
 void PageRecorder::on_decision(const referee::Decision& decision) {
   recording_.add(recorded(decision));
 }
 
-std::string PageRecorder::page(const game::GameConfiguration& game,
-                               const game::GameRecord& record) const {
+void PageRecorder::on_chain(const game::PossessionChain& chain) {
+  recording_.add(recorded(chain, game_->sim.frame_rate_hz));
+}
+
+// The teams change ends during breaks, so they have not done so since the shot.
+void PageRecorder::on_shot(const game::Shot& shot) {
+  recording_.add(recorded(shot, game_->sim.frame_rate_hz, blue_on_positive_half_));
+}
+
+std::string PageRecorder::page(const game::GameRecord& record) const {
+  const game::GameConfiguration& game = *game_;
   std::vector<view::PageFact> facts = facts_of(game);
   facts.insert(facts.end() - 1, {"state", io::hash_text(record.state_hash)});
-  return view::page_of({recording_, game.field, game::shown_names(game), std::move(facts)});
+  return view::page_of({recording_, game.field, game::shown_names(game), std::move(facts),
+                        std::nullopt, chain_kinds()});
 }
 
 std::vector<view::PageFact> facts_of(const game::GameConfiguration& game) {

@@ -9,6 +9,7 @@
 #include "game/loop/game_configuration.hpp"
 #include "game/loop/game_record.hpp"
 #include "game/loop/observer.hpp"
+#include "game/play_counts/possession_chains.hpp"
 #include "live/web/live_page.hpp"
 #include "view/game_recording.hpp"
 #include "view/page.hpp"
@@ -18,16 +19,32 @@ namespace autoref::app {
 // The part of a decision that a page shows.
 view::RecordedDecision recorded(const referee::Decision& decision);
 
+// The chain and the shot as a page shows them. `blue_on_positive_half`: as in the referee's signal
+// at the time of the shot.
+view::RecordedChain recorded(const game::PossessionChain& chain, double frame_rate_hz);
+view::RecordedShot recorded(const game::Shot& shot, double frame_rate_hz,
+                            bool blue_on_positive_half);
+
+// All names of game::ChainStart and game::ChainEnd.
+view::ChainKinds chain_kinds();
+
 class PageRecorder final : public game::Observer {
  public:
+  // `game` must outlive the recorder.
+  explicit PageRecorder(const game::GameConfiguration& game) : game_(&game) {}
+
   void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World& world) override;
   void on_decision(const referee::Decision& decision) override;
+  void on_chain(const game::PossessionChain& chain) override;
+  void on_shot(const game::Shot& shot) override;
 
   // The page of the game that has been recorded.
-  std::string page(const game::GameConfiguration& game, const game::GameRecord& record) const;
+  std::string page(const game::GameRecord& record) const;
 
  private:
+  const game::GameConfiguration* game_;
   view::GameRecording recording_;
+  bool blue_on_positive_half_ = true;  // in the last frame
 };
 
 // Facts that identify the game and the program on a page.

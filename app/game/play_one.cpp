@@ -213,7 +213,7 @@ game::GameRecord play_one(const game::GameConfiguration& game, const GameOutput&
   GameFiles files(output);
   std::optional<league::GameLog> log;
   open_log(log, game, output.log);
-  PageRecorder page;
+  PageRecorder page(game);
   const std::optional<double> frames_per_s = pace_of(game, output);
   GameOutputs outputs(files, game, log ? &*log : nullptr);
   GameOnWeb game_on_web(game, output.web);
@@ -236,7 +236,7 @@ game::GameRecord play_one(const game::GameConfiguration& game, const GameOutput&
   files.events.commit();
   files.game_events.commit();
   files.chains.commit();
-  if (files.view) files.view->commit(page.page(game, record));
+  if (files.view) files.view->commit(page.page(record));
   const experiments::GameReport report{game, record, wall_s, io::build_id()};
   fmt::print("{}\n", output.json
                          ? experiments::json_of(report)

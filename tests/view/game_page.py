@@ -1,4 +1,5 @@
 """Shared code for tests of the page that shows a game."""
+import csv
 import json
 import pathlib
 import subprocess
@@ -21,11 +22,12 @@ return count;
 """
 
 
-def played_game(autoref, scenario, page, log=None, **settings):
-    """Plays a game, writes its page and, if asked for, its log, and returns its record."""
+def played_game(autoref, scenario, page, log=None, chains=None, **settings):
+    """Plays a game, writes its page and, if asked for, its log and its possession chains, and returns its record."""
     chosen = [word for key, value in settings.items() for word in ("--set", f"{key.replace('__', '.')}={value}")]
+    files = [word for flag, file in (("--log", log), ("--chains", chains)) if file for word in (flag, file)]
     done = subprocess.run(
-        [autoref, "play", scenario, "--json", "--view", page, *chosen, *(["--log", log] if log else [])],
+        [autoref, "play", scenario, "--json", "--view", page, *chosen, *files],
         check=True,
         capture_output=True,
         text=True,
@@ -48,7 +50,10 @@ class GamePage(BrowserTest):
         cls.folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(cls.folder.cleanup)
         cls.page = pathlib.Path(cls.folder.name) / "game.html"
-        cls.record = played_game(cls.autoref, cls.scenario, str(cls.page), **cls.settings)
+        chains = pathlib.Path(cls.folder.name) / "chains.csv"
+        cls.record = played_game(cls.autoref, cls.scenario, str(cls.page), chains=str(chains), **cls.settings)
+        with chains.open(newline="") as rows:
+            cls.chains = list(csv.DictReader(rows))  # as `play --chains` writes them
 
     def setUp(self):
         self.show(DESKTOP)

@@ -99,6 +99,30 @@ TEST(GameRecording, LeavesOutDecisionsBeyondItsLimit) {
   EXPECT_EQ(recording.decisions().size(), GameRecording::kMostDecisions);
 }
 
+TEST(GameRecording, LeavesOutChainsAndShotsBeyondItsLimits) {
+  GameRecording chains;
+  for (std::size_t i = 0; i < GameRecording::kMostChains; ++i) chains.add(RecordedChain{});
+  EXPECT_FALSE(chains.is_full());
+  chains.add(RecordedChain{});
+  EXPECT_TRUE(chains.is_full());
+  EXPECT_EQ(chains.chains().size(), GameRecording::kMostChains);
+  GameRecording shots;
+  for (std::size_t i = 0; i <= GameRecording::kMostShots; ++i) shots.add(RecordedShot{});
+  EXPECT_TRUE(shots.is_full());
+  EXPECT_EQ(shots.shots().size(), GameRecording::kMostShots);
+}
+
+TEST(GameRecording, TakesChainsAndShotsWithTheRecording) {
+  GameRecording recording;
+  recording.add(RecordedChain{});
+  recording.add(RecordedShot{});
+  const GameRecording taken = recording.take_recording();
+  EXPECT_EQ(taken.chains().size(), 1U);
+  EXPECT_EQ(taken.shots().size(), 1U);
+  EXPECT_TRUE(recording.chains().empty());
+  EXPECT_TRUE(recording.shots().empty());
+}
+
 TEST(GameRecording, MakesTimesMonotonic) {
   GameRecording recording;
   recording.add(5, stopped());

@@ -69,6 +69,24 @@ TEST(Page, HasTheDecisionsOfTheRecording) {
             std::string::npos);
 }
 
+TEST(Page, HasTheChainsAndShotsOfTheRecording) {
+  GameRecording recording;
+  recording.add(RecordedChain{12.5, 14.0004, Side::kEast, "duel", "goal", 2, 1, 0.12345});
+  recording.add(RecordedShot{13.25, Side::kEast, {1.5, -2}, 0.12345, true});
+  PageContent content{recording, Field{}, {}};
+  content.chain_kinds = ChainKinds{{"duel", "penalty"}, {"goal", "lost"}};
+  const std::string page = page_of(content);
+  for (const char* part :
+       {R"("chains": [[12.5, 14, 1, "duel", "goal", 2, 1, 0.123]])",
+        R"("shots": [[13.25, 1, [1500, -2000], 0.123, true]])",
+        R"("chainKinds": {"starts": ["duel", "penalty"], "ends": ["goal", "lost"]})"})
+    EXPECT_EQ(count_in(part, page), 1U) << part;
+}
+
+TEST(Page, KnowsThatAGameIsNotDividedIntoChains) {
+  EXPECT_EQ(count_in(R"("chainKinds": null)", page_between("a", "b")), 1U);
+}
+
 TEST(Page, LinksToNoFile) {
   const std::string page = page_between("a", "b");
   EXPECT_EQ(count_in("<a ", page), 0U);

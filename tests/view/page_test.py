@@ -17,6 +17,7 @@ from game_page import GamePage, played_game
 from selenium import webdriver
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.ui import Select
 
 YELLOW, BLUE, BALL = (255, 212, 59), (74, 157, 255), (255, 123, 28)
 
@@ -37,7 +38,8 @@ requestAnimationFrame(next);
 COUNT_AT_ENDS = """
 const [red, green, blue] = arguments[0];
 const canvas = document.querySelector("canvas");
-const width = Math.round(0.08 * canvas.width);
+const {halfLength_mm} = page.game.field;
+const width = Math.floor(canvas.width / 2 - page.pitch.scale * (halfLength_mm + page.game.shapes.robotRadius_mm));
 return [0, canvas.width - width].map((left) => {
   const {data} = canvas.getContext("2d").getImageData(left, 0, width, canvas.height);
   let count = 0;
@@ -242,6 +244,178 @@ class PageTest(GamePage):
         self.assertEqual(breaks, "avoid")
         self.browser.execute_script("window.dispatchEvent(new Event('afterprint'))")
         self.assertLess(self.browser.execute_script(AVERAGE_BRIGHTNESS), 100)
+
+
+class ChainsPageTest(GamePage):
+    """A game in which cobalt shoots and scores in both halves, with a change of ends."""
+
+    settings = {**PageTest.settings, "match__rules": "2026-b", "seed": 7}
+    titles = {
+        "kick_off": "kick-off",
+        "throw_in": "throw-in",
+        "lost": "ball lost",
+        "out": "ball out",
+        "whistle": "play stopped",
+    }
+
+    def words(self, name):
+        return self.titles.get(name, name.replace("_", " "))
+
+    def description(self, row):
+        """What the page should say about a chain of the CSV file."""
+        passes, shots = int(row["passes"]), int(row["shots"])
+        parts = [self.words(row["start"])]
+        parts += ["1 pass" if passes == 1 else f"{passes} passes"] if passes else []
+        parts += [f"{'shot' if shots == 1 else f'{shots} shots'} (xG {float(row['xg']):.2f})"] if shots else []
+        parts += [self.words(row["end"])] if row["end"] != "shot" else []
+        return f"{'Yellow' if row['team'] == 'a' else 'Blue'}: {', '.join(parts)}"
+
+    def choose(self, box, name):
+        Select(self.browser.find_element(By.ID, box)).select_by_value(name)
+        self.settle()
+
+    def unfaded(self):
+        return len(self.browser.find_elements(By.CSS_SELECTOR, ".chain:not(.faded)"))
+
+    def dots(self):
+        return self.browser.find_elements(By.CSS_SELECTOR, ".shot")
+
+    def test_shows_every_chain_in_its_teams_colour(self):
+        for side, team in enumerate("ab"):
+            shown = self.browser.find_elements(By.CSS_SELECTOR, f".chain[data-side='{side}']")
+            self.assertEqual(len(shown), sum(row["team"] == team for row in self.chains))
+            shirt = self.browser.find_element(By.CSS_SELECTOR, f".team[data-side='{side}'] > .shirt")
+            self.assertEqual(*[one.value_of_css_property("background-color") for one in (shown[0], shirt)])
+
+    def test_raises_chains_with_a_shot_and_those_with_a_goal_most(self):
+        def height(selector):
+            return self.browser.find_element(By.CSS_SELECTOR, selector).size["height"]
+
+        self.assertGreater(height(".chain.withShot[data-end=shot]"), height(".chain:not(.withShot)"))
+        self.assertGreater(height(".chain[data-end=goal]"), height(".chain.withShot[data-end=shot]"))
+        with_shot = self.browser.find_elements(By.CSS_SELECTOR, ".chain.withShot")
+        self.assertEqual(len(with_shot), sum(int(row["shots"]) > 0 for row in self.chains))
+
+    def test_describes_the_chain_under_the_pointer_and_seeks_its_beginning(self):
+        number = next(i for i, row in enumerate(self.chains) if int(row["shots"]) and int(row["passes"]))
+        segment = self.browser.find_elements(By.CSS_SELECTOR, ".chain")[number]
+        webdriver.ActionChains(self.browser).move_to_element(segment).perform()
+        row = self.chains[number]
+        self.assertTrue(self.text("chain").endswith(self.description(row)), self.text("chain"))
+        self.assertEqual(self.time_s(), 0)
+        segment.click()
+        self.settle()
+        self.assertAlmostEqual(self.time_s(), float(row["start_s"]), delta=0.02)
+        self.leave_picture("chains")
+
+    def test_describes_the_chain_in_progress(self):
+        for row in [one for one in self.chains if float(one["end_s"]) - float(one["start_s"]) > 0.1][:40]:
+            middle_s = (float(row["start_s"]) + float(row["end_s"])) / 2
+            self.browser.execute_script("page.player.seek(arguments[0]); page.show();", middle_s)
+            self.assertTrue(self.text("chain").endswith(self.description(row)), row)
+
+    def test_fades_the_chains_that_the_filter_does_not_select(self):
+        for box, key, names in (("chainStart", "start", 10), ("chainEnd", "end", 8)):
+            options = self.texts(f"#{box} option")
+            self.assertEqual(len(options), names + 1)
+            for name in {row[key] for row in self.chains}:
+                self.choose(box, name)
+                count = sum(row[key] == name for row in self.chains)
+                self.assertEqual(self.unfaded(), count)
+                self.assertEqual(self.text("chainCount"), f"{count} of {len(self.chains)} chains")
+            self.choose(box, "")
+        self.choose("chainSide", "1")
+        self.assertEqual(self.unfaded(), sum(row["team"] == "b" for row in self.chains))
+        self.choose("chainSide", "")
+        self.assertEqual(self.unfaded(), len(self.chains))
+
+    def test_jumps_between_selected_chains(self):
+        self.browser.find_element(By.ID, "withShot").click()
+        starts_s = [float(row["start_s"]) for row in self.chains if int(row["shots"])]
+        for start_s in starts_s[:3]:
+            self.press("c")
+            self.assertAlmostEqual(self.time_s(), start_s, delta=0.02)
+            self.assertIn("shot", self.text("chain"))
+        self.press("C")
+        self.assertAlmostEqual(self.time_s(), starts_s[1], delta=0.02)
+        self.browser.find_element(By.CSS_SELECTOR, "[data-action=previousChain]").click()
+        self.settle()
+        self.assertAlmostEqual(self.time_s(), starts_s[0], delta=0.02)
+
+    def test_leaves_the_arrow_keys_to_a_list_of_choices(self):
+        box = self.browser.find_element(By.ID, "chainEnd")
+        box.send_keys(Keys.ARROW_RIGHT)
+        self.settle()
+        self.assertEqual(self.time_s(), 0)
+
+    def test_maps_the_shots_that_the_filter_selects(self):
+        self.assertFalse(self.browser.find_element(By.ID, "shots").is_displayed())
+        self.press("6")
+        self.assertEqual(len(self.dots()), sum(int(row["shots"]) for row in self.chains))
+        scored = self.browser.find_elements(By.CSS_SELECTOR, ".shot.scored")
+        self.assertEqual(len(scored), sum(row["end"] == "goal" for row in self.chains))
+        self.assertTrue(all(dot.is_displayed() for dot in self.dots()))
+        self.leave_picture("shots")
+        self.choose("chainEnd", "goal")
+        self.assertEqual(len(self.dots()), sum(int(row["shots"]) for row in self.chains if row["end"] == "goal"))
+        self.assertTrue(all("Yellow: " in dot.get_attribute("title") for dot in self.dots()))
+
+    def test_seeks_just_before_a_clicked_shot(self):
+        self.press("6")
+        dot = self.dots()[-1]
+        minutes, seconds = dot.get_attribute("title").split()[0].split(":")
+        self.browser.execute_script("arguments[0].click()", dot)
+        self.settle()
+        before_s = 60 * int(minutes) + int(seconds) - self.time_s()
+        self.assertGreater(before_s, 0)
+        self.assertLessEqual(before_s, 1.01)
+
+    def test_draws_areas_in_proportion_to_the_chances(self):
+        self.press("6")
+        sizes = [
+            (float(dot.get_attribute("title").rsplit(" ", 1)[1]), dot.rect["width"] * dot.rect["height"])
+            for dot in self.dots()
+        ]
+        (small_xg, small), *_, (large_xg, large) = sorted(size for size in sizes if size[0] > 0.1)
+        self.assertGreater(large_xg, 1.3 * small_xg)
+        self.assertAlmostEqual(large / small, large_xg / small_xg, delta=0.1 * large / small)
+
+    def test_knows_where_the_ball_was_at_each_shot_in_both_halves(self):
+        shots = self.browser.execute_script(
+            """
+            return page.chains.shots.map(({time_s, position_mm: [x, y]}) => {
+              const {ball, yellowEnd} = page.recording.sceneAt(time_s);
+              return [yellowEnd, Math.hypot(ball.x - x, ball.y - y)];
+            });"""
+        )
+        self.assertEqual({end for end, _ in shots}, {0, 1})
+        self.assertLess(max(distance for _, distance in shots), 150)
+
+    def test_puts_all_shots_on_the_field_as_if_the_teams_had_kept_their_ends(self):
+        def mean_x():
+            pitch = self.browser.find_element(By.ID, "pitch").rect
+            dots = self.browser.find_elements(By.CSS_SELECTOR, ".shot.scored")
+            return sum(dot.rect["x"] - pitch["x"] - pitch["width"] / 2 for dot in dots) / len(dots)
+
+        self.press("6")
+        self.assertGreater(mean_x(), 0)  # yellow attacks to the right
+        self.press(Keys.END)
+        self.assertLess(mean_x(), 0)
+
+    def test_adds_up_the_expected_goals(self):
+        self.assertEqual(self.text("xg"), "xG 0.00 : 0.00")
+        self.press(Keys.END)
+        xg = [float(one) for one in self.text("xg").removeprefix("xG ").split(" : ")]
+        for shown, team in zip(xg, "ab"):
+            self.assertAlmostEqual(shown, self.record[f"xg_{team}"], delta=0.02)
+        self.assertGreater(xg[0], 0.5)
+
+    def test_fits_a_phone(self):
+        self.show(PHONE)
+        self.press("6")
+        self.leave_picture("chains_phone")
+        self.assertLessEqual(self.scroll_width(), PHONE[0])
+        self.assertEqual(self.cut_off(), [])
 
 
 class ShootoutPageTest(GamePage):
@@ -499,6 +673,16 @@ class ComparedPageTest(BrowserTest):
         self.browser.get(page.as_uri())
         self.settle()
         self.assertFalse(self.browser.find_element(By.ID, "disagreements").is_displayed())
+
+    def test_has_no_chains_since_logs_do_not_contain_them(self):
+        self.browser.get(self.page.as_uri() + "#with=shots")
+        self.settle()
+        self.browser.find_element(By.TAG_NAME, "body").send_keys("6cC")
+        self.settle()
+        self.assertEqual(self.text("time"), "0:00.00")
+        for name in ("chainStrip", "chainStart", "shots", "layer-shots", "xg"):
+            self.assertFalse(self.browser.find_element(By.ID, name).is_displayed(), name)
+        self.assertEqual(self.browser.get_log("browser"), [])
 
     def test_marks_what_was_missed_and_opens_at_that_moment(self):
         missed = [call for call in self.annotated["calls"] if call["recorded"]]

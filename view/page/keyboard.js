@@ -8,10 +8,13 @@ const kKeys = {
   n: "nextEvent", p: "previousEvent",
   g: "nextGoal", G: "previousGoal",
   Home: "toBegin", End: "toEnd",
-  1: "layer1", 2: "layer2", 3: "layer3", 4: "layer4", 5: "layer5",
+  1: "layer1", 2: "layer2", 3: "layer3", 4: "layer4", 5: "layer5", 6: "layer6",
   d: "disagreements",
+  c: "nextChain", C: "previousChain",
   "?": "help",
 };
+
+const kChoiceKeys = ["ArrowLeft", "ArrowRight", "Home", "End"];
 
 function actionFor(event) {
   if (event.ctrlKey || event.metaKey || event.altKey) return null;
@@ -20,15 +23,16 @@ function actionFor(event) {
   return kKeys[event.key] ?? null;
 }
 
-// A focused button handles the space bar itself.
-function isForButton(event) {
-  return event.key === " " && event.target instanceof HTMLButtonElement;
+// A focused button handles the space bar itself, and a list of choices also the keys that move in it.
+function isForControl({key, target}) {
+  const isChoice = target instanceof HTMLSelectElement;
+  return key === " " && (isChoice || target instanceof HTMLButtonElement) || isChoice && kChoiceKeys.includes(key);
 }
 
 function listenToKeys(actions) {
   document.addEventListener("keydown", (event) => {
     const action = actionFor(event);
-    if (!action || isForButton(event)) return;
+    if (!action || isForControl(event)) return;
     event.preventDefault();
     actions[action]();
   });

@@ -1,7 +1,7 @@
 // Assembles the page.
 
 const kJump_s = 5;
-const kLayers = ["trails", "speeds", "distances", "heat", "list"];
+const kLayers = ["trails", "speeds", "distances", "heat", "list", "shots"];
 
 function readGame() {
   const game = JSON.parse(document.getElementById("game").textContent);
@@ -16,6 +16,7 @@ class Page {
     this.game = game;
     this.recording = recording;
     this.layers = {trails: true, speeds: false, distances: true, heat: false, list: true};
+    if (game.chainKinds) this.layers.shots = false;
     this.player = new Player(recording, () => { this.isStale = true; });
     const kicks = kicksOf(game.signals);
     const highlights = highlightsOf(game, kicks);
@@ -23,8 +24,11 @@ class Page {
     const seek = (time_s) => this.player.seek(time_s);
     this.pitch = new Pitch(document.getElementById("pitch"), game, recording);
     this.shootout = new Shootout(kicks, names, seek);
-    this.scoreboard = new Scoreboard({...game, teams: names}, this.shootout);
+    this.chains = new Chains(game);
+    this.scoreboard = new Scoreboard({...game, teams: names}, this.shootout, this.chains);
     this.timeline = new Timeline(recording, highlights, seek);
+    this.chainStrip = new ChainStrip(this.chains, this.timeline, seek);
+    this.shotMap = new ShotMap(this.chains, game.signals, seek);
     this.events = new EventList(highlights, seek);
     this.isStale = true;
   }
@@ -33,6 +37,7 @@ class Page {
     this.setTitle();
     this.showFacts();
     this.showFilter();
+    if (this.game.chainKinds) this.beginChains();
     this.listen();
     for (const [event, isPaper] of [["beforeprint", true], ["afterprint", false]]) {
       window.addEventListener(event, () => this.print(isPaper));
@@ -47,6 +52,18 @@ class Page {
     this.seekAddress();
     window.addEventListener("hashchange", () => this.seekAddress());
     requestAnimationFrame(frame);
+  }
+
+  beginChains() {
+    for (const element of document.querySelectorAll(".ofChains")) element.hidden = false;
+    listenToFilter(this.chains.filter, this.game.chainKinds, () => this.updateChains());
+    this.updateChains();
+  }
+
+  // Call after the chains, the shots or the filter have changed.
+  updateChains() {
+    this.chainStrip.update();
+    this.shotMap.update();
   }
 
   // An address that ends in #t=83.2 shows that moment; &with=speeds,heat also shows these layers.
@@ -96,6 +113,8 @@ class Page {
     this.pitch.draw(scene, signalIndex, this.layers, this.events.highlightAt(time_s));
     this.scoreboard.show(time_s, this.game.signals[Math.max(signalIndex, 0)], play);
     this.timeline.show(time_s);
+    this.chainStrip.show(time_s);
+    this.shotMap.show(this.layers.shots === true, scene.yellowEnd, this.pitch.pixel_mm);
     this.events.show(time_s);
     this.showControls();
   }
@@ -108,9 +127,11 @@ class Page {
     const play = document.getElementById("play");
     play.dataset.playing = String(player.isPlaying);
     play.setAttribute("aria-label", player.isPlaying ? "Pause" : "Play");
+    document.getElementById("chain").setAttribute("aria-live", player.isPlaying ? "off" : "polite");
   }
 
   toggleLayer(name) {
+    if (!(name in this.layers)) return;
     this.layers[name] = !this.layers[name];
     document.getElementById(`layer-${name}`).setAttribute("aria-pressed", String(this.layers[name]));
     document.body.classList.toggle("without-list", !this.layers.list);
@@ -140,6 +161,19 @@ class Page {
     if (highlight) this.player.seek(highlight.time_s);
   }
 
+  seekChain(direction) {
+    const chain = this.chains.neighbour(this.player.time_s, direction);
+    if (chain) this.player.seek(chain.start_s);
+  }
+
+  // Selects all chains, or only those with a shot.
+  toggleWithShot() {
+    const {filter} = this.chains;
+    filter.isWithShot = !filter.isWithShot;
+    document.getElementById("withShot").setAttribute("aria-pressed", String(filter.isWithShot));
+    this.updateChains();
+  }
+
   toggleHelp() {
     const help = document.getElementById("help");
     if (help.open) help.close();
@@ -160,6 +194,9 @@ class Page {
       nextEvent: () => this.seekMoment(1),
       previousGoal: () => this.seekMoment(-1, "goal"),
       nextGoal: () => this.seekMoment(1, "goal"),
+      previousChain: () => this.seekChain(-1),
+      nextChain: () => this.seekChain(1),
+      withShot: () => this.toggleWithShot(),
       toBegin: () => player.seek(recording.first_s),
       toEnd: () => player.seek(recording.last_s),
       disagreements: () => this.toggleDisagreements(),

@@ -1,4 +1,4 @@
-// Team names, score and clock, and whether the ball is in play or which command applies.
+// Team names, score, expected goals and clock, and whether the ball is in play or which command applies.
 
 function setText(id, text) {
   const element = document.getElementById(id);
@@ -13,7 +13,8 @@ function signOf(signal, play) {
 }
 
 class Scoreboard {
-  constructor({teams, signals, clock}, shootout) {
+  constructor({teams, signals, clock}, shootout, chains) {
+    this.chains = chains;
     this.shootout = shootout;
     this.signals = signals;
     this.clock = clock;
@@ -26,6 +27,7 @@ class Scoreboard {
   // `play` is a value of playAt().
   show(time_s, signal, play) {
     setText("clock", this.clockAt(time_s));
+    setText("xg", `xG ${this.chains.xgAt(time_s).map((xg) => xg.toFixed(2)).join(" : ")}`);
     if (!signal) return;
     const standing = this.shootout.standingAt(time_s);
     for (const side of [0, 1]) {

@@ -50,8 +50,12 @@ class Timeline {
   }
 
   timeUnder(event) {
-    const {left, width} = this.slider.getBoundingClientRect();
-    return this.recording.first_s + this.recording.length_s * (event.clientX - left) / width;
+    const {left} = this.slider.getBoundingClientRect();
+    return this.recording.first_s + (event.clientX - left) * this.secondsPerPixel();
+  }
+
+  secondsPerPixel() {
+    return this.recording.length_s / this.slider.getBoundingClientRect().width;
   }
 
   show(time_s) {

@@ -1,4 +1,4 @@
-// Display names of commands, stages and events.
+// Display names of commands, stages, events and possession chains.
 
 const kSideNames = ["yellow", "blue"];
 
@@ -63,6 +63,33 @@ function kickTitle({number, side, scored, standing}) {
 function stageTitle(stage) {
   if (stage === "SHOOTOUT") return "Shoot-out";
   return plain(stage.replace(/_PRE$/, "")) + (stage.endsWith("_PRE") ? ", about to begin" : "");
+}
+
+// Beginnings and ends of possession chains whose names are not clear by themselves.
+const kChainTitles = {
+  kick_off: "Kick-off",
+  throw_in: "Throw-in",
+  lost: "Ball lost",
+  out: "Ball out",
+  whistle: "Play stopped",
+};
+
+function chainKindTitle(kind) {
+  return kChainTitles[kind] ?? plain(kind);
+}
+
+// "Yellow: interception, 2 passes, shot (xG 0.12), ball out"
+function chainTitle({side, start, end, passes, shots, xg}) {
+  const parts = [chainKindTitle(start).toLowerCase()];
+  if (passes > 0) parts.push(passes === 1 ? "1 pass" : `${passes} passes`);
+  if (shots > 0) parts.push(`${shots === 1 ? "shot" : `${shots} shots`} (xG ${xg.toFixed(2)})`);
+  if (end !== "shot" || shots === 0) parts.push(chainKindTitle(end).toLowerCase());
+  return `${capitalised(kSideNames[side])}: ${parts.join(", ")}`;
+}
+
+function shotTitle({time_s, side, xg, hasScored}) {
+  const result = hasScored ? "goal" : "shot";
+  return `${minutesAndSeconds(time_s)}  ${capitalised(kSideNames[side])}: ${result}, xG ${xg.toFixed(2)}`;
 }
 
 // The teams' names, or their colours if the names are unknown. Colours also distinguish teams with the same name.

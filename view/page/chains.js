@@ -1,0 +1,71 @@
+// The possession chains and shots of a simulated game, and the filter that selects some of them.
+
+const kSameMoment_s = 1e-3;
+
+// The elements of a chain's and a shot's array (view/page.cpp).
+function chainOf([start_s, end_s, side, start, end, passes, shots, xg]) {
+  return {start_s, end_s, side, start, end, passes, shots, xg};
+}
+
+function shotOf([time_s, side, position_mm, xg, hasScored]) {
+  return {time_s, side, position_mm, xg, hasScored};
+}
+
+// Chains do not overlap and are sorted by time; shots are sorted by the ends of their chains.
+class Chains {
+  constructor({chains, shots}) {
+    this.chains = [];
+    this.shots = [];
+    this.filter = {side: "", start: "", end: "", isWithShot: false};  // empty texts match everything
+    this.add(chains, shots);
+  }
+
+  // Call with a shot's chain before or with the shot.
+  add(chains, shots) {
+    this.chains.push(...chains.map(chainOf));
+    for (const shot of shots.map(shotOf)) this.shots.push({...shot, chain: this.chainWith(shot)});
+  }
+
+  chainWith({time_s, side}) {
+    return this.chains.findLast((chain) => chain.side === side && chain.start_s <= time_s + kSameMoment_s);
+  }
+
+  matches(chain) {
+    const {side, start, end, isWithShot} = this.filter;
+    const fits = (wanted, value) => wanted === "" || wanted === String(value);
+    return fits(side, chain.side) && fits(start, chain.start) && fits(end, chain.end) &&
+      (!isWithShot || chain.shots > 0);
+  }
+
+  matchingChains() {
+    return this.chains.filter((chain) => this.matches(chain));
+  }
+
+  matchingShots() {
+    return this.shots.filter(({chain}) => chain && this.matches(chain));
+  }
+
+  // The chain in progress at this time, or null. A chain can last for no time: of several, one that
+  // matches is preferred.
+  chainAt(time_s) {
+    const isInProgress = ({start_s, end_s}) => start_s <= time_s + kSameMoment_s && time_s <= end_s + kSameMoment_s;
+    const inProgress = this.chains.filter(isInProgress);
+    return inProgress.findLast((chain) => this.matches(chain)) ?? inProgress.at(-1) ?? null;
+  }
+
+  // The next matching chain to begin, forwards (1) or backwards (-1).
+  neighbour(time_s, direction) {
+    const lies = (chain) => direction * (chain.start_s - time_s) > kSameMoment_s;
+    const ahead = this.matchingChains().filter(lies);
+    return direction > 0 ? ahead[0] : ahead[ahead.length - 1];
+  }
+
+  // The expected goals of yellow and blue up to this time.
+  xgAt(time_s) {
+    const sums = [0, 0];
+    for (const shot of this.shots) {
+      if (shot.time_s <= time_s + kSameMoment_s) sums[shot.side] += shot.xg;
+    }
+    return sums;
+  }
+}
