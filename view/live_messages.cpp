@@ -11,8 +11,11 @@ namespace autoref::view {
 namespace {
 
 io::Json json_of(const LiveLimits& limits) {
-  return {
-      {"signals", limits.signals}, {"clock", limits.clock_marks}, {"decisions", limits.decisions}};
+  return {{"signals", limits.signals},
+          {"clock", limits.clock_marks},
+          {"decisions", limits.decisions},
+          {"chains", limits.chains},
+          {"shots", limits.shots}};
 }
 
 io::Json json_of(const std::vector<ListedGame>& games) {
@@ -45,11 +48,12 @@ std::string part_message(const GameRecording& part) {
   return io::json_text(json);
 }
 
-std::array<CountedMessage, 3> call_messages(const GameRecording& part) {
+std::array<CountedMessage, 5> call_messages(const GameRecording& part) {
   io::Json json;
   fill_recording(part, json);
   return {list_message(json, "signals"), list_message(json, "clock"),
-          list_message(json, "decisions")};
+          list_message(json, "decisions"), list_message(json, "chains"),
+          list_message(json, "shots")};
 }
 
 std::string present_message() { return io::json_text({{"type", "present"}}); }

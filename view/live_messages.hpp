@@ -13,15 +13,17 @@
 namespace autoref::view {
 
 // The maximum amount of a game that a live page keeps; the oldest entries are dropped. These limits
-// are enough for at least the last 7 hours of a game, which has about 640 signals, 3600 clock marks
-// and 310 decisions per hour.
+// are enough for at least the last 7 hours of a game, which has about 640 signals, 3600 clock
+// marks, 310 decisions, 800 chains and up to 500 shots per hour.
 struct LiveLimits {
   std::size_t signals = 5'000;
   std::size_t clock_marks = 40'000;
   std::size_t decisions = 4'000;
+  std::size_t chains = 6'000;
+  std::size_t shots = 4'000;
 };
 
-// A message, and the number of frames, signals, clock marks or decisions in it.
+// A message, and the number of frames or of entries of one list in it.
 struct CountedMessage {
   std::string text;
   std::size_t entries = 0;
@@ -31,12 +33,13 @@ struct CountedMessage {
 // that reconnects keeps what it has received if `id` is the same; otherwise it starts over.
 std::string start_message(const PageContent& content, std::string_view id);
 
-// A part of the game: frames, signals, clock and decisions. A part may contain any of these.
+// A part of the game: frames, signals, clock, decisions, chains and shots. A part may contain any
+// of these.
 std::string part_message(const GameRecording& part);
 
-// The part without its frames, as one message for the signals, one for the clock and one for the
-// decisions.
-std::array<CountedMessage, 3> call_messages(const GameRecording& part);
+// The part without its frames, as one message each for the signals, the clock, the decisions, the
+// chains and the shots.
+std::array<CountedMessage, 5> call_messages(const GameRecording& part);
 
 // A message that says that the page has now received everything up to the present.
 std::string present_message();

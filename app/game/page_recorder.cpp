@@ -83,16 +83,26 @@ std::vector<view::PageFact> facts_of(const game::GameConfiguration& game) {
 void WebObserver::on_frame(const Frame& frame, const RefereeSignal& signal,
                            const sim::World& /*world*/) {
   view_->add(published(frame, signal.blue_on_positive_half), published(signal));
+  blue_on_positive_half_ = signal.blue_on_positive_half;
 }
 
 void WebObserver::on_decision(const referee::Decision& decision) { view_->add(recorded(decision)); }
 
+void WebObserver::on_chain(const game::PossessionChain& chain) {
+  view_->add(recorded(chain, frame_rate_hz_));
+}
+
+void WebObserver::on_shot(const game::Shot& shot) {
+  view_->add(recorded(shot, frame_rate_hz_, blue_on_positive_half_));
+}
+
 GameOnWeb::GameOnWeb(const game::GameConfiguration& game, const WebFlags& web) {
   if (web.address.empty()) return;
   const view::GameRecording nothing_yet;
-  view_.emplace(web_options_of(web), view::PageContent{nothing_yet, game.field,
-                                                       game::shown_names(game), facts_of(game)});
-  web_.emplace(*view_);
+  view_.emplace(web_options_of(web),
+                view::PageContent{nothing_yet, game.field, game::shown_names(game), facts_of(game),
+                                  std::nullopt, chain_kinds()});
+  web_.emplace(*view_, game.sim.frame_rate_hz);
   io::write_message(stderr, fmt::format("watch at {}\n", view_->url()));
 }
 

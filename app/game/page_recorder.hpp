@@ -53,13 +53,18 @@ std::vector<view::PageFact> facts_of(const game::GameConfiguration& game);
 // Shows a simulated game.
 class WebObserver final : public game::Observer {
  public:
-  explicit WebObserver(live::WebView& view) : view_(&view) {}
+  WebObserver(live::WebView& view, double frame_rate_hz)
+      : view_(&view), frame_rate_hz_(frame_rate_hz) {}
 
   void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World& world) override;
   void on_decision(const referee::Decision& decision) override;
+  void on_chain(const game::PossessionChain& chain) override;
+  void on_shot(const game::Shot& shot) override;
 
  private:
   live::WebView* view_;
+  double frame_rate_hz_;
+  bool blue_on_positive_half_ = true;  // in the last frame
 };
 
 class GameOnWeb {

@@ -28,13 +28,15 @@ std::string random_id() {
 }
 
 bool has_calls(const view::GameRecording& part) {
-  return !part.signals().empty() || !part.clock().empty() || !part.decisions().empty();
+  return !part.signals().empty() || !part.clock().empty() || !part.decisions().empty() ||
+         !part.chains().empty() || !part.shots().empty();
 }
 
 // Calls come before frames because the page needs the teams' ends first.
 std::vector<std::size_t> kept_entries() {
   const view::LiveLimits limits;
-  return {limits.signals, limits.clock_marks, limits.decisions, kKeptFrames};
+  return {limits.signals, limits.clock_marks, limits.decisions,
+          limits.chains,  limits.shots,       kKeptFrames};
 }
 
 }  // namespace
@@ -104,6 +106,16 @@ void LivePage::add(const view::RecordedDecision& decision) {
   calls_.add(decision);
 }
 
+void LivePage::add(const view::RecordedChain& chain) {
+  newest_.add(chain);
+  calls_.add(chain);
+}
+
+void LivePage::add(const view::RecordedShot& shot) {
+  newest_.add(shot);
+  calls_.add(shot);
+}
+
 void LivePage::record(const Frame& frame) {
   newest_.add(frame);
   frames_.add(frame);
@@ -133,9 +145,10 @@ void LivePage::send_newest(FrameClock::Time now) {
 }
 
 void LivePage::fold() {
-  auto [signals, clock, decisions] = view::call_messages(calls_.take_recording());
+  auto [signals, clock, decisions, chains, shots] = view::call_messages(calls_.take_recording());
   const view::GameRecording frames = frames_.take_recording();
-  history_.fold({std::move(signals), std::move(clock), std::move(decisions),
+  history_.fold({std::move(signals), std::move(clock), std::move(decisions), std::move(chains),
+                 std::move(shots),
                  view::CountedMessage{view::part_message(frames), frames.frames()}});
 }
 

@@ -68,10 +68,10 @@ class MessageHistory {
 };
 
 // Takes published positions (soccer/referee_signal.hpp). Sends about 30 frames per wall-clock
-// second, and decisions and changed signals with the next frame that is added, in at most 100
-// messages per second. New watchers get the last ten minutes and as many calls as a page keeps
-// (LiveLimits), so the memory for these messages is limited to about 10 MB. Most of it is used only
-// after a game has lasted 13 hours.
+// second, and decisions, changed signals, chains and shots with the next frame that is added, in at
+// most 100 messages per second. New watchers get the last ten minutes and as many calls as a page
+// keeps (LiveLimits), so the memory for these messages is limited to about 10 MB. Most of it is
+// used only after a game has lasted 13 hours.
 class LivePage {
  public:
   using Send = std::function<void(const WebMessage&)>;
@@ -82,7 +82,9 @@ class LivePage {
   // Times must increase.
   void add(const Frame& frame, const RefereeSignal& signal);
   void add(const view::RecordedDecision& decision);
-  void end();  // call when the game is over
+  void add(const view::RecordedChain& chain);
+  void add(const view::RecordedShot& shot);  // after its chain
+  void end();                                // call when the game is over
 
   // Can be called in any thread.
   WebBacklog backlog() const;
@@ -114,6 +116,8 @@ class WebView {
   // Like the functions of LivePage.
   void add(const Frame& frame, const RefereeSignal& signal) { page_.add(frame, signal); }
   void add(const view::RecordedDecision& decision) { page_.add(decision); }
+  void add(const view::RecordedChain& chain) { page_.add(chain); }
+  void add(const view::RecordedShot& shot) { page_.add(shot); }
   void end() { page_.end(); }
 
   std::string url() const { return server_.url(); }

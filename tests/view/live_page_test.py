@@ -12,6 +12,7 @@ from browser import DESKTOP, PHONE, BrowserTest
 from selenium.webdriver.common.by import By
 
 FOULS = {"match.rules": "2026-b", "a.strategy": "rowdy", "seed": 2}
+SHOTS = {"a.strategy": "cobalt1", "b.strategy": "chaser", "seed": 12}
 SHORT = {"match.half_s": 10, "seed": 3}
 
 
@@ -76,6 +77,23 @@ class LivePage(BrowserTest):
         self.assertNotEqual(self.text("callTitle"), "")
         self.assertNotEqual(self.text("command"), "")
         self.leave_picture("live")
+
+    def test_shows_chains_and_shots_as_they_end(self):
+        def counts():
+            return [len(self.browser.find_elements(By.CSS_SELECTOR, one)) for one in (".chain", ".shot")]
+
+        self.open(SHOTS, speed=20)
+        self.browser.find_element(By.ID, "layer-shots").click()
+        self.wait_until(lambda: counts()[0] > 5 and counts()[1] > 1)
+        self.assertRegex(self.text("xg"), r"xG \d+\.\d\d : \d+\.\d\d")
+        self.leave_picture("live_chains")
+        before = counts()
+        self.browser.refresh()  # a late watcher gets them again
+        self.wait_until(lambda: self.frames() > 30)
+        self.wait_until(lambda: all(now >= then for now, then in zip(counts(), before)))
+        chains = self.value("page.chains.chains.map((one) => [one.start_s, one.end_s, one.side])")
+        self.assertEqual(len({tuple(one) for one in chains}), len(chains))
+        self.assertEqual(self.browser.get_log("browser"), [])
 
     def test_rewinds_and_returns_to_the_present(self):
         self.open(FOULS)

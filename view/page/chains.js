@@ -26,6 +26,11 @@ class Chains {
     for (const shot of shots.map(shotOf)) this.shots.push({...shot, chain: this.chainWith(shot)});
   }
 
+  clear() {
+    this.chains.length = 0;
+    this.shots.length = 0;
+  }
+
   chainWith({time_s, side}) {
     return this.chains.findLast((chain) => chain.side === side && chain.start_s <= time_s + kSameMoment_s);
   }

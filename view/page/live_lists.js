@@ -52,3 +52,25 @@ class LiveTimeline extends Timeline {
     });
   }
 }
+
+class LiveChainStrip extends ChainStrip {
+  // The oldest chains may have been dropped.
+  update() {
+    const kept = new Set(this.chains.chains);
+    for (const [chain, segment] of this.segments) {
+      if (kept.has(chain)) continue;
+      segment.remove();
+      this.segments.delete(chain);
+    }
+    super.update();
+    this.moveSegments();
+  }
+
+  // The range changes, so all segments move; those before its beginning disappear.
+  moveSegments() {
+    for (const [chain, segment] of this.segments) {
+      this.place(chain, segment);
+      segment.style.display = chain.end_s < this.timeline.recording.first_s ? "none" : "";
+    }
+  }
+}

@@ -23,7 +23,10 @@ class LivePage extends Page {
 
   begin() {
     super.begin();
-    setInterval(() => this.timeline.moveMarks(), kMarksEvery_ms);
+    setInterval(() => {
+      this.timeline.moveMarks();
+      this.chainStrip?.moveSegments();
+    }, kMarksEvery_ms);
     setInterval(() => { this.pitch.heat = null; }, kHeatEvery_ms);
   }
 
@@ -31,6 +34,7 @@ class LivePage extends Page {
   restart() {
     for (const list of [this.game.signals, this.game.clock, this.game.decisions]) list.length = 0;
     this.recording.clear();
+    this.chains.clear();
     this.isLoading = true;
     this.player.isWaiting = true;
   }
@@ -48,8 +52,26 @@ class LivePage extends Page {
       forgetOldest(game[list], game.limits[list]);
     }
     this.recording.append(part);
+    this.addChains(part);
     if (part.signals.length > 0 || part.decisions.length > 0) this.areCallsStale = true;
     this.isStale = true;
+  }
+
+  addChains({chains, shots}) {
+    if (chains.length + shots.length === 0) return;
+    this.chains.add(chains, shots);
+    forgetOldest(this.chains.chains, this.game.limits.chains);
+    forgetOldest(this.chains.shots, this.game.limits.shots);
+    this.areChainsStale = true;
+  }
+
+  newChainStrip(seek) {
+    return new LiveChainStrip(this.chains, this.timeline, seek);
+  }
+
+  updateChains() {
+    this.areChainsStale = false;
+    super.updateChains();
   }
 
   updateCalls() {
@@ -72,6 +94,7 @@ class LivePage extends Page {
   show() {
     if (this.isLoading || this.recording.count === 0) return;
     if (this.areCallsStale) this.updateCalls();
+    if (this.areChainsStale) this.updateChains();
     super.show();
     ++this.drawn;
   }

@@ -27,8 +27,6 @@ class Page {
     this.chains = new Chains(game);
     this.scoreboard = new Scoreboard({...game, teams: names}, this.shootout, this.chains);
     this.timeline = new Timeline(recording, highlights, seek);
-    this.chainStrip = new ChainStrip(this.chains, this.timeline, seek);
-    this.shotMap = new ShotMap(this.chains, game.signals, seek);
     this.events = new EventList(highlights, seek);
     this.isStale = true;
   }
@@ -55,9 +53,16 @@ class Page {
   }
 
   beginChains() {
+    const seek = (time_s) => this.player.seek(time_s);
+    this.chainStrip = this.newChainStrip(seek);
+    this.shotMap = new ShotMap(this.chains, this.game.signals, seek);
     for (const element of document.querySelectorAll(".ofChains")) element.hidden = false;
     listenToFilter(this.chains.filter, this.game.chainKinds, () => this.updateChains());
     this.updateChains();
+  }
+
+  newChainStrip(seek) {
+    return new ChainStrip(this.chains, this.timeline, seek);
   }
 
   // Call after the chains, the shots or the filter have changed.
@@ -113,8 +118,8 @@ class Page {
     this.pitch.draw(scene, signalIndex, this.layers, this.events.highlightAt(time_s));
     this.scoreboard.show(time_s, this.game.signals[Math.max(signalIndex, 0)], play);
     this.timeline.show(time_s);
-    this.chainStrip.show(time_s);
-    this.shotMap.show(this.layers.shots === true, scene.yellowEnd, this.pitch.pixel_mm);
+    this.chainStrip?.show(time_s);
+    this.shotMap?.show(this.layers.shots === true, scene.yellowEnd, this.pitch.pixel_mm);
     this.events.show(time_s);
     this.showControls();
   }

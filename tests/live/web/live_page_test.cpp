@@ -120,6 +120,31 @@ TEST_F(LivePageTest, SendsADecisionWithTheFrame) {
   EXPECT_EQ(parsed(sent_[0].text)["decisions"][0]["event"], "goal");
 }
 
+TEST_F(LivePageTest, SendsAChainAndItsShotWithTheFrame) {
+  play(59);
+  sent_.clear();
+  page_.add(view::RecordedChain{1, 2, Side::kEast, "duel", "shot", 0, 1, 0.5});
+  page_.add(view::RecordedShot{1.5, Side::kEast, {1, 0}, 0.5, false});
+  play(1);
+  ASSERT_EQ(sent_.size(), 1U);
+  EXPECT_FALSE(sent_[0].is_frame);  // so that no watcher misses it
+  EXPECT_EQ(parsed(sent_[0].text)["chains"][0][3], "duel");
+  EXPECT_EQ(parsed(sent_[0].text)["shots"][0][0], 1.5);
+}
+
+TEST_F(LivePageTest, ANewWatcherGetsEachChainOnceAndBeforeItsShot) {
+  page_.add(view::RecordedChain{});
+  page_.add(view::RecordedShot{});
+  play(60 * 60);
+  std::string entries;
+  for (const WebText& text : page_.backlog().texts) {
+    const io::Json message = parsed(text);
+    if (message["type"] != "part") continue;
+    entries.append(message["chains"].size(), 'c').append(message["shots"].size(), 's');
+  }
+  EXPECT_EQ(entries, "cs");
+}
+
 TEST_F(LivePageTest, ANewWatcherGetsTheGameFromItsBeginning) {
   play(60 * 60);
   int frames = 0;
