@@ -120,6 +120,11 @@ void add_compare_verb(CLI::App& app, Chosen& chosen) {
           "if NEW is better or equal (equal), or only if it is better (better).")
       ->type_name("OUTCOME")
       ->check(one_of({kNotWorse, kEqualOrBetter, kBetter}));
+  verb->add_option(
+          "--reuse", options->reused_folder,
+          "Take over games from this folder of an earlier comparison, if the same programs "
+          "played them with the same settings. It may be missing.")
+      ->type_name("DIR");
   verb->add_flag("--scenario", options->is_scenario_asked,
                  "Print the comparison as a scenario for autoref run, and play nothing.");
   add_json_flag(*verb, options->json);

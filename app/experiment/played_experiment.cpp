@@ -30,6 +30,7 @@ experiments::ExperimentOptions options_of(const RunArguments& arguments,
     throw io::InputError({"--shard"}, "", error.what());
   }
   options.allow_mixed_build = arguments.allow_mixed_build;
+  options.reused_folder = arguments.reused_folder;
   options.wait_s = arguments.wait_s.value_or(experiment.default_wait_s());
   options.play = [folder = options.folder](const game::GameConfiguration& game) {
     return experiments::play_live(game, folder);

@@ -16,6 +16,7 @@ namespace autoref::app {
 struct RunArguments : BatchArguments {
   std::string shard = "0/1";
   bool allow_mixed_build = false;
+  std::string reused_folder;  // results folder whose games are taken over; empty: none
   bool quiet = false;
   bool json = false;             // print only what PrintTables prints
   std::string progress;          // "plain", "json" or "none"; empty: depends on the stream

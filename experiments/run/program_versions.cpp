@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cctype>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -36,17 +37,24 @@ std::string file_name(const std::string& id) {
   return name.substr(0, kLongestFileName) + io::crc_text(id);
 }
 
-fs::path stderr_file(const fs::path& folder, const game::GameConfiguration& game, char team) {
-  return folder / kStderrFolder / (file_name(game.id) + "." + team + ".txt");
+fs::path stderr_file(const fs::path& folder, const std::string& id, char team) {
+  return folder / kStderrFolder / (file_name(id) + "." + team + ".txt");
+}
+
+void copy_if_there(const fs::path& from, const fs::path& to) {
+  const std::optional<std::string> content = io::read_file(from);
+  if (!content) return;
+  io::create_folder(to.parent_path());
+  io::replace_file(to, *content);
 }
 
 game::GamePrograms live_programs(const game::GameConfiguration& game, const fs::path& folder) {
   if (!game::has_programs(game)) return game::GamePrograms::live(game, {});
   io::create_folder(folder / kCommandsFolder);
   io::create_folder(folder / kStderrFolder);
-  return game::GamePrograms::live(game,
-                                  {commands_file(folder, game.id), stderr_file(folder, game, 'a'),
-                                   stderr_file(folder, game, 'b')});
+  return game::GamePrograms::live(
+      game, {commands_file(folder, game.id), stderr_file(folder, game.id, 'a'),
+             stderr_file(folder, game.id, 'b')});
 }
 
 void finish_live(const game::GameConfiguration& game, const fs::path& folder,
@@ -212,6 +220,12 @@ std::string hash_of(const std::string& path, const std::vector<game::TeamSetting
 
 fs::path commands_file(const fs::path& folder, const std::string& id) {
   return folder / kCommandsFolder / (file_name(id) + ".gz");
+}
+
+void copy_program_files(const fs::path& from, const fs::path& to, const std::string& id) {
+  copy_if_there(commands_file(from, id), commands_file(to, id));
+  for (const char team : {'a', 'b'})
+    copy_if_there(stderr_file(from, id, team), stderr_file(to, id, team));
 }
 
 void play_live(const game::GameConfiguration& game, const fs::path& folder,

@@ -23,6 +23,11 @@ inline constexpr double kRepeated_s = 10;
 // commands/GAME_ID.gz
 std::filesystem::path commands_file(const std::filesystem::path& folder, const std::string& id);
 
+// Copies the files that the programs of a game left in one folder to another. Files that are
+// missing are left out. Throws InputOutputError.
+void copy_program_files(const std::filesystem::path& from, const std::filesystem::path& to,
+                        const std::string& id);
+
 // Plays a game of the folder with its programs, stores the files that they leave, and finds out
 // whether the programs repeat their commands. `play` plays the game and returns its record, which
 // this function completes. If a program is killed from outside, `play` is called again, up to five

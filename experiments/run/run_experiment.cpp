@@ -16,6 +16,7 @@
 #include "experiments/results/shard.hpp"
 #include "experiments/run/program_versions.hpp"
 #include "experiments/run/result_folder.hpp"
+#include "experiments/run/reused_games.hpp"
 #include "experiments/run/run_games.hpp"
 #include "game/settings/game_settings.hpp"
 #include "io/csv.hpp"
@@ -109,6 +110,7 @@ class ExperimentRun {
     // Write effective.yaml only after the rows have been checked: a row played with other settings
     // would have caused an exception.
     io::replace_file(options_.folder / kEffectiveFile, effective_text(scenario_));
+    if (!options_.reused_folder.empty()) take_over_games();
     progress_.expect(games_.counts());
     ExperimentReport report;
     report.is_interrupted = play_all(report.played) == io::Ending::kInterrupted;
@@ -120,6 +122,29 @@ class ExperimentRun {
   }
 
  private:
+  // Adds the rows of games that were already played in another folder, as if this run had played
+  // them.
+  void take_over_games() {
+    ReusableGames reusable =
+        reusable_games(options_.reused_folder, games_to_play(), format_, options_.build);
+    for (GameRow& row : reusable.rows) {
+      copy_program_files(options_.reused_folder, options_.folder, row.game_id);
+      row.circumstances.shard = options_.shard.name();
+      shard_->write(format_.line(row));
+    }
+    shard_->sync();
+    games_.reread();
+    games_.update_schedule();
+    games_.update_decision();
+    progress_.say(reusable.note);
+  }
+
+  std::vector<ScheduledGame> games_to_play() const {
+    std::vector<ScheduledGame> games;
+    for (const std::size_t i : games_.missing()) games.push_back(games_.schedule().games[i]);
+    return games;
+  }
+
   void sum_up(ExperimentReport& report) {
     games_.drop_uncounted_rows();
     const Schedule& schedule = games_.schedule();

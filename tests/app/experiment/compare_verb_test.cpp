@@ -219,6 +219,18 @@ TEST_F(CompareVerb, PrintsItsScenarioWithoutPlaying) {
   EXPECT_FALSE(fs::exists(folder_));
 }
 
+TEST_F(CompareVerb, TakesOverGamesOfAnEarlierComparison) {
+  const auto play = [](const std::string& folder, const char* new_team, const std::string& reused) {
+    return answer_to({"compare", "dummy", new_team, "--against", "basic", "--games", "6", "-o",
+                      folder.c_str(), "-j", "1", "--set", "match.half_s=2", "--reuse",
+                      reused.c_str()});
+  };
+  const std::string first = (parent_ / "first").string();
+  EXPECT_TRUE(has(play(first, "chaser", "missing").err, "missing does not exist yet; all games"));
+  const Answer answer = play(folder_, "zone", first);
+  EXPECT_TRUE(has(answer.err, "2 of 6 games are taken over from " + first)) << answer.err;
+}
+
 TEST_F(CompareVerb, RefusesWhatItCannotCompare) {
   struct Refused {
     std::vector<const char*> words;
