@@ -1,16 +1,22 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
+#include "app/experiment/ci_files.hpp"
+#include "app/experiment/ci_report.hpp"
 #include "app/experiment/comparison_arguments.hpp"
 #include "app/experiment/played_experiment.hpp"
+#include "app/experiment/requirement.hpp"
 #include "app/shared_options.hpp"
 #include "app/verbs.hpp"
-#include "experiments/statistics/sequential_test.hpp"
+#include "experiments/kinds/compare/comparison.hpp"
+#include "experiments/run/result_folder.hpp"
+#include "io/build_id.hpp"
 #include "io/errors.hpp"
 #include "io/json.hpp"
 #include "io/terminal.hpp"
@@ -18,23 +24,13 @@
 namespace autoref::app {
 namespace {
 
-using experiments::ThreeWayVerdict;
-
-constexpr const char* kNotWorse = "not-worse";
-constexpr const char* kEqualOrBetter = "equal";
-constexpr const char* kBetter = "better";
+namespace fs = std::filesystem;
 
 struct CompareOptions : CompareArguments {
-  std::string required = kNotWorse;
+  std::string required = kDefaultRequirement;
+  std::string ci_folder;  // for continuous integration; empty: no files for it
   bool is_scenario_asked = false;
 };
-
-bool is_met(const std::string& required, ThreeWayVerdict verdict) {
-  if (required == kBetter) return verdict == ThreeWayVerdict::kBetter;
-  if (required == kEqualOrBetter)
-    return verdict == ThreeWayVerdict::kBetter || verdict == ThreeWayVerdict::kNotShown;
-  return verdict != ThreeWayVerdict::kWorse;
-}
 
 // The answer, which teams these are, then the table and its notes.
 void print_comparison(const experiments::Scenario& scenario,
@@ -52,6 +48,48 @@ void print_comparison(const experiments::Scenario& scenario,
   fmt::print("{}\n", io::text_of({table.begin() + 1, table.end()}, width));
 }
 
+// The command without what only concerns one machine: folders, workers and progress.
+std::string repeating_command(const CompareOptions& options) {
+  std::string command = command_text(options);
+  if (options.required != kDefaultRequirement) command += " --require " + options.required;
+  return command;
+}
+
+CiReport ci_report(const CompareOptions& options, const experiments::Scenario& scenario,
+                   const PlayedExperiment& played) {
+  const auto& comparison = scenario.get<experiments::Comparison>();
+  const fs::path folder = options.results_folder();
+  const experiments::ResultFolder results =
+      experiments::open_results(folder, std::string(io::build_id()));
+  CiReport report;
+  report.name = fmt::format("autoref compare {} {}", options.old_team,
+                            options.new_team.empty() ? options.old_team : options.new_team);
+  report.about = scenario.about;
+  report.answer = *played.report.results.comparison;
+  report.requirement = requirement_of(options.required);
+  report.has_too_many_void = played.exit_code == io::kTooManyVoid;
+  report.games = played.report.games;
+  report.problems = void_problems(results.completed_games.done);
+  report.rules = comparison.base.match.rules.name;
+  report.seed = std::to_string(comparison.seed);
+  report.build = io::build_id();
+  report.command = repeating_command(options);
+  report.folder = folder.string();
+  return report;
+}
+
+// Only a complete comparison has an answer: not an interrupted one, nor a shard that does not play
+// the last game.
+void write_ci_files(const CompareOptions& options, const experiments::Scenario& scenario,
+                    const PlayedExperiment& played) {
+  if (options.ci_folder.empty() || !played.report.results.comparison) return;
+  write_ci_files(ci_report(options, scenario, played), options.ci_folder);
+  if (options.quiet || options.json) return;
+  const fs::path folder = options.ci_folder;
+  fmt::print("{}   for a comment or a summary\n{}   for test reports\n",
+             (folder / kCiMarkdown).string(), (folder / kCiJunit).string());
+}
+
 int compare_verb(const CompareOptions& options) {
   if (options.is_scenario_asked) {
     comparison_in(options);  // refuses what cannot be played
@@ -59,15 +97,17 @@ int compare_verb(const CompareOptions& options) {
     return io::kDone;
   }
   const experiments::Scenario scenario = comparison_in(options);
-  RunArguments arguments = options;
+  if (!options.ci_folder.empty()) prepare_ci_folder(options.ci_folder);
+  CompareOptions arguments = options;
   arguments.file = results_name(options, scenario);  // names the results folder and the page
   const PlayedExperiment played =
       play_experiment(scenario, arguments, [&](const experiments::ExperimentReport& report) {
         print_comparison(scenario, report, options.json);
       });
+  write_ci_files(arguments, scenario, played);
   const auto& answer = played.report.results.comparison;
   if (played.exit_code != io::kDone || !answer) return played.exit_code;
-  return is_met(options.required, answer->verdict) ? io::kDone : io::kNotMet;
+  return requirement_of(options.required).is_met(answer->verdict) ? io::kDone : io::kNotMet;
 }
 
 void add_team_arguments(CLI::App& verb, CompareOptions& options) {
@@ -119,7 +159,12 @@ void add_compare_verb(CLI::App& app, Chosen& chosen) {
           "When to exit with 0 instead of 1: unless NEW is worse (not-worse, the default), "
           "if NEW is better or equal (equal), or only if it is better (better).")
       ->type_name("OUTCOME")
-      ->check(one_of({kNotWorse, kEqualOrBetter, kBetter}));
+      ->check(one_of(requirement_words()));
+  verb->add_option(
+          "--ci", options->ci_folder,
+          "Write the answer for continuous integration into this folder: comparison.md for "
+          "a comment or a summary, and junit.xml for test reports.")
+      ->type_name("DIR");
   verb->add_option(
           "--reuse", options->reused_folder,
           "Take over games from this folder of an earlier comparison, if the same programs "

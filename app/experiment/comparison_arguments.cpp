@@ -11,6 +11,7 @@
 #include "experiments/kinds/compare/comparison.hpp"
 #include "experiments/kinds/scenario_reader.hpp"
 #include "experiments/run/program_versions.hpp"
+#include "experiments/run/slurm.hpp"
 #include "experiments/statistics/sample_size.hpp"
 #include "game/settings/fields.hpp"
 #include "io/build_id.hpp"
@@ -228,6 +229,23 @@ std::string scenario_text(const CompareArguments& arguments) {
     set_in(node, (is_of_team ? "" : "base.") + setting.path, setting.value);
   }
   return text_of(node);
+}
+
+std::string command_text(const CompareArguments& arguments) {
+  const CompareArguments usual;
+  std::string text = "autoref compare " + experiments::plain_shell_word(arguments.old_team);
+  const auto add = [&text](const std::string& option, const std::string& value) {
+    text += (option.empty() ? "" : " " + option) + " " + experiments::plain_shell_word(value);
+  };
+  if (!arguments.new_team.empty()) add("", arguments.new_team);
+  for (const std::string& list : arguments.against) add("--against", list);
+  if (arguments.least != usual.least) add("--least", io::text_of(arguments.least));
+  if (arguments.games != usual.games) add("--games", std::to_string(arguments.games));
+  if (arguments.rules != usual.rules) add("--rules", arguments.rules);
+  if (!arguments.camera.empty()) add("--camera", arguments.camera);
+  if (!arguments.seed.empty()) add("--seed", arguments.seed);
+  for (const std::string& change : arguments.sets) add("--set", change);
+  return text;
 }
 
 experiments::Scenario comparison_in(const CompareArguments& arguments) {

@@ -28,6 +28,9 @@ std::string scenario_text(const CompareArguments& arguments);
 // the team's file.
 experiments::Scenario comparison_in(const CompareArguments& arguments);
 
+// The command with the options that decide what is played, as one line for a shell.
+std::string command_text(const CompareArguments& arguments);
+
 // "compare-basic-my_team-1c9f03ae": a name for the results folder that differs if the games or the
 // build do, so that every comparison has its own, and repeating one continues it.
 std::string results_name(const CompareArguments& arguments, const experiments::Scenario& scenario);

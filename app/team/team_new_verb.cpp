@@ -47,12 +47,9 @@ void refuse_full_folder(const fs::path& folder) {
 }
 
 void print_next_commands(const std::string& language, const fs::path& folder) {
-  constexpr const char* kSpecial = " \t\n\"'\\$`&;|<>()*?[]#!~{}";  // special in a shell
   const std::string name = folder.string();
-  const bool is_plain = name.find_first_of(kSpecial) == std::string::npos;
   fmt::print("Wrote a team in {} to {}; {} explains it. To check it and to play a game:\n  cd {}\n",
-             language, name, (folder / "README.md").string(),
-             is_plain ? name : experiments::shell_word(name));
+             language, name, (folder / "README.md").string(), experiments::plain_shell_word(name));
   for (const std::string& command : game::first_commands(language)) fmt::print("  {}\n", command);
 }
 

@@ -66,7 +66,13 @@ struct SearchPath {
 // Whether the new team of a comparison is better than the old one.
 struct ComparisonAnswer {
   ThreeWayVerdict verdict = ThreeWayVerdict::kGoOn;
-  std::string sentence;  // begins the table
+  std::string sentence;
+  // Which part of the difference, and which difference in play, is most certain: a line each; empty
+  // without pairs.
+  std::string reason;
+  io::TextBlocks opponents;  // the table of opponents with its notes
+  io::TextBlocks parts;      // the parts of the difference; empty without pairs
+  io::TextBlocks play;       // the differences in play; empty if none is certain
 };
 
 // A file that a complete experiment writes in addition to results.csv.

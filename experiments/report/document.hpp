@@ -17,6 +17,11 @@ struct Paragraph {
   std::string text;
 };
 
+// A paragraph that stands out.
+struct Strong {
+  std::string text;
+};
+
 struct List {
   std::vector<std::string> items;
 };
@@ -54,7 +59,14 @@ struct CupBracket {
   std::vector<TieResult> ties;
 };
 
-using Block = std::variant<Heading, Paragraph, List, Table, Verbatim, Link, Figure, CupBracket>;
+// The blocks up to the next FoldEnd are hidden until the reader clicks on the summary.
+struct FoldStart {
+  std::string summary;
+};
+struct FoldEnd {};
+
+using Block = std::variant<Heading, Paragraph, Strong, List, Table, Verbatim, Link, Figure,
+                           CupBracket, FoldStart, FoldEnd>;
 
 struct Document {
   std::string title;

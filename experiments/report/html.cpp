@@ -73,6 +73,15 @@ std::string html_of(const Paragraph& paragraph) {
   return fmt::format("<p>{}</p>\n", view::html_text(paragraph.text));
 }
 
+std::string html_of(const Strong& strong) {
+  return fmt::format("<p><strong>{}</strong></p>\n", view::html_text(strong.text));
+}
+
+std::string html_of(const FoldStart& fold) {
+  return fmt::format("<details><summary>{}</summary>\n", view::html_text(fold.summary));
+}
+std::string html_of(const FoldEnd& /*fold*/) { return "</details>\n"; }
+
 std::string html_of(const List& list) {
   std::string text = "<ul>\n";
   for (const std::string& item : list.items)

@@ -5,6 +5,8 @@
 
 #include "experiments/report/bracket_drawing.hpp"
 #include "experiments/report/document.hpp"
+#include "io/words.hpp"
+#include "view/page.hpp"
 
 namespace autoref::experiments {
 namespace {
@@ -59,6 +61,15 @@ std::string fence_for(const std::string& text) {
 
 std::string markdown_of(const Heading& heading) { return "## " + inline_text(heading.text) + "\n"; }
 std::string markdown_of(const Paragraph& paragraph) { return escaped_line(paragraph.text) + "\n"; }
+
+std::string markdown_of(const Strong& strong) {
+  return "**" + std::string(io::trimmed(inline_text(strong.text))) + "**\n";
+}
+
+std::string markdown_of(const FoldStart& fold) {
+  return fmt::format("<details><summary>{}</summary>\n", view::html_text(fold.summary));
+}
+std::string markdown_of(const FoldEnd& /*fold*/) { return "</details>\n"; }
 
 std::string markdown_of(const List& list) {
   std::string text;

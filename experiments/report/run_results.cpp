@@ -41,7 +41,19 @@ Table ranked(const std::vector<Standing>& standings) {
   return table;
 }
 
-Section tables_of(const io::TextBlocks& blocks) {
+Section tournament_sections(const ExperimentResults& results) {
+  Section section = {Heading{"Standings"}};
+  append_table(section, ranked(results.standings));
+  if (results.standings.size() <= kMostCrossed) append_blocks(section, crosstable_section(results));
+  section.emplace_back(Heading{"Matchups"});
+  const io::TextTable matchups = matchups_table(results.groups);
+  append_table(section, {matchups.rows, names_in(matchups)});
+  return section;
+}
+
+}  // namespace
+
+Section blocks_of(const io::TextBlocks& blocks) {
   Section section;
   for (const auto& block : blocks) {
     if (const auto* const table = std::get_if<io::TextTable>(&block)) {
@@ -58,18 +70,6 @@ Section tables_of(const io::TextBlocks& blocks) {
   return section;
 }
 
-Section tournament_sections(const ExperimentResults& results) {
-  Section section = {Heading{"Standings"}};
-  append_table(section, ranked(results.standings));
-  if (results.standings.size() <= kMostCrossed) append_blocks(section, crosstable_section(results));
-  section.emplace_back(Heading{"Matchups"});
-  const io::TextTable matchups = matchups_table(results.groups);
-  append_table(section, {matchups.rows, names_in(matchups)});
-  return section;
-}
-
-}  // namespace
-
 std::string run_results_html(const ExperimentResults& results) {
   Section section;
   if (!results.standings.empty()) {
@@ -77,7 +77,7 @@ std::string run_results_html(const ExperimentResults& results) {
   } else {
     section = bracket_section(results);
     section.emplace_back(Heading{results.ties.empty() ? "Results" : "Ties"});
-    append_blocks(section, tables_of(results.table));
+    append_blocks(section, blocks_of(results.table));
   }
   append_blocks(section, meaning_of(results));
   return html_fragment(section);

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "experiments/kinds/results.hpp"
+#include "experiments/report/document.hpp"
 
 namespace autoref::experiments {
 
@@ -11,6 +13,9 @@ namespace autoref::experiments {
 // A crosstable of more than kMostCrossed teams appears only in the report.
 inline constexpr std::size_t kMostTableRows = 200;
 inline constexpr std::size_t kMostCrossed = 60;
+
+// Tables and text for the terminal as blocks of a report. Text of several lines becomes Verbatim.
+std::vector<Block> blocks_of(const io::TextBlocks& blocks);
 
 // HTML for run_page() (view/page.hpp) made of the report's blocks: the bracket of a cup, the
 // standings and crosstable of a tournament, then each kind's tables and how to read them.

@@ -72,6 +72,12 @@ std::string shell_word(const std::string& text) {
   return word + "'";
 }
 
+std::string plain_shell_word(const std::string& text) {
+  constexpr const char* kSpecial = " \t\n\"'\\$`&;|<>()*?[]#!~{}";  // special in a shell
+  const bool is_plain = !text.empty() && text.find_first_of(kSpecial) == std::string::npos;
+  return is_plain ? text : shell_word(text);
+}
+
 std::string array_script(const SlurmArray& array) {
   const std::string name = array.file.stem().string();
   std::string text =

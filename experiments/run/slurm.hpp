@@ -38,4 +38,7 @@ std::string merge_script(const SlurmArray& array);
 // Quotes text as a single word for the shell and for #SBATCH lines.
 std::string shell_word(const std::string& text);
 
+// The same for the shell only, and without quotes if the word needs none.
+std::string plain_shell_word(const std::string& text);
+
 }  // namespace autoref::experiments

@@ -82,23 +82,24 @@ std::string explanation(const ComparedTeams& compared) {
   return text + "\n";
 }
 
-std::string notes_on_opponents(const Comparison& comparison, const ComparedTeams& compared) {
-  std::string text;
+// Each note is a block of its own.
+io::TextBlocks notes_on_opponents(const Comparison& comparison, const ComparedTeams& compared) {
+  io::TextBlocks notes;
   for (const ComparedOpponent& opponent : compared.opponents) {
     if (!opponent.of_old) continue;
     const std::string note =
         saturation_text(opponent.name, comparison.against.at(opponent.name),
                         {&opponent.of_new, &*opponent.of_old}, "or leave it out");
-    if (!note.empty()) text += "\n" + note + "\n";
+    if (!note.empty()) notes.emplace_back("\n" + note + "\n");
     if (opponent.equal_games > 0) {
-      text += fmt::format(
+      notes.emplace_back(fmt::format(
           "\nOf new's {} games against {}, {} are the same as old's in every frame: what changed "
           "had "
           "no effect in them.\n",
-          opponent.of_new.games(), opponent.name, opponent.equal_games);
+          opponent.of_new.games(), opponent.name, opponent.equal_games));
     }
   }
-  return text;
+  return notes;
 }
 
 // One row of comparison.csv.
@@ -223,19 +224,31 @@ io::Json comparison_json(const std::vector<ComparedRow>& rows, const Comparison&
           {"play", reasons ? play_json(reasons->play) : io::Json::array()}};
 }
 
-// The lines below the answer.
-std::string reason_texts(const Reasons& reasons) {
-  return most_certain_text(reasons.parts) + "\n" + most_certain_text(reasons.play) + "\n";
+ComparisonAnswer answer_with_tables(const Comparison& comparison, const ComparedTeams& compared,
+                                    const std::optional<Reasons>& reasons) {
+  ComparisonAnswer answered{compared.test.verdict, answer(comparison, compared), "", {}, {}, {}};
+  answered.opponents = {io::TextTable{comparison_rows(comparison, compared), kComparisonColumns, 1},
+                        "\n" + explanation(compared)};
+  for (auto& note : notes_on_opponents(comparison, compared))
+    answered.opponents.push_back(std::move(note));
+  if (!reasons) return answered;
+  answered.reason =
+      most_certain_text(reasons->parts) + "\n" + most_certain_text(reasons->play);
+  answered.parts = parts_table(reasons->parts, compared.opponents.size() > 1);
+  answered.play = play_table(reasons->play);
+  return answered;
 }
 
-void add_reasons(const Reasons& reasons, bool has_opponents, ExperimentResults& results) {
-  for (const io::TextBlocks& blocks :
-       {parts_table(reasons.parts, has_opponents), play_table(reasons.play)}) {
-    if (!blocks.empty()) results.table.emplace_back("\n");
-    results.table.insert(results.table.end(), blocks.begin(), blocks.end());
+// The table for the terminal.
+io::TextBlocks table_of(const ComparisonAnswer& answered) {
+  const std::string reason = answered.reason.empty() ? "" : answered.reason + "\n";
+  io::TextBlocks table = {answered.sentence + "\n" + reason + "\n"};
+  table.insert(table.end(), answered.opponents.begin(), answered.opponents.end());
+  for (const io::TextBlocks* blocks : {&answered.parts, &answered.play}) {
+    if (!blocks->empty()) table.emplace_back("\n");
+    table.insert(table.end(), blocks->begin(), blocks->end());
   }
-  results.files.push_back({"parts.csv", "the parts of the difference", parts_csv(reasons.parts)});
-  results.files.push_back({"play.csv", "what new does differently", play_csv(reasons.play)});
+  return table;
 }
 
 }  // namespace
@@ -271,19 +284,23 @@ ExperimentResults comparison_results(const Comparison& comparison, const RowsByI
   ComparedTeams compared = compared_teams(comparison, all_rows);
   compared.opponents = considered_opponents(comparison, compared, all_rows);
   const std::vector<ComparedRow> rows = compared_rows(comparison, compared);
-  const std::string sentence = answer(comparison, compared);
-  std::vector<io::Cells> table = comparison_rows(comparison, compared);
+  const std::optional<Reasons> reasons = reasons_of(compared, all_rows);
   ExperimentResults results;
   results.files = {{"comparison.csv", "a row per opponent, and one of all",
                     io::csv_text(io::table_rows(comparison_columns(), rows))}};
-  const std::optional<Reasons> reasons = reasons_of(compared, all_rows);
-  results.table = {sentence + "\n" + (reasons ? reason_texts(*reasons) : "") + "\n",
-                   io::TextTable{table, kComparisonColumns, 1},
-                   "\n" + explanation(compared) + notes_on_opponents(comparison, compared)};
-  if (reasons) add_reasons(*reasons, compared.opponents.size() > 1, results);
-  results.comparison = ComparisonAnswer{compared.test.verdict, sentence};
-  results.shown = {{std::move(table), kComparisonColumns, "opponents", {}}};
-  results.shown.front().text = sentence + "\n";
+  if (reasons) {
+    results.files.push_back(
+        {"parts.csv", "the parts of the difference", parts_csv(reasons->parts)});
+    results.files.push_back({"play.csv", "what new does differently", play_csv(reasons->play)});
+  }
+  results.comparison = answer_with_tables(comparison, compared, reasons);
+  const ComparisonAnswer& answered = *results.comparison;
+  results.table = table_of(answered);
+  results.shown = {{std::get<io::TextTable>(answered.opponents.front()).rows,
+                    kComparisonColumns,
+                    "opponents",
+                    {}}};
+  results.shown.front().text = answered.sentence + "\n";
   results.json = std::make_shared<io::Json>(
       io::Json{{"comparison", comparison_json(rows, comparison, compared, reasons)}});
   results.groups = grouped(matchups_of(comparison), all_rows);

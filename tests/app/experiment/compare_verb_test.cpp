@@ -219,6 +219,42 @@ TEST_F(CompareVerb, PrintsItsScenarioWithoutPlaying) {
   EXPECT_FALSE(fs::exists(folder_));
 }
 
+TEST_F(CompareVerb, WritesFilesForContinuousIntegration) {
+  const std::string ci = (parent_ / "ci" / "deep").string();
+  const Answer answer = compare(
+      {"dummy", "basic", "--games", "4", "--seed", "9", "--require", "better", "--ci", ci.c_str()});
+  EXPECT_EQ(answer.code, io::kNotMet) << answer.err;
+  EXPECT_TRUE(has(answer.out, ci + "/comparison.md   ")) << answer.out;
+  const std::string markdown = content_of(ci + "/comparison.md");
+  EXPECT_TRUE(markdown.starts_with("# autoref compare dummy basic\n")) << markdown;
+  EXPECT_TRUE(has(markdown, "**Failed: undecided after 4 games")) << markdown;
+  EXPECT_TRUE(has(markdown,
+                  "\nautoref compare dummy basic --games 4 --seed 9 --set match.half_s=2 "
+                  "--require better\n"))
+      << markdown;
+  EXPECT_TRUE(has(content_of(ci + "/junit.xml"), "<failure message=\"undecided after 4 games"));
+}
+
+TEST_F(CompareVerb, ChecksTheFolderForContinuousIntegrationBeforePlaying) {
+  const std::string ci = (parent_ / "ci").string();
+  write_content(ci, "a file");
+  const Answer answer = compare({"dummy", "basic", "--ci", ci.c_str()});
+  EXPECT_EQ(answer.code, io::kBadInput);
+  EXPECT_TRUE(has(answer.err, "--ci: ")) << answer.err;
+  EXPECT_FALSE(fs::exists(folder_));
+}
+
+// Otherwise, a server would take them for the answer of this comparison.
+TEST_F(CompareVerb, RemovesFilesOfAnEarlierComparisonIfItHasNoAnswer) {
+  const std::string ci = (parent_ / "ci").string();
+  fs::create_directory(ci);
+  write_content(ci + "/junit.xml", "old");
+  const Answer answer =
+      compare({"dummy", "basic", "--games", "4", "--ci", ci.c_str(), "--shard", "0/2"});
+  EXPECT_EQ(answer.code, io::kDone) << answer.err;
+  EXPECT_TRUE(fs::is_empty(ci));
+}
+
 TEST_F(CompareVerb, TakesOverGamesOfAnEarlierComparison) {
   const auto play = [](const std::string& folder, const char* new_team, const std::string& reused) {
     return answer_to({"compare", "dummy", new_team, "--against", "basic", "--games", "6", "-o",
