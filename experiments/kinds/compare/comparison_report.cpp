@@ -232,8 +232,7 @@ ComparisonAnswer answer_with_tables(const Comparison& comparison, const Compared
   for (auto& note : notes_on_opponents(comparison, compared))
     answered.opponents.push_back(std::move(note));
   if (!reasons) return answered;
-  answered.reason =
-      most_certain_text(reasons->parts) + "\n" + most_certain_text(reasons->play);
+  answered.reason = most_certain_text(reasons->parts) + "\n" + most_certain_text(reasons->play);
   answered.parts = parts_table(reasons->parts, compared.opponents.size() > 1);
   answered.play = play_table(reasons->play);
   return answered;
