@@ -1,9 +1,9 @@
 #include "game/play_counts/chance.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
+#include "game/play_counts/rule_book_models.hpp"
 #include "soccer/geometry.hpp"
 #include "soccer/robot_shape.hpp"
 #include "soccer/trigonometry.hpp"
@@ -38,32 +38,6 @@ void for_each_except(RobotId kicker, const Robots& robots, const auto& action) {
   }
 }
 
-void measure_opening(const sim::Touch& kick, const sim::WorldState& now, const Field& field,
-                     ShotSituation& situation) {
-  const Vec2 centre_m = field.goal_centre_m(opponent_of(kick.robot.side));
-  const double half_m = field.half_goal_m() - kBallRadius_m;
-  // In the order in which the shooter sees them, so that the sums are the same for both teams.
-  const double signed_half_m = goal_sign(kick.robot.side) * half_m;
-  const auto seen_m = [&](double share) {
-    return Vec2(centre_m + Vec2(0, signed_half_m * share) - kick.ball_m);
-  };
-  double run_rad = 0;
-  for (int i = 0; i < kGoalParts; ++i) {
-    const double share = (2.0 * i + 1) / kGoalParts - 1;  // the middle of the part
-    const double half_part = 1.0 / kGoalParts;
-    const Vec2 target_m = kick.ball_m + seen_m(share);
-    bool is_covered = false;
-    for_each_except(kick.robot, now.robots, [&](const sim::RobotState& robot) {
-      is_covered |= distance_to_segment(robot.position_m, kick.ball_m, target_m) < kTouching_m;
-    });
-    const double part_rad =
-        std::abs(angle_between(seen_m(share - half_part), seen_m(share + half_part)));
-    run_rad = is_covered ? 0 : run_rad + part_rad;
-    situation.open_rad += is_covered ? 0 : part_rad;
-    situation.widest_rad = std::max(situation.widest_rad, run_rad);
-  }
-}
-
 const sim::RobotState* nearest_to(const Vec2& point_m, const auto& robots) {
   const sim::RobotState* nearest = nullptr;
   double distance2 = square(kNoOpponent_m);
@@ -87,6 +61,34 @@ constexpr ChanceModel kModels[] = {
 
 }  // namespace
 
+GoalOpening goal_opening(RobotId robot, const Vec2& ball_m, const sim::WorldState& now,
+                         const Field& field) {
+  const Vec2 centre_m = field.goal_centre_m(opponent_of(robot.side));
+  const double half_m = field.half_goal_m() - kBallRadius_m;
+  // In the order in which the shooter sees them, so that the sums are the same for both teams.
+  const double signed_half_m = goal_sign(robot.side) * half_m;
+  const auto seen_m = [&](double share) {
+    return Vec2(centre_m + Vec2(0, signed_half_m * share) - ball_m);
+  };
+  GoalOpening opening;
+  double run_rad = 0;
+  for (int i = 0; i < kGoalParts; ++i) {
+    const double share = (2.0 * i + 1) / kGoalParts - 1;  // the middle of the part
+    const double half_part = 1.0 / kGoalParts;
+    const Vec2 target_m = ball_m + seen_m(share);
+    bool is_covered = false;
+    for_each_except(robot, now.robots, [&](const sim::RobotState& other) {
+      is_covered |= distance_to_segment(other.position_m, ball_m, target_m) < kTouching_m;
+    });
+    const double part_rad =
+        std::abs(angle_between(seen_m(share - half_part), seen_m(share + half_part)));
+    run_rad = is_covered ? 0 : run_rad + part_rad;
+    opening.open_rad += is_covered ? 0 : part_rad;
+    opening.widest_rad = std::max(opening.widest_rad, run_rad);
+  }
+  return opening;
+}
+
 ShotSituation shot_situation(const sim::Touch& kick, const ShotPath& path,
                              const sim::WorldState& now, const Field& field) {
   const Side defenders = opponent_of(kick.robot.side);
@@ -96,7 +98,7 @@ ShotSituation shot_situation(const sim::Touch& kick, const ShotPath& path,
   situation.distance_m = (goal_m - kick.ball_m).norm();
   situation.time_s = situation.distance_m / std::max(kick.ball_mps.norm(), 1e-3);
   situation.is_chip = kick.vertical_mps > 0;
-  measure_opening(kick, now, field, situation);
+  situation.opening = goal_opening(kick.robot, kick.ball_m, now, field);
   const sim::RobotState* keeper = nearest_to(goal_m, now.robots[defenders]);
   if (keeper != nullptr) {
     situation.keeper_m = distance_to_segment(keeper->position_m, kick.ball_m, goal_m);
@@ -118,8 +120,8 @@ ShotSituation shot_situation(const sim::Touch& kick, const ShotPath& path,
 
 std::array<double, kChanceFeatures> chance_features(const ShotSituation& situation) {
   return {1,
-          std::sqrt(situation.widest_rad),
-          situation.open_rad,
+          std::sqrt(situation.opening.widest_rad),
+          situation.opening.open_rad,
           std::min(situation.distance_m / kLongest_m, 1.0),
           std::min(situation.time_s, kLongest_s),
           std::min(situation.keeper_m, kKeeperAside_m),
@@ -159,11 +161,7 @@ double ChanceModel::chance_on_target(const ShotSituation& situation) const {
 std::span<const ChanceModel> chance_models() { return kModels; }
 
 const ChanceModel& chance_model(std::string_view rules) {
-  const auto* const found =
-      std::find_if(std::begin(kModels), std::end(kModels),
-                   [rules](const ChanceModel& one) { return one.rules == rules; });
-  assert(found != std::end(kModels));
-  return *found;
+  return model_for(rules, chance_models());
 }
 
 }  // namespace autoref::game

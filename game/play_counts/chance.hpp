@@ -34,12 +34,19 @@ struct ShotPath {
 // Distances to opponents are at most this, also if there are none.
 inline constexpr double kNoOpponent_m = 5.0;
 
+// How much of the opponents' goal a robot sees from the ball.
+struct GoalOpening {
+  double open_rad = 0;    // the angle of the goal that no other robot covers
+  double widest_rad = 0;  // the widest connected part of it
+};
+GoalOpening goal_opening(RobotId robot, const Vec2& ball_m, const sim::WorldState& now,
+                         const Field& field);
+
 // What is known about a shot when it is taken. The keeper is the opponent nearest to the centre of
 // its goal. Distances are measured to robots' centres.
 struct ShotSituation {
-  double distance_m = 0;                // from the ball to the centre of the opponents' goal
-  double open_rad = 0;                  // the angle of the goal that no robot covers
-  double widest_rad = 0;                // the widest connected part of it
+  double distance_m = 0;  // from the ball to the centre of the opponents' goal
+  GoalOpening opening;
   double time_s = 0;                    // distance_m divided by the speed of the kick
   double keeper_m = kNoOpponent_m;      // from the keeper to the segment from ball to goal centre
   double keeper_out_m = kNoOpponent_m;  // from the keeper to its goal's centre

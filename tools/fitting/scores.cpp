@@ -1,0 +1,98 @@
+#include "tools/fitting/scores.hpp"
+
+#include "experiments/statistics/interval.hpp"
+#include "io/csv.hpp"
+#include "io/files.hpp"
+#include "io/table_columns.hpp"
+#include "soccer/geometry.hpp"
+
+namespace autoref::tools {
+namespace {
+
+const std::vector<double> kBounds = {0,   0.01, 0.02, 0.05, 0.1, 0.2, 0.3,
+                                     0.4, 0.5,  0.6,  0.7,  0.8, 0.9, 1};
+
+double as_number(bool has_happened) { return has_happened ? 1 : 0; }
+
+ReliabilityRow row_of_range(double from, double to, const Predictions& tested) {
+  ReliabilityRow row;
+  row.from = from;
+  row.to = to;
+  double sum = 0;
+  int happened = 0;
+  for (const Prediction& one : tested) {
+    const bool is_above = one.probability >= to && to < 1;  // 1 belongs to the last range
+    if (one.probability < from || is_above) continue;
+    ++row.cases;
+    sum += one.probability;
+    happened += one.has_happened ? 1 : 0;
+  }
+  if (row.cases == 0) return row;
+  row.predicted = sum / row.cases;
+  row.happened = static_cast<double>(happened) / row.cases;
+  const auto interval = experiments::proportion_interval(happened, row.cases);
+  row.low = interval->low;
+  row.high = interval->high;
+  return row;
+}
+
+std::string csv_of(const auto& columns, const auto& rows) {
+  return io::csv_text(io::table_rows(columns, rows));
+}
+
+}  // namespace
+
+void add_scores(const std::string& rules, const std::string& model, const Predictions& fitted,
+                const Predictions& tested, Scores& scores) {
+  double rate = 0;
+  for (const Prediction& one : fitted)
+    rate += as_number(one.has_happened) / static_cast<double>(fitted.size());
+  ScoredModel row;
+  row.rules = rules;
+  row.model = model;
+  row.fitted = static_cast<int>(fitted.size());
+  row.tested = static_cast<int>(tested.size());
+  row.expected = row.brier = row.brier_of_rate = 0;
+  for (const Prediction& one : tested) {
+    const double happened = as_number(one.has_happened);
+    row.happened += one.has_happened ? 1 : 0;
+    *row.expected += one.probability;
+    *row.brier += square(one.probability - happened) / static_cast<double>(tested.size());
+    *row.brier_of_rate += square(rate - happened) / static_cast<double>(tested.size());
+  }
+  scores.models.push_back(row);
+  for (std::size_t i = 0; i + 1 < kBounds.size(); ++i) {
+    ReliabilityRow range = row_of_range(kBounds[i], kBounds[i + 1], tested);
+    range.rules = rules;
+    range.model = model;
+    scores.reliability.push_back(range);
+  }
+}
+
+void write_scores(const Scores& scores, const PredictedThings& things,
+                  const std::filesystem::path& folder, const std::string& name) {
+  io::PendingFile(folder / (name + ".csv"))
+      .commit(csv_of(
+          io::TableColumns<ScoredModel>{{"rules", &ScoredModel::rules},
+                                        {"model", &ScoredModel::model},
+                                        {"fitted_" + things.cases, &ScoredModel::fitted},
+                                        {"tested_" + things.cases, &ScoredModel::tested},
+                                        {things.happened, &ScoredModel::happened},
+                                        {"expected_" + things.happened, &ScoredModel::expected},
+                                        {"brier", &ScoredModel::brier},
+                                        {"brier_of_rate", &ScoredModel::brier_of_rate}},
+          scores.models));
+  io::PendingFile(folder / "reliability.csv")
+      .commit(csv_of(io::TableColumns<ReliabilityRow>{{"rules", &ReliabilityRow::rules},
+                                                      {"model", &ReliabilityRow::model},
+                                                      {"from", &ReliabilityRow::from},
+                                                      {"to", &ReliabilityRow::to},
+                                                      {things.cases, &ReliabilityRow::cases},
+                                                      {"predicted", &ReliabilityRow::predicted},
+                                                      {"happened", &ReliabilityRow::happened},
+                                                      {"low95", &ReliabilityRow::low},
+                                                      {"high95", &ReliabilityRow::high}},
+                     scores.reliability));
+}
+
+}  // namespace autoref::tools
