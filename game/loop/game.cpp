@@ -240,6 +240,7 @@ class Game::Impl {
     for (const PossessionChain& chain : statistics_.ended_chains())
       observers_.call(&Observer::on_chain, chain);
     for (const Shot& shot : statistics_.ended_shots()) observers_.call(&Observer::on_shot, shot);
+    observers_.call(&Observer::on_play, StateOfPlay{statistics_, signal_, world_.state()});
   }
 
   PerSide<TeamRequests> requests() const {

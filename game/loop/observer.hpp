@@ -15,6 +15,15 @@
 
 namespace autoref::game {
 
+class PlayStatistics;
+
+// The game in a frame, for observers that judge the situation. Valid only during the call.
+struct StateOfPlay {
+  const PlayStatistics& statistics;
+  const RefereeSignal& signal;
+  const sim::WorldState& now;
+};
+
 // The phases of a frame, in order. kReferee includes the tracker. kRecord occurs twice: at the end,
 // and after kReferee.
 enum class Phase : std::uint8_t { kCamera, kReferee, kTeamWest, kTeamEast, kPhysics, kRecord };
@@ -45,6 +54,8 @@ class Observer {
   virtual void on_chain(const PossessionChain& /*chain*/) {}
   // Called for each shot of these chains, after on_chain().
   virtual void on_shot(const Shot& /*shot*/) {}
+  // Called once per frame, after on_shot() and before on_frame(). Not called in shoot-outs.
+  virtual void on_play(const StateOfPlay& /*play*/) {}
 };
 
 // The observers of one game, in the order in which they are called. They must outlive the game.

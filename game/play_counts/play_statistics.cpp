@@ -116,6 +116,18 @@ PerSide<PlayCounts> PlayStatistics::counts() const {
   return counts;
 }
 
+std::optional<BallOwner> PlayStatistics::ball_owner() const {
+  if (const std::optional<Side> team = chains_.team()) {
+    BallOwner owner{*team};
+    if (kick_ && kick_->robot.side == *team && kick_->shot)
+      owner.shot_chance = model_->chance_on_target(*kick_->shot);
+    return owner;
+  }
+  const NextRestart& restart = chains_.next_restart();
+  if (!restart.side) return std::nullopt;
+  return BallOwner{*restart.side, true, restart.start == ChainStart::kPenalty};
+}
+
 void PlayStatistics::touch(const FrameSummary& summary) {
   PerSide<bool> touched;
   for (std::span<const sim::Touch> rest = summary.touches; !rest.empty();) {

@@ -10,6 +10,7 @@
 #include "game/play_counts/kick_away.hpp"
 #include "game/play_counts/play_counts.hpp"
 #include "game/play_counts/possession_chains.hpp"
+#include "game/play_counts/situation_value.hpp"
 #include "referee/decision.hpp"
 #include "sim/world.hpp"
 #include "soccer/field.hpp"
@@ -68,6 +69,9 @@ class PlayStatistics {
 
   // The counts so far, excluding a kick and a possession chain in progress.
   PerSide<PlayCounts> counts() const;
+
+  // Who has the ball, or will take the next restart; nullopt if this is not known.
+  std::optional<BallOwner> ball_owner() const;
 
   // The possession chains that ended in the last frame, and their shots; valid until the next
   // update.

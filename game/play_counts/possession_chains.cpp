@@ -17,6 +17,20 @@ ChainStart free_kick_after(referee::Event call) {
   }
 }
 
+NextRestart restart_after(const referee::Finding& call) {
+  const Side side = call.restart.side;
+  switch (call.restart.kind) {
+    case CommandKind::kPrepareKickoff:
+      return {ChainStart::kKickOff, side};
+    case CommandKind::kPreparePenalty:
+      return {ChainStart::kPenalty, side};
+    case CommandKind::kForceStart:
+      return {};
+    default:
+      return {free_kick_after(call.event), side};
+  }
+}
+
 // Whether the ball left the field, also into a goal that does not count.
 bool is_out(referee::Event event) {
   switch (event) {
@@ -77,7 +91,10 @@ void PossessionChains::decide(const referee::Decision& decision, const Vec2& bal
   } else if (decision.from == referee::State::kRun && decision.to != referee::State::kRun) {
     stopped_by_ = end_by(finding);
   }
-  if (decision.restart()) awarded_ = {free_kick_after(finding.event), finding.restart.side};
+  if (decision.restart()) {
+    awarded_ = {free_kick_after(finding.event), finding.restart.side};
+    next_restart_ = restart_after(finding);
+  }
   if (decision.command) prepare_restart(*decision.command);
 }
 
@@ -88,9 +105,10 @@ void PossessionChains::stop(std::int64_t frame, const Vec2& ball_m) {
 
 // How the chain of the first touch after a restart begins.
 ChainStart PossessionChains::first_start(Side side, ChainStart gained) {
-  const std::optional<Restart> restart = restart_;
+  const std::optional<NextRestart> restart = restart_;
   restart_.reset();
   awarded_ = {};
+  next_restart_ = {};
   if (!restart || !restart->side) return ChainStart::kLooseBall;
   return restart->side == side ? restart->start : gained;
 }
@@ -120,21 +138,22 @@ void PossessionChains::prepare_restart(const Command& command) {
   switch (command.kind) {
     case CommandKind::kPrepareKickoff:
       restart_ = {ChainStart::kKickOff, command.side};
-      return;
+      break;
     case CommandKind::kPreparePenalty:
       restart_ = {ChainStart::kPenalty, command.side};
-      return;
+      break;
     case CommandKind::kDirectFree:
     case CommandKind::kIndirectFree:
       restart_ = {command.side == awarded_.side ? awarded_.start : ChainStart::kFreeKick,
                   command.side};
-      return;
+      break;
     case CommandKind::kForceStart:
-      restart_ = Restart{};
-      return;
+      restart_ = NextRestart{};
+      break;
     default:
       return;
   }
+  next_restart_ = *restart_;
 }
 
 ChainEnd PossessionChains::end_by(const referee::Finding& finding) const {

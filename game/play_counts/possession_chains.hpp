@@ -108,6 +108,12 @@ struct Shot {
 // Includes goals that are awarded because of a foul at a penalty kick.
 std::optional<Side> scorer_in(const referee::Decision& decision);
 
+// The restart that a team is to take.
+struct NextRestart {
+  ChainStart start = ChainStart::kLooseBall;
+  std::optional<Side> side;  // nullopt after a force start, and if none is known
+};
+
 // Divides a game into possession chains. PlayStatistics calls these functions in the order of
 // events.
 class PossessionChains {
@@ -126,6 +132,9 @@ class PossessionChains {
   // The team with the ball; nullopt until the first touch after a restart.
   std::optional<Side> team() const { return chain_ ? std::optional(chain_->team) : std::nullopt; }
 
+  // The restart that comes next, from the call that awards it until it is taken.
+  const NextRestart& next_restart() const { return next_restart_; }
+
   // A touch by a single team. `is_kick_away`: whether it kicked the ball away. `gained`: how the
   // team gains the ball with this touch, if it does so and takes no restart.
   void touch(const sim::Touch& touch, bool is_kick_away, ChainStart gained);
@@ -139,11 +148,6 @@ class PossessionChains {
   void stop(std::int64_t frame, const Vec2& ball_m);
 
  private:
-  struct Restart {
-    ChainStart start = ChainStart::kLooseBall;
-    std::optional<Side> side;  // nullopt after a force start
-  };
-
   ChainStart first_start(Side side, ChainStart gained);
   void gain_ball();
   void end(ChainEnd how, std::int64_t frame, const Vec2& ball_m);
@@ -159,8 +163,9 @@ class PossessionChains {
   std::optional<PossessionChain> next_;
   bool is_shot_last_ = false;  // whether the team's last action was a shot
   ChainEnd stopped_by_ = ChainEnd::kWhistle;
-  std::optional<Restart> restart_;  // until it is taken
-  Restart awarded_;                 // by the last call that stopped play
+  std::optional<NextRestart> restart_;  // until it is taken
+  NextRestart awarded_;                 // by the last call that stopped play
+  NextRestart next_restart_;            // awarded or prepared, whichever is newer
 };
 
 }  // namespace autoref::game
