@@ -208,6 +208,10 @@ void GameRecording::add(RecordedChain chain) {
 
 void GameRecording::add(const RecordedShot& shot) { add_to_list(shots_, kMostShots, shot); }
 
+void GameRecording::add(const RecordedWinProbability& probability) {
+  add_to_list(win_probabilities_, kMostWinProbabilities, probability);
+}
+
 template <typename T>
 void GameRecording::add_to_list(std::vector<T>& list, std::size_t most, T value) {
   if (list.size() < most) {

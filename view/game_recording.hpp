@@ -1,5 +1,5 @@
 // A recording of a game: every frame, the referee's signals and its decisions, and the possession
-// chains and shots of a simulated game, packed for a page (page.hpp).
+// chains, shots and win probability of a simulated game, packed for a page (page.hpp).
 #pragma once
 
 #include <array>
@@ -80,16 +80,24 @@ struct RecordedShot {
   bool has_scored = false;
 };
 
+// The win probability of a simulated game at some time. East wins otherwise.
+struct RecordedWinProbability {
+  double time_s = 0;
+  double west = 0;
+  double draw = 0;
+};
+
 // Takes positions as published (soccer/referee_signal.hpp).
 class GameRecording {
  public:
-  // Frames, signals, decisions, chains and shots beyond these limits are left out. No game in the
+  // Frames, signals, decisions, chains and so on beyond these limits are left out. No game in the
   // league reaches these limits: kMostFrames frames last 4.6 hours at 60 frames per second.
   static constexpr std::size_t kMostFrames = 1'000'000;
   static constexpr std::size_t kMostSignals = 100'000;
   static constexpr std::size_t kMostDecisions = 100'000;
   static constexpr std::size_t kMostChains = 100'000;
   static constexpr std::size_t kMostShots = 100'000;
+  static constexpr std::size_t kMostWinProbabilities = 100'000;
 
   // Times must increase.
   void add(const Frame& frame);
@@ -103,6 +111,7 @@ class GameRecording {
 
   void add(RecordedChain chain);
   void add(const RecordedShot& shot);
+  void add(const RecordedWinProbability& probability);
 
   // Returns the recording so far and begins an empty one, which continues from the previous
   // signals.
@@ -116,6 +125,9 @@ class GameRecording {
   const std::vector<RecordedDecision>& decisions() const { return decisions_; }
   const std::vector<RecordedChain>& chains() const { return chains_; }
   const std::vector<RecordedShot>& shots() const { return shots_; }
+  const std::vector<RecordedWinProbability>& win_probabilities() const {
+    return win_probabilities_;
+  }
   bool is_full() const { return is_full_; }  // whether anything was left out
 
   // All robots seen so far, in the order of their columns.
@@ -150,6 +162,7 @@ class GameRecording {
   std::vector<RecordedDecision> decisions_;
   std::vector<RecordedChain> chains_;
   std::vector<RecordedShot> shots_;
+  std::vector<RecordedWinProbability> win_probabilities_;
   std::optional<RecordedSignal> last_signal_;
   std::optional<ClockMark> last_mark_;
   bool is_full_ = false;

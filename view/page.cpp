@@ -144,20 +144,27 @@ io::Json robot_json(RobotId robot) {
 }
 
 constexpr int kTimeDecimals = 3;  // of times in seconds
-constexpr int kXgDecimals = 3;
+constexpr int kProbabilityDecimals = 3;
 
-// Chains and shots are arrays, which view/page/chains.js names: a game has hundreds of chains.
+// Chains, shots and win probabilities are arrays, which the page's scripts name: a game has
+// hundreds.
 io::Json chain_json(const RecordedChain& chain) {
   return io::Json::array({io::rounded(chain.start_s, kTimeDecimals),
                           io::rounded(chain.end_s, kTimeDecimals), number_of(chain.team),
                           chain.start, chain.end, chain.passes, chain.shots,
-                          io::rounded(chain.xg, kXgDecimals)});
+                          io::rounded(chain.xg, kProbabilityDecimals)});
 }
 
 io::Json shot_json(const RecordedShot& shot) {
   return io::Json::array({io::rounded(shot.time_s, kTimeDecimals), number_of(shot.team),
-                          position_json(shot.from_m), io::rounded(shot.xg, kXgDecimals),
+                          position_json(shot.from_m), io::rounded(shot.xg, kProbabilityDecimals),
                           shot.has_scored});
+}
+
+io::Json win_probability_json(const RecordedWinProbability& probability) {
+  return io::Json::array({io::rounded(probability.time_s, kTimeDecimals),
+                          io::rounded(probability.west, kProbabilityDecimals),
+                          io::rounded(probability.draw, kProbabilityDecimals)});
 }
 
 io::Json kinds_json(const ChainKinds& kinds) {
@@ -231,6 +238,7 @@ void fill_recording(const GameRecording& recording, io::Json& json) {
   json["decisions"] = list_json(recording.decisions(), page_json);
   json["chains"] = list_json(recording.chains(), chain_json);
   json["shots"] = list_json(recording.shots(), shot_json);
+  json["winProbabilities"] = list_json(recording.win_probabilities(), win_probability_json);
 }
 
 io::Json game_json(const PageContent& content) {

@@ -46,6 +46,13 @@ view::ChainKinds chain_kinds() {
   return {all_names<game::ChainStart>(), all_names<game::ChainEnd>()};
 }
 
+PageRecorder::PageRecorder(const game::GameConfiguration& game) : game_(&game) {
+  if (game.scene) return;  // it ends long before a game would
+  win_probability_.emplace(game, [this](double time_s, const game::WinProbability& probability) {
+    recording_.add(view::RecordedWinProbability{time_s, probability.west, probability.draw});
+  });
+}
+
 void PageRecorder::on_frame(const Frame& frame, const RefereeSignal& signal,
                             const sim::World& /*world*/) {
   recording_.add(published(frame, signal.blue_on_positive_half));

@@ -9,6 +9,7 @@
 #include "game/loop/game_configuration.hpp"
 #include "game/loop/game_record.hpp"
 #include "game/loop/observer.hpp"
+#include "game/loop/win_probability_observer.hpp"
 #include "game/play_counts/possession_chains.hpp"
 #include "live/web/live_page.hpp"
 #include "view/game_recording.hpp"
@@ -31,12 +32,17 @@ view::ChainKinds chain_kinds();
 class PageRecorder final : public game::Observer {
  public:
   // `game` must outlive the recorder.
-  explicit PageRecorder(const game::GameConfiguration& game) : game_(&game) {}
+  explicit PageRecorder(const game::GameConfiguration& game);
+  PageRecorder(const PageRecorder&) = delete;
+  PageRecorder& operator=(const PageRecorder&) = delete;
 
   void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World& world) override;
   void on_decision(const referee::Decision& decision) override;
   void on_chain(const game::PossessionChain& chain) override;
   void on_shot(const game::Shot& shot) override;
+  void on_play(const game::StateOfPlay& play) override {
+    if (win_probability_) win_probability_->on_play(play);
+  }
 
   // The page of the game that has been recorded.
   std::string page(const game::GameRecord& record) const;
@@ -44,7 +50,8 @@ class PageRecorder final : public game::Observer {
  private:
   const game::GameConfiguration* game_;
   view::GameRecording recording_;
-  bool blue_on_positive_half_ = true;  // in the last frame
+  std::optional<game::WinProbabilityObserver> win_probability_;  // nullopt for a scene
+  bool blue_on_positive_half_ = true;                            // in the last frame
 };
 
 // Facts that identify the game and the program on a page.

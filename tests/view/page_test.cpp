@@ -69,16 +69,18 @@ TEST(Page, HasTheDecisionsOfTheRecording) {
             std::string::npos);
 }
 
-TEST(Page, HasTheChainsAndShotsOfTheRecording) {
+TEST(Page, HasTheChainsShotsAndWinProbabilitiesOfTheRecording) {
   GameRecording recording;
   recording.add(RecordedChain{12.5, 14.0004, Side::kEast, "duel", "goal", 2, 1, 0.12345});
   recording.add(RecordedShot{13.25, Side::kEast, {1.5, -2}, 0.12345, true});
+  recording.add(RecordedWinProbability{3, 0.25, 0.12345});
   PageContent content{recording, Field{}, {}};
   content.chain_kinds = ChainKinds{{"duel", "penalty"}, {"goal", "lost"}};
   const std::string page = page_of(content);
   for (const char* part :
        {R"("chains": [[12.5, 14, 1, "duel", "goal", 2, 1, 0.123]])",
         R"("shots": [[13.25, 1, [1500, -2000], 0.123, true]])",
+        R"("winProbabilities": [[3, 0.25, 0.123]])",
         R"("chainKinds": {"starts": ["duel", "penalty"], "ends": ["goal", "lost"]})"})
     EXPECT_EQ(count_in(part, page), 1U) << part;
 }

@@ -246,6 +246,73 @@ class PageTest(GamePage):
         self.assertLess(self.browser.execute_script(AVERAGE_BRIGHTNESS), 100)
 
 
+class WinProbabilityPageTest(GamePage):
+    """A game that yellow wins."""
+
+    settings = {**PageTest.settings, "match__rules": "2026-b", "seed": 7}
+
+    def shown_wins(self):
+        """The probabilities in per cent that yellow and blue win, as shown."""
+        return [int(one) for one in self.text("win").removeprefix("win ").replace(" %", "").split(" : ")]
+
+    def turning_points(self):
+        return self.browser.find_elements(By.CSS_SELECTOR, "#turningPointList .highlight")
+
+    def begin_s(self, turn):
+        minutes, seconds = turn.find_element(By.CLASS_NAME, "when").text.split(":")
+        return 60 * int(minutes) + int(seconds)
+
+    def test_is_even_at_first_and_certain_at_the_end(self):
+        yellow, blue = self.shown_wins()
+        self.assertLess(abs(yellow - blue), 25)
+        self.press(Keys.END)
+        self.assertGreater(self.score()[0], self.score()[1])
+        yellow, blue = self.shown_wins()
+        self.assertGreater(yellow, 95)
+        self.assertLess(blue, 5)
+
+    def test_draws_an_area_for_each_team_and_seeks_where_it_is_clicked(self):
+        self.leave_picture("win_probability")
+        for name in ("winYellow", "winBlue"):
+            points = self.browser.find_element(By.ID, name).get_attribute("points").split()
+            self.assertGreater(len(points), 30)
+            heights = [float(point.split(",")[1]) for point in points]
+            self.assertGreaterEqual(min(heights), 0)
+            self.assertLessEqual(max(heights), 100)
+            self.assertGreater(max(heights[1:-1]) - min(heights[1:-1]), 20)
+            self.assertGreater(heights[-2], 90)  # yellow wins
+        self.browser.find_element(By.ID, "winChart").click()  # its middle
+        self.settle()
+        length_s = self.browser.execute_script("return page.recording.length_s")
+        self.assertAlmostEqual(self.time_s(), length_s / 2, delta=0.01 * length_s)
+
+    def test_lists_the_turning_points_in_order(self):
+        turns = self.turning_points()
+        self.assertIn(len(turns), range(2, 6))
+        begins_s = [self.begin_s(turn) for turn in turns]
+        self.assertEqual(begins_s, sorted(begins_s))
+        self.assertIn("Goal for yellow", " ".join(turn.text for turn in turns))
+        for turn in turns:
+            before, after = re.findall(r"(\d+) %", turn.find_element(By.CLASS_NAME, "reason").text)
+            self.assertGreaterEqual(int(after), int(before))
+
+    def test_goes_to_a_turning_point(self):
+        first, *_ = self.turning_points()
+        first.click()
+        self.settle()
+        self.assertAlmostEqual(self.time_s(), self.begin_s(first), delta=1)
+        self.press("m")
+        self.assertAlmostEqual(self.time_s(), self.begin_s(self.turning_points()[1]), delta=1)
+        self.press("M")
+        self.assertAlmostEqual(self.time_s(), self.begin_s(first), delta=1)
+
+    def test_fits_a_phone(self):
+        self.show(PHONE)
+        self.leave_picture("win_probability_phone")
+        self.assertLessEqual(self.scroll_width(), PHONE[0])
+        self.assertEqual(self.cut_off(), [])
+
+
 class ChainsPageTest(GamePage):
     """A game in which cobalt shoots and scores in both halves, with a change of ends."""
 
@@ -680,7 +747,7 @@ class ComparedPageTest(BrowserTest):
         self.browser.find_element(By.TAG_NAME, "body").send_keys("6cC")
         self.settle()
         self.assertEqual(self.text("time"), "0:00.00")
-        for name in ("chainStrip", "chainStart", "shots", "layer-shots", "xg"):
+        for name in ("chainStrip", "chainStart", "shots", "layer-shots", "xg", "winChart", "win", "turningPoints"):
             self.assertFalse(self.browser.find_element(By.ID, name).is_displayed(), name)
         self.assertEqual(self.browser.get_log("browser"), [])
 

@@ -11,6 +11,7 @@ const kKeys = {
   1: "layer1", 2: "layer2", 3: "layer3", 4: "layer4", 5: "layer5", 6: "layer6",
   d: "disagreements",
   c: "nextChain", C: "previousChain",
+  m: "nextTurningPoint", M: "previousTurningPoint",
   "?": "help",
 };
 
@@ -23,10 +24,11 @@ function actionFor(event) {
   return kKeys[event.key] ?? null;
 }
 
-// A focused button handles the space bar itself, and a list of choices also the keys that move in it.
+// A focused button handles the space bar itself, and a list of choices also letters and the keys that move in it.
 function isForControl({key, target}) {
   const isChoice = target instanceof HTMLSelectElement;
-  return key === " " && (isChoice || target instanceof HTMLButtonElement) || isChoice && kChoiceKeys.includes(key);
+  if (isChoice) return key.length === 1 || kChoiceKeys.includes(key);
+  return key === " " && target instanceof HTMLButtonElement;
 }
 
 function listenToKeys(actions) {

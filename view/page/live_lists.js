@@ -62,6 +62,7 @@ class LiveChainStrip extends ChainStrip {
       segment.remove();
       this.segments.delete(chain);
     }
+    if (!kept.has(this.pointed)) this.point(null);
     super.update();
     this.moveSegments();
   }

@@ -35,6 +35,7 @@ class LivePage extends Page {
     for (const list of [this.game.signals, this.game.clock, this.game.decisions]) list.length = 0;
     this.recording.clear();
     this.chains.clear();
+    this.areChainsStale = true;
     this.isLoading = true;
     this.player.isWaiting = true;
   }

@@ -28,6 +28,7 @@ class Page {
     this.scoreboard = new Scoreboard({...game, teams: names}, this.shootout, this.chains);
     this.timeline = new Timeline(recording, highlights, seek);
     this.events = new EventList(highlights, seek);
+    if (game.winProbabilities.length > 0) this.beginWinProbability(highlights, seek);
     this.isStale = true;
   }
 
@@ -50,6 +51,13 @@ class Page {
     this.seekAddress();
     window.addEventListener("hashchange", () => this.seekAddress());
     requestAnimationFrame(frame);
+  }
+
+  beginWinProbability(highlights, seek) {
+    const winProbability = new WinProbability(this.game);
+    const turningPoints = turningPointsOf(winProbability, highlights, this.chains);
+    this.winChart = new WinChart(winProbability, turningPoints, this.timeline, seek);
+    for (const element of document.querySelectorAll(".ofWin")) element.hidden = false;
   }
 
   beginChains() {
@@ -118,6 +126,7 @@ class Page {
     this.pitch.draw(scene, signalIndex, this.layers, this.events.highlightAt(time_s));
     this.scoreboard.show(time_s, this.game.signals[Math.max(signalIndex, 0)], play);
     this.timeline.show(time_s);
+    this.winChart?.show(time_s);
     this.chainStrip?.show(time_s);
     this.shotMap?.show(this.layers.shots === true, scene.yellowEnd, this.pitch.pixel_mm);
     this.events.show(time_s);
@@ -166,6 +175,11 @@ class Page {
     if (highlight) this.player.seek(highlight.time_s);
   }
 
+  seekTurningPoint(direction) {
+    const turn = this.winChart?.neighbour(this.player.time_s, direction);
+    if (turn) this.player.seek(turn.time_s);
+  }
+
   seekChain(direction) {
     const chain = this.chains.neighbour(this.player.time_s, direction);
     if (chain) this.player.seek(chain.start_s);
@@ -199,6 +213,8 @@ class Page {
       nextEvent: () => this.seekMoment(1),
       previousGoal: () => this.seekMoment(-1, "goal"),
       nextGoal: () => this.seekMoment(1, "goal"),
+      previousTurningPoint: () => this.seekTurningPoint(-1),
+      nextTurningPoint: () => this.seekTurningPoint(1),
       previousChain: () => this.seekChain(-1),
       nextChain: () => this.seekChain(1),
       withShot: () => this.toggleWithShot(),
