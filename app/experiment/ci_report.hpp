@@ -36,8 +36,8 @@ struct CiReport {
   std::string folder;   // the results folder
 };
 
-// A page for a comment or a summary: title, answer, opponents, problems, and folded the parts of
-// the difference and how to repeat the comparison.
+// A page for a comment or a summary: title, answer, opponents, problems, and, folded, the parts of
+// the difference, what the new team does differently, and how to repeat the comparison.
 std::string comparison_markdown(const CiReport& report);
 
 // One suite. The first case is the requirement: it passes if it is met, also if the comparison is

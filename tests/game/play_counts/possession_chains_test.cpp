@@ -3,64 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/game/play_counts/play_sequence.hpp"
+#include "tests/game/play_counts/chain_play.hpp"
 
 namespace autoref::game {
 namespace {
 
 using referee::Event;
-using referee::State;
-
-referee::Decision decision_of(Event event, std::optional<Command> command = {}) {
-  referee::Decision decision;
-  decision.finding.event = event;
-  decision.command = command;
-  return decision;
-}
-
-// A decision that stops play.
-referee::Decision call(Event event, std::optional<Side> offender = {}) {
-  referee::Decision decision = decision_of(event, Command{CommandKind::kStop});
-  decision.from = State::kRun;
-  decision.to = State::kWaitStop;
-  decision.finding.offender = offender;
-  return decision;
-}
-
-// A sequence of play whose chains are checked.
-struct ChainPlay : PlaySequence {
-  // Two touches at the same place, which gain the ball.
-  void gain(RobotId id, const Vec2& ball_m) {
-    hull(id, ball_m);
-    frames(10);
-    hull(id, ball_m);
-    frame();
-  }
-  void stop_by(const referee::Decision& decision) {
-    decide(decision);
-    stop();
-  }
-  void restart(Command command, RobotId kicker, const Vec2& ball_m) {
-    decide(decision_of(Event::kReady, command));
-    signal_play();
-    kick(kicker, ball_m, {-goal_sign(kicker.side) * 2, 0});
-    frames(2);
-  }
-  // Plays the restart that follows a call, and returns how the next chain began.
-  ChainStart start_after(Event event, CommandKind kind) {
-    gain(kWest1, {0, 0});
-    referee::Decision decision = call(event, Side::kWest);
-    decision.finding.restart = {kind, Side::kEast};
-    stop_by(decision);
-    restart({kind, Side::kEast}, kEast1, {0, 1});
-    return last_start();
-  }
-  // Ends play and returns the start of the chain that was in progress.
-  ChainStart last_start() {
-    stop();
-    return chains.back().start;
-  }
-};
 
 TEST(PossessionChain, BeginsWithTheRestartThatTheTeamTakes) {
   using enum CommandKind;
@@ -89,7 +37,7 @@ TEST(PossessionChain, BeginsWithTheCallThatLedToTheFreeKick) {
 TEST(PossessionChain, BeginsWithAFreeKickIfTheOtherTeamGetsThePlacedBall) {
   ChainPlay play;
   play.gain(kWest1, {0, 0});
-  referee::Decision corner = call(Event::kCornerKick);
+  referee::Decision corner = ChainPlay::call(Event::kCornerKick);
   corner.finding.restart = {CommandKind::kDirectFree, Side::kEast};
   play.stop_by(corner);
   play.restart({CommandKind::kDirectFree, Side::kWest}, kWest1, {0, 0});
@@ -174,11 +122,11 @@ TEST(PossessionChain, EndsWithAnOpponentsKick) {
 
 TEST(PossessionChain, EndsWithTheCallThatStopsPlay) {
   const std::pair<referee::Decision, ChainEnd> ends[] = {
-      {call(Event::kThrowIn), ChainEnd::kOut},
-      {call(Event::kAimlessKick, Side::kWest), ChainEnd::kOut},
-      {call(Event::kBotDribbledBallTooFar, Side::kWest), ChainEnd::kFoul},
-      {call(Event::kBotPushedBot, Side::kEast), ChainEnd::kFouled},
-      {call(Event::kHalfOver), ChainEnd::kWhistle}};
+      {ChainPlay::call(Event::kThrowIn), ChainEnd::kOut},
+      {ChainPlay::call(Event::kAimlessKick, Side::kWest), ChainEnd::kOut},
+      {ChainPlay::call(Event::kBotDribbledBallTooFar, Side::kWest), ChainEnd::kFoul},
+      {ChainPlay::call(Event::kBotPushedBot, Side::kEast), ChainEnd::kFouled},
+      {ChainPlay::call(Event::kHalfOver), ChainEnd::kWhistle}};
   for (const auto& [decision, end] : ends) {
     ChainPlay play;
     play.gain(kWest1, {0, 0});
@@ -218,7 +166,7 @@ TEST(PossessionChain, EndsWithAShotIfNothingFollows) {
   play.frames(30);
   play.hull(kEast1, {2.9, 0});
   play.frame();
-  play.stop_by(call(Event::kCornerKick));
+  play.stop_by(ChainPlay::call(Event::kCornerKick));
   ASSERT_EQ(play.chains.size(), 1U);
   EXPECT_EQ(play.chains[0].end, ChainEnd::kShot);
   EXPECT_EQ(play.chains[0].shots, 1);
@@ -262,7 +210,7 @@ TEST(PossessionChain, IsTheScorersIfTheyTouchedTheBallLast) {
 TEST(PossessionChain, EndsWithTheGoalOfTheTeamThatDoesNotKickOff) {
   ChainPlay play;
   play.gain(kEast1, {-2, 0});
-  referee::Decision goal = call(Event::kGoal);
+  referee::Decision goal = ChainPlay::call(Event::kGoal);
   goal.finding.restart = {CommandKind::kPrepareKickoff, Side::kWest};
   play.stop_by(goal);
   ASSERT_EQ(play.chains.size(), 1U);
@@ -281,57 +229,6 @@ TEST(PossessionChain, IsNotChangedByTouchesInTheGoal) {
   ASSERT_EQ(play.chains.size(), 1U);
   EXPECT_EQ(play.chains[0].end, ChainEnd::kGoal);
   EXPECT_EQ(play.chains[0].shots, 1);
-}
-
-TEST(BallOwner, IsTheTeamWithTheBall) {
-  ChainPlay play;
-  EXPECT_FALSE(play.statistics.ball_owner());
-  play.signal_play();
-  play.gain(kEast1, {0, 0});
-  ASSERT_TRUE(play.statistics.ball_owner());
-  EXPECT_EQ(play.statistics.ball_owner()->team, Side::kEast);
-  EXPECT_FALSE(play.statistics.ball_owner()->is_restart);
-  EXPECT_FALSE(play.statistics.ball_owner()->shot_chance);
-}
-
-// Whoever takes the restart owns the ball from the call on, also if another call changes it before
-// it is taken.
-TEST(BallOwner, IsTheTeamThatTakesTheNextRestart) {
-  ChainPlay play;
-  play.gain(kWest1, {0, 0});
-  referee::Decision penalty = call(Event::kBotPushedBot, Side::kWest);
-  penalty.finding.restart = {CommandKind::kPreparePenalty, Side::kEast};
-  play.stop_by(penalty);
-  EXPECT_EQ(play.statistics.ball_owner()->team, Side::kEast);
-  EXPECT_TRUE(play.statistics.ball_owner()->is_penalty);
-  play.decide(decision_of(Event::kReady, Command{CommandKind::kPreparePenalty, Side::kEast}));
-  play.frame();
-  EXPECT_TRUE(play.statistics.ball_owner()->is_penalty);
-  referee::Decision free_kick = decision_of(Event::kAttackerStaysNearArea);
-  free_kick.finding.restart = {CommandKind::kDirectFree, Side::kWest};
-  play.decide(free_kick);
-  play.frame();
-  EXPECT_EQ(play.statistics.ball_owner()->team, Side::kWest);
-  EXPECT_TRUE(play.statistics.ball_owner()->is_restart);
-  EXPECT_FALSE(play.statistics.ball_owner()->is_penalty);
-}
-
-TEST(BallOwner, IsNobodyBeforeAForceStart) {
-  ChainPlay play;
-  play.gain(kWest1, {0, 0});
-  referee::Decision stuck = call(Event::kStuckBall);
-  stuck.finding.restart = {CommandKind::kForceStart};
-  play.stop_by(stuck);
-  EXPECT_FALSE(play.statistics.ball_owner());
-}
-
-TEST(BallOwner, HasTheChanceOfItsShotOnTheWay) {
-  ChainPlay play;
-  play.kick(kEast1, {-1, 0}, {-5, 0});
-  play.frame();
-  ASSERT_TRUE(play.statistics.ball_owner());
-  ASSERT_TRUE(play.statistics.ball_owner()->shot_chance);
-  EXPECT_GT(*play.statistics.ball_owner()->shot_chance, 0.5);
 }
 
 TEST(Shot, HasScoredIfAGoalFollowsWithoutAnotherTouchByTheTeam) {
