@@ -206,6 +206,10 @@ void GameRecording::add(RecordedChain chain) {
   add_to_list(chains_, kMostChains, std::move(chain));
 }
 
+void GameRecording::add(RecordedAction action) {
+  add_to_list(actions_, kMostActions, std::move(action));
+}
+
 void GameRecording::add(const RecordedShot& shot) { add_to_list(shots_, kMostShots, shot); }
 
 void GameRecording::add(const RecordedWinProbability& probability) {

@@ -80,6 +80,18 @@ struct RecordedShot {
   bool has_scored = false;
 };
 
+// What a robot of a simulated game did with the ball.
+struct RecordedAction {
+  double start_s = 0;
+  double end_s = 0;
+  Side team = Side::kWest;
+  int robot = -1;     // number; -1 if unknown
+  std::string kind;   // name of a game::ActionKind
+  Vec2 from_m{0, 0};  // the ball's positions at these times, as published
+  Vec2 to_m{0, 0};
+  double worth = 0;  // goals
+};
+
 // The win probability of a simulated game at some time. East wins otherwise.
 struct RecordedWinProbability {
   double time_s = 0;
@@ -97,6 +109,7 @@ class GameRecording {
   static constexpr std::size_t kMostDecisions = 100'000;
   static constexpr std::size_t kMostChains = 100'000;
   static constexpr std::size_t kMostShots = 100'000;
+  static constexpr std::size_t kMostActions = 100'000;
   static constexpr std::size_t kMostWinProbabilities = 100'000;
 
   // Times must increase.
@@ -111,6 +124,7 @@ class GameRecording {
 
   void add(RecordedChain chain);
   void add(const RecordedShot& shot);
+  void add(RecordedAction action);
   void add(const RecordedWinProbability& probability);
 
   // Returns the recording so far and begins an empty one, which continues from the previous
@@ -125,6 +139,7 @@ class GameRecording {
   const std::vector<RecordedDecision>& decisions() const { return decisions_; }
   const std::vector<RecordedChain>& chains() const { return chains_; }
   const std::vector<RecordedShot>& shots() const { return shots_; }
+  const std::vector<RecordedAction>& actions() const { return actions_; }
   const std::vector<RecordedWinProbability>& win_probabilities() const {
     return win_probabilities_;
   }
@@ -162,6 +177,7 @@ class GameRecording {
   std::vector<RecordedDecision> decisions_;
   std::vector<RecordedChain> chains_;
   std::vector<RecordedShot> shots_;
+  std::vector<RecordedAction> actions_;
   std::vector<RecordedWinProbability> win_probabilities_;
   std::optional<RecordedSignal> last_signal_;
   std::optional<ClockMark> last_mark_;

@@ -146,8 +146,8 @@ io::Json robot_json(RobotId robot) {
 constexpr int kTimeDecimals = 3;  // of times in seconds
 constexpr int kProbabilityDecimals = 3;
 
-// Chains, shots and win probabilities are arrays, which the page's scripts name: a game has
-// hundreds.
+// Chains, shots, actions and win probabilities are arrays, which the page's scripts name: a game
+// has hundreds.
 io::Json chain_json(const RecordedChain& chain) {
   return io::Json::array({io::rounded(chain.start_s, kTimeDecimals),
                           io::rounded(chain.end_s, kTimeDecimals), number_of(chain.team),
@@ -159,6 +159,13 @@ io::Json shot_json(const RecordedShot& shot) {
   return io::Json::array({io::rounded(shot.time_s, kTimeDecimals), number_of(shot.team),
                           position_json(shot.from_m), io::rounded(shot.xg, kProbabilityDecimals),
                           shot.has_scored});
+}
+
+io::Json action_json(const RecordedAction& action) {
+  return io::Json::array(
+      {io::rounded(action.start_s, kTimeDecimals), io::rounded(action.end_s, kTimeDecimals),
+       number_of(action.team), action.robot, action.kind, position_json(action.from_m),
+       position_json(action.to_m), io::rounded(action.worth, kProbabilityDecimals)});
 }
 
 io::Json win_probability_json(const RecordedWinProbability& probability) {
@@ -238,6 +245,7 @@ void fill_recording(const GameRecording& recording, io::Json& json) {
   json["decisions"] = list_json(recording.decisions(), page_json);
   json["chains"] = list_json(recording.chains(), chain_json);
   json["shots"] = list_json(recording.shots(), shot_json);
+  json["actions"] = list_json(recording.actions(), action_json);
   json["winProbabilities"] = list_json(recording.win_probabilities(), win_probability_json);
 }
 

@@ -42,6 +42,18 @@ view::RecordedShot recorded(const game::Shot& shot, double frame_rate_hz,
           published(shot.from_m, blue_on_positive_half), shot.chance, shot.has_scored};
 }
 
+view::RecordedAction recorded(const game::BallAction& action, double frame_rate_hz,
+                              bool blue_on_positive_half) {
+  return {static_cast<double>(action.first_frame) / frame_rate_hz,
+          static_cast<double>(action.last_frame) / frame_rate_hz,
+          action.team,
+          action.robot,
+          std::string(name_of(action.kind)),
+          published(action.first_m, blue_on_positive_half),
+          published(action.last_m, blue_on_positive_half),
+          action.worth};
+}
+
 view::ChainKinds chain_kinds() {
   return {all_names<game::ChainStart>(), all_names<game::ChainEnd>()};
 }
@@ -62,6 +74,10 @@ void PageRecorder::on_frame(const Frame& frame, const RefereeSignal& signal,
 
 void PageRecorder::on_decision(const referee::Decision& decision) {
   recording_.add(recorded(decision));
+}
+
+void PageRecorder::on_action(const game::BallAction& action) {
+  recording_.add(recorded(action, game_->sim.frame_rate_hz, blue_on_positive_half_));
 }
 
 void PageRecorder::on_chain(const game::PossessionChain& chain) {

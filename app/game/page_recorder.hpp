@@ -20,11 +20,13 @@ namespace autoref::app {
 // The part of a decision that a page shows.
 view::RecordedDecision recorded(const referee::Decision& decision);
 
-// The chain and the shot as a page shows them. `blue_on_positive_half`: as in the referee's signal
-// at the time of the shot.
+// A chain, a shot and an action as a page shows them. `blue_on_positive_half`: as in the referee's
+// signal at the time of the shot or action.
 view::RecordedChain recorded(const game::PossessionChain& chain, double frame_rate_hz);
 view::RecordedShot recorded(const game::Shot& shot, double frame_rate_hz,
                             bool blue_on_positive_half);
+view::RecordedAction recorded(const game::BallAction& action, double frame_rate_hz,
+                              bool blue_on_positive_half);
 
 // All names of game::ChainStart and game::ChainEnd.
 view::ChainKinds chain_kinds();
@@ -38,6 +40,7 @@ class PageRecorder final : public game::Observer {
 
   void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World& world) override;
   void on_decision(const referee::Decision& decision) override;
+  void on_action(const game::BallAction& action) override;
   void on_chain(const game::PossessionChain& chain) override;
   void on_shot(const game::Shot& shot) override;
   void on_play(const game::StateOfPlay& play) override {

@@ -33,13 +33,15 @@ struct GameFiles {
   explicit GameFiles(const GameOutput& output)
       : events("--events", output.events),
         game_events("--game-events", output.game_events),
-        chains("--chains", output.chains) {
+        chains("--chains", output.chains),
+        actions("--actions", output.actions) {
     open_output(view, "--view", output.view);
   }
 
   LineOutput events;
   LineOutput game_events;
   LineOutput chains;
+  LineOutput actions;
   std::optional<io::PendingFile> view;
 };
 
@@ -57,9 +59,11 @@ class GameOutputs final : public game::Observer {
       : files_(&files),
         events_(game::event_game_of(game)),
         log_(log),
-        chain_columns_(game::chain_columns(events_, game.sim.frame_rate_hz)) {
+        chain_columns_(game::chain_columns(events_, game.sim.frame_rate_hz)),
+        action_columns_(game::action_columns(events_, game.sim.frame_rate_hz)) {
     note_interrupts();
     if (files.chains.is_open()) files.chains.add(io::csv_line(io::heads_of(chain_columns_)));
+    if (files.actions.is_open()) files.actions.add(io::csv_line(io::heads_of(action_columns_)));
   }
   void on_other_detections(const OtherDetections& others) override {
     if (log_ != nullptr) log_->note(others);
@@ -73,6 +77,10 @@ class GameOutputs final : public game::Observer {
     if (files_->events.is_open()) files_->events.add(game::decision_json(decision, events_));
     if (files_->game_events.is_open()) add_game_event(decision);
     if (log_ != nullptr) log_decision(decision);
+  }
+  void on_action(const game::BallAction& action) override {
+    if (files_->actions.is_open())
+      files_->actions.add(io::csv_line(io::cells_of(action_columns_, action)));
   }
   void on_chain(const game::PossessionChain& chain) override {
     if (!files_->chains.is_open()) return;
@@ -96,6 +104,7 @@ class GameOutputs final : public game::Observer {
   game::EventGame events_;
   league::GameLog* log_;  // null unless a log is written
   io::TableColumns<game::ChainRow> chain_columns_;
+  io::TableColumns<game::BallAction> action_columns_;
   int chains_ = 0;  // number of chains so far
 };
 
@@ -103,6 +112,7 @@ void check_files(const GameOutput& output, const std::vector<std::string>& input
   check_outputs({{"--events", output.events},
                  {"--game-events", output.game_events},
                  {"--chains", output.chains},
+                 {"--actions", output.actions},
                  {"--log", output.log},
                  {"--view", output.view},
                  {"--record", output.record}},
@@ -184,6 +194,10 @@ void add_output_options(CLI::App& verb, GameOutput& output) {
   add_decision_outputs(verb, output.events, output.game_events);
   verb.add_option("--chains", output.chains, "Write the teams' possession chains to FILE, as CSV.")
       ->type_name("FILE");
+  verb.add_option("--actions", output.actions,
+                  "Write the passes, dribbles, shots, losses and fouls to FILE, as CSV, with what "
+                  "each was worth.")
+      ->type_name("FILE");
   verb.add_option("--log", output.log,
                   "Write the game to FILE as an SSL log; compressed if FILE ends in .gz.")
       ->type_name("FILE");
@@ -236,6 +250,7 @@ game::GameRecord play_one(const game::GameConfiguration& game, const GameOutput&
   files.events.commit();
   files.game_events.commit();
   files.chains.commit();
+  files.actions.commit();
   if (files.view) files.view->commit(page.page(record));
   const experiments::GameReport report{game, record, wall_s, io::build_id()};
   fmt::print("{}\n", output.json

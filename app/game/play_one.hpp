@@ -24,6 +24,7 @@ struct GameOutput {
   std::string events;       // output file for the referee's decisions; empty: none
   std::string game_events;  // output file for the decisions as game events; empty: none
   std::string chains;       // output file for the possession chains; empty: none
+  std::string actions;      // output file for the actions; empty: none
   std::string
       log;  // output file for vision and referee packets (league/game_packets.hpp); empty: none
   std::string view;    // output file for the page that shows the game (view/page.hpp); empty: none

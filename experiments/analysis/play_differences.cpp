@@ -18,6 +18,19 @@ struct CountedPlay {
   TeamNumber number;
 };
 
+struct ShownActions {
+  const char* name;
+  game::ActionKind kind;
+};
+constexpr ShownActions kValuedActions[] = {{"passes", game::ActionKind::kPass},
+                                           {"dribbles", game::ActionKind::kDribble},
+                                           {"shots", game::ActionKind::kShot},
+                                           {"losses", game::ActionKind::kLoss},
+                                           {"fouls", game::ActionKind::kFoul}};
+// The other kinds are among the play counts.
+constexpr ShownActions kCountedActions[] = {{"dribbles", game::ActionKind::kDribble},
+                                            {"losses", game::ActionKind::kLoss}};
+
 // Counts that are parts of the goal difference.
 bool is_part_of_goals(const Field& field) {
   return field.count == &PlayCounts::own_goals || field.number == &PlayCounts::xg ||
@@ -44,6 +57,16 @@ std::vector<CountedPlay> counted_play() {
     counted.push_back({shown_name(field), [&field](const TeamGame& game) {
                          return field.count != nullptr ? game.own->*field.count
                                                        : game.own->*field.number;
+                       }});
+  }
+  for (const ShownActions& shown : kCountedActions) {
+    counted.push_back({shown.name, [&shown](const TeamGame& game) {
+                         return game::counts_of(*game.own, shown.kind).actions;
+                       }});
+  }
+  for (const ShownActions& shown : kValuedActions) {
+    counted.push_back({fmt::format("worth of {}", shown.name), [&shown](const TeamGame& game) {
+                         return game::counts_of(*game.own, shown.kind).worth;
                        }});
   }
   return counted;

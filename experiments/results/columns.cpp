@@ -165,7 +165,7 @@ void add_count_columns(std::vector<Column>& columns, const std::string& name,
   }
 }
 
-// Columns such as shots_a and chains_corner_kick_a.
+// Columns such as shots_a, chains_corner_kick_a and worth_pass_a.
 void add_team_columns(std::vector<Column>& columns) {
   for (const auto& field : game::count_fields()) {
     add_count_columns(
@@ -176,6 +176,15 @@ void add_team_columns(std::vector<Column>& columns) {
       add_count_columns(
           columns, fmt::format("{}_{}", field.name, group.name),
           field, [&group](auto& team) -> auto& { return group.of(team); });
+    }
+  }
+  for (const auto& field : game::action_count_fields()) {
+    for (const Named<game::ActionKind>& kind : names_of(game::ActionKind{})) {
+      add_count_columns(
+          columns, fmt::format("{}_{}", field.name, kind.name),
+          field, [value = kind.value](auto& team) -> auto& {
+            return game::counts_of(team, value);
+          });
     }
   }
 }

@@ -147,6 +147,17 @@ io::Json chains_json(const game::PlayCounts& team) {
   return groups;
 }
 
+// {"pass": {"actions": 30, "worth": 0.2}, ...}
+io::Json actions_json(const game::PlayCounts& team) {
+  io::Json kinds;
+  for (const Named<game::ActionKind>& kind : names_of(game::ActionKind{})) {
+    for (const auto& field : game::action_count_fields())
+      kinds[std::string(kind.name)][std::string(field.name)] =
+          count_json(game::counts_of(team, kind.value), field);
+  }
+  return kinds;
+}
+
 }  // namespace
 
 std::string end_text(const game::GameConfiguration& game, const game::GameRecord& record) {
@@ -188,6 +199,8 @@ std::string json_of(const GameReport& report) {
   for (const auto& field : game::count_fields()) add_counts(json, record, field);
   json["chains_a"] = chains_json(record.counts[0]);
   json["chains_b"] = chains_json(record.counts[1]);
+  json["actions_a"] = actions_json(record.counts[0]);
+  json["actions_b"] = actions_json(record.counts[1]);
   for (const game::MeasuredTime& time : game::measured_times())
     json[time.name] = record.*time.seconds;
   json.update({{"wall_s", report.wall_s},

@@ -1,7 +1,9 @@
-// Possession chains as a CSV file: one row per chain, in the order in which the chains ended.
+// Possession chains and the actions in them as CSV files: one row per chain or action, in the order
+// in which they ended.
 #pragma once
 
 #include "game/loop/event_log.hpp"
+#include "game/play_counts/ball_actions.hpp"
 #include "game/play_counts/possession_chains.hpp"
 #include "io/table_columns.hpp"
 
@@ -12,8 +14,9 @@ struct ChainRow {
   PossessionChain chain;
 };
 
-// The columns. Positions are seen from the chain's team, as strategies see them: its own goal is at
-// -x, and y points to its left. `game` names the teams.
+// The columns. Positions are seen from the team of the chain or action, as strategies see them: its
+// own goal is at -x, and y points to its left. `game` names the teams.
 io::TableColumns<ChainRow> chain_columns(const EventGame& game, double frame_rate_hz);
+io::TableColumns<BallAction> action_columns(const EventGame& game, double frame_rate_hz);
 
 }  // namespace autoref::game

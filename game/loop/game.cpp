@@ -79,7 +79,8 @@ class Game::Impl {
                                  configuration_.match.rules.opponents_to_ball_m),
         tracks_(sim::split_latency(configuration_.sim).frames),
         statistics_(configuration_.field, configuration_.sim.ball, rate_hz(),
-                    chance_model(configuration_.match.rules.name)),
+                    chance_model(configuration_.match.rules.name),
+                    value_model(configuration_.match.rules.name)),
         players_{{TeamController(configuration_, Side::kWest, make_team),
                   TeamController(configuration_, Side::kEast, make_team)}} {
     if (configuration_.scene) scene_.emplace(*configuration_.scene, a());
@@ -237,6 +238,8 @@ class Game::Impl {
   void count_play() {
     statistics_.update({world_.state(), world_.touches(), referee_.decisions(),
                         referee_.state() == referee::State::kRun, referee_.is_ball_in_play()});
+    for (const BallAction& action : statistics_.ended_actions())
+      observers_.call(&Observer::on_action, action);
     for (const PossessionChain& chain : statistics_.ended_chains())
       observers_.call(&Observer::on_chain, chain);
     for (const Shot& shot : statistics_.ended_shots()) observers_.call(&Observer::on_shot, shot);

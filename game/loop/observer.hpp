@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "game/play_counts/ball_actions.hpp"
 #include "game/play_counts/possession_chains.hpp"
 #include "referee/decision.hpp"
 #include "sim/world.hpp"
@@ -49,6 +50,9 @@ class Observer {
                            const std::optional<Placement>& /*placement*/,
                            const sim::World& /*world*/) {}
   virtual void on_decision(const referee::Decision& /*decision*/) {}
+  // Called when an action has ended, after the decisions and before on_chain(). Not called in
+  // shoot-outs.
+  virtual void on_action(const BallAction& /*action*/) {}
   // Called when a possession chain has ended, after the decisions and before on_frame(). Not called
   // in shoot-outs.
   virtual void on_chain(const PossessionChain& /*chain*/) {}

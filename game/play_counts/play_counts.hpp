@@ -19,6 +19,7 @@
 #include <span>
 #include <string_view>
 
+#include "game/play_counts/ball_actions.hpp"
 #include "game/play_counts/possession_chains.hpp"
 #include "soccer/named.hpp"
 #include "soccer/units.hpp"
@@ -73,6 +74,13 @@ struct ChainCounts {
   bool operator==(const ChainCounts&) const = default;
 };
 
+// Counts of a team's actions of one kind (ball_actions.hpp), except those in progress.
+struct ActionCounts {
+  int actions = 0;
+  double worth = 0;  // sum of what they were worth, in goals
+  bool operator==(const ActionCounts&) const = default;
+};
+
 struct PlayCounts {
   // Kicks taken outside the team's own third of the field, with a path that crosses the opponents'
   // goal line at kArrival_mps or faster at any height, and at most kShotMiss_m outside the posts.
@@ -106,6 +114,7 @@ struct PlayCounts {
   // Their shots are all the team's shots, and their goals are all its goals except the opponents'
   // own goals.
   std::array<ChainCounts, kChainStartCount> by_start{};
+  std::array<ActionCounts, kActionKindCount> by_action{};  // by ActionKind
   ChainCounts with_pass{};  // of the chains with at least one completed pass
   int own_goals = 0;        // goals against the team that ended one of its own chains
   // Expected goals: the sum of the chances of the team's shots, not knowing where they are aimed.
@@ -148,6 +157,19 @@ inline std::span<const CountField<ChainCounts>> chain_count_fields() {
       Field{"chains", &ChainCounts::chains}, Field{"shots", &ChainCounts::shots},
       Field{"goals", &ChainCounts::goals}, Field{"xg", nullptr, &ChainCounts::xg}};
   return kFields;
+}
+
+// Every member of ActionCounts.
+inline std::span<const CountField<ActionCounts>> action_count_fields() {
+  using Field = CountField<ActionCounts>;
+  static constexpr std::array kFields = {Field{"actions", &ActionCounts::actions},
+                                         Field{"worth", nullptr, &ActionCounts::worth}};
+  return kFields;
+}
+
+// The counts of a team, which may be const, for one kind of action.
+auto& counts_of(auto& team, ActionKind kind) {
+  return team.by_action[static_cast<std::size_t>(kind)];
 }
 
 // A group of possession chains: those that began in one way, or those with a pass.

@@ -87,23 +87,27 @@ struct PlayStatistics::TouchGroup {
 };
 
 PlayStatistics::PlayStatistics(const Field& field, const sim::BallParameters& ball,
-                               double frame_rate_hz, const ChanceModel& model)
+                               double frame_rate_hz, const ChanceModel& chances,
+                               const ValueModel& values)
     : field_(field),
       ball_(ball),
-      model_(&model),
+      chances_(&chances),
       frame_rate_hz_(frame_rate_hz),
       same_kick_frames_(std::lround(kSameKick_s * frame_rate_hz)),
       duels_(frame_rate_hz),
-      chains_(same_kick_frames_) {}
+      chains_(same_kick_frames_),
+      actions_(field, values) {}
 
 // Handles touches first: they happened after the previous frame, with play still in its previous
 // state.
 void PlayStatistics::update(const FrameSummary& summary) {
   chains_.begin_frame();
+  actions_.begin_frame();
   if (is_on_) touch(summary);
   for (const referee::Decision& decision : summary.decisions) note(decision, summary.now);
   if (is_on_ && !summary.is_play_on) end_play(summary.now);
   count_chains();
+  count_actions();
   is_on_ = summary.is_play_on;
   if (summary.is_ball_in_play && last_touch_) ++possession_frames_[*last_touch_];
 }
@@ -120,9 +124,14 @@ std::optional<BallOwner> PlayStatistics::ball_owner() const {
   if (const std::optional<Side> team = chains_.team()) {
     BallOwner owner{*team};
     if (kick_ && kick_->robot.side == *team && kick_->shot)
-      owner.shot_chance = model_->chance_on_target(*kick_->shot);
+      owner.shot_chance = chances_->chance_on_target(*kick_->shot);
     return owner;
   }
+  return next_kicker();
+}
+
+// Who will take the next restart.
+std::optional<BallOwner> PlayStatistics::next_kicker() const {
   const NextRestart& restart = chains_.next_restart();
   if (!restart.side) return std::nullopt;
   return BallOwner{*restart.side, true, restart.start == ChainStart::kPenalty};
@@ -145,13 +154,16 @@ void PlayStatistics::touch(const FrameSummary& summary) {
 void PlayStatistics::touch(const TouchGroup& group, const sim::WorldState& now) {
   if (std::abs(group.touches[0].ball_m.x()) > field_.half_length_m() + kBallRadius_m) return;
   const ChainStart gained = gained_by(group, now);
+  const std::optional<BallOwner> before = ball_owner();
   meet(group);
   const std::optional<Side> side = group.side();
   if (!side) return;
   last_touch_ = side;
   const sim::Touch& first = group.touches[0];
   if (first.is_kick) kick_ = kick_away(first, now, field_, ball_);
-  chains_.touch(first, first.is_kick && kick_, gained);
+  const bool is_kick_away = first.is_kick && kick_;
+  chains_.touch(first, is_kick_away, gained);
+  actions_.touch(group.touches, is_kick_away, {before, ball_owner()}, now);
 }
 
 // Call it before meet(), which ends the kick in progress.
@@ -174,10 +186,15 @@ void PlayStatistics::meet(const TouchGroup& group) {
   if (is_kickers_own && !first.is_kick && first.frame - kick_->frame <= same_kick_frames_) return;
   const bool is_away = (first.ball_m - kick_->from_m).norm() >= kAway_m;
   if (is_kickers_own || !is_away) {
-    kick_.reset();
+    discard_kick();
   } else {
     settle(group.has(opponent_of(kick_->robot.side)) ? Next::kOpponent : Next::kMate);
   }
+}
+
+void PlayStatistics::discard_kick() {
+  kick_.reset();
+  actions_.discard_kick();
 }
 
 void PlayStatistics::settle(Next next) {
@@ -202,8 +219,8 @@ void PlayStatistics::settle(Next next) {
 Shot PlayStatistics::shot_of(const KickAway& kick) const {
   Shot shot{kick.robot.side, kick.frame, kick.from_m, kick.shot};
   if (!kick.shot) return shot;
-  shot.chance = model_->chance(*kick.shot);
-  shot.chance_on_target = model_->chance_on_target(*kick.shot);
+  shot.chance = chances_->chance(*kick.shot);
+  shot.chance_on_target = chances_->chance_on_target(*kick.shot);
   return shot;
 }
 
@@ -213,11 +230,14 @@ void PlayStatistics::count_shot(const Shot& shot) {
   team.xg += shot.chance;
   team.xgot += shot.chance_on_target;
   chains_.end_shot(shot);
+  actions_.note_shot(shot.team);
 }
 
 void PlayStatistics::note(const referee::Decision& decision, const sim::WorldState& now) {
+  const std::optional<BallOwner> before = ball_owner();
   if (const std::optional<Side> scorer = scorer_in(decision)) give_goal(*scorer, now);
   chains_.decide(decision, now.ball.position_m);
+  if (decision.restart()) note_call(decision, {before, next_kicker()}, now);
   if (!referee::entry_of(decision.finding.event).is_foul) return;
   for (const Side side : kSides) {
     if (!decision.finding.offender || *decision.finding.offender == side) ++counts_[side].fouls;
@@ -231,10 +251,20 @@ void PlayStatistics::give_goal(Side scorer, const sim::WorldState& now) {
     ++counts_[scorer].shots_on_goal;
     count_shot({scorer, now.frame, now.ball.position_m});
   }
+  actions_.give_goal(scorer, now);
+}
+
+void PlayStatistics::note_call(const referee::Decision& decision, const BallActions::Owners& owners,
+                               const sim::WorldState& now) {
+  if (decision.to == referee::State::kRun) return;  // play goes on, since nobody commands the game
+  if (kick_ && kick_->shot) actions_.note_shot(kick_->robot.side);
+  actions_.call(decision, owners, now);
 }
 
 void PlayStatistics::end_play(const sim::WorldState& now) {
+  const std::optional<BallOwner> owner = ball_owner();
   settle(Next::kStop);
+  actions_.stop(owner, now);
   chains_.stop(now.frame, now.ball.position_m);
   last_touch_.reset();
   duels_.stop();
@@ -252,6 +282,14 @@ void PlayStatistics::count_chains() {
     add(team.by_start[static_cast<std::size_t>(chain.start)]);
     if (chain.passes > 0) add(team.with_pass);
     team.own_goals += chain.end == ChainEnd::kOwnGoal ? 1 : 0;
+  }
+}
+
+void PlayStatistics::count_actions() {
+  for (const BallAction& action : actions_.ended()) {
+    ActionCounts& counts = counts_of(counts_[action.team], action.kind);
+    ++counts.actions;
+    counts.worth += action.worth;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "game/play_counts/ball_actions.hpp"
 #include "game/play_counts/chance.hpp"
 #include "game/play_counts/kick_away.hpp"
 #include "game/play_counts/play_counts.hpp"
@@ -61,9 +62,9 @@ class PlayStatistics {
     bool is_ball_in_play = false;
   };
 
-  // `model` must outlive this object.
+  // The models must outlive this object.
   PlayStatistics(const Field& field, const sim::BallParameters& ball, double frame_rate_hz,
-                 const ChanceModel& model);
+                 const ChanceModel& chances, const ValueModel& values);
 
   void update(const FrameSummary& summary);
 
@@ -77,6 +78,8 @@ class PlayStatistics {
   // update.
   std::span<const PossessionChain> ended_chains() const { return chains_.ended(); }
   std::span<const Shot> ended_shots() const { return chains_.ended_shots(); }
+  // The actions that ended in the last frame; valid until the next update.
+  std::span<const BallAction> ended_actions() const { return actions_.ended(); }
 
  private:
   // Simultaneous touches: all kicks of a sub-step, or all hull contacts in it.
@@ -93,15 +96,21 @@ class PlayStatistics {
   void note(const referee::Decision& decision, const sim::WorldState& now);
   void give_goal(Side scorer, const sim::WorldState& now);
   void end_play(const sim::WorldState& now);
+  void note_call(const referee::Decision& decision, const BallActions::Owners& owners,
+                 const sim::WorldState& now);
+  std::optional<BallOwner> next_kicker() const;
+  void discard_kick();
   void count_chains();
+  void count_actions();
 
   Field field_;
   sim::BallParameters ball_;
-  const ChanceModel* model_;
+  const ChanceModel* chances_;
   double frame_rate_hz_;
   std::int64_t same_kick_frames_;
   Duels duels_;
   PossessionChains chains_;
+  BallActions actions_;
   bool is_on_ = false;              // whether play was on before this frame
   std::optional<KickAway> kick_;    // kick in progress
   std::optional<Side> last_touch_;  // side that touched the ball last since play started

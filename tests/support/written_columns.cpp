@@ -97,7 +97,8 @@ WrittenNames tuning_columns() {
 bool is_calls_column(const std::string& name) { return name.starts_with("calls_"); }
 
 WrittenNames results_columns() {
-  WrittenNames names = with_chain_groups(head_in_folder(experiments::small_sweep(), "results.csv"));
+  WrittenNames names =
+      with_general_names(head_in_folder(experiments::small_sweep(), "results.csv"));
   const auto first = std::find_if(names.begin(), names.end(), is_calls_column);
   if (first != names.end()) names.insert(first, "calls_EVENT");
   std::erase_if(names, [](const std::string& name) {
@@ -151,16 +152,28 @@ experiments::Scenario robin() { return experiments::small_roundrobin({6, 5, 4});
 
 }  // namespace
 
-WrittenNames with_chain_groups(const WrittenNames& names) {
+WrittenNames with_general_names(const WrittenNames& names) {
   WrittenNames shorter;
-  for (std::string name : names) {
-    for (const game::ChainGroup& group : game::chain_groups()) {
-      const std::size_t at = name.find(fmt::format("_{}_", group.name));
-      if (at != std::string::npos) name.replace(at + 1, group.name.size(), "GROUP");
-    }
-    if (std::find(shorter.begin(), shorter.end(), name) == shorter.end()) shorter.push_back(name);
+  for (const std::string& name : names) {
+    const std::string general = with_general_name(name, "_", "_");
+    if (std::find(shorter.begin(), shorter.end(), general) == shorter.end())
+      shorter.push_back(general);
   }
   return shorter;
+}
+
+std::string with_general_name(std::string name, std::string_view before, std::string_view after) {
+  const bool is_of_actions = name.starts_with("actions_") || name.starts_with("worth_");
+  const auto replace = [&](std::string_view special, const char* general) {
+    const std::size_t at = name.find(fmt::format("{}{}{}", before, special, after));
+    if (at != std::string::npos) name.replace(at + before.size(), special.size(), general);
+  };
+  if (is_of_actions) {
+    for (const auto& kind : names_of(game::ActionKind{})) replace(kind.name, "KIND");
+  } else {
+    for (const game::ChainGroup& group : game::chain_groups()) replace(group.name, "GROUP");
+  }
+  return name;
 }
 
 WrittenNames calls_columns() {
@@ -174,6 +187,7 @@ std::vector<Artefact> written_csv() {
       {"results.csv", results_columns},
       {"games/*.csv", circumstances_columns},
       {"play --chains", [] { return io::heads_of(game::chain_columns({}, 60)); }},
+      {"play --actions", [] { return io::heads_of(game::action_columns({}, 60)); }},
       {"games/*.csv of autoref judge",
        [] { return experiments::row_format(experiments::JudgeSchedule{}).names(); }},
       {"summary.csv of a sweep",

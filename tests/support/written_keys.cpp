@@ -111,13 +111,8 @@ WrittenNames game_keys() {
   const app::Answer answer = app::answer_to({"play", file.c_str(), "--json"});
   EXPECT_EQ(answer.code, 0) << answer.err;
   Paths paths;
-  for (std::string path : paths_in(answer.out)) {
-    for (const game::ChainGroup& group : game::chain_groups()) {
-      const std::size_t at = path.find(fmt::format(".{}", group.name));
-      if (at != std::string::npos) path.replace(at + 1, group.name.size(), "GROUP");
-    }
-    paths.insert(path.starts_with("calls.") ? "calls.EVENT" : path);
-  }
+  for (const std::string& path : paths_in(answer.out))
+    paths.insert(path.starts_with("calls.") ? "calls.EVENT" : with_general_name(path, ".", ""));
   return sorted(paths);
 }
 

@@ -3,6 +3,7 @@
 
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace autoref {
@@ -23,8 +24,12 @@ inline void PrintTo(const Artefact& artefact, std::ostream* out) { *out << artef
 WrittenNames calls_columns();
 
 // The names without repetitions, where the columns of all groups of possession chains have the same
-// name: "chains_kick_off_a" becomes "chains_GROUP_a".
-WrittenNames with_chain_groups(const WrittenNames& names);
+// name, and likewise those of all kinds of actions: "chains_kick_off_a" becomes "chains_GROUP_a",
+// and "worth_pass_a" becomes "worth_KIND_a".
+WrittenNames with_general_names(const WrittenNames& names);
+
+// Replaces the name of a group of chains, or of a kind of action, between `before` and `after`.
+std::string with_general_name(std::string name, std::string_view before, std::string_view after);
 
 std::vector<Artefact> written_csv();
 std::vector<Artefact> written_plots();

@@ -22,10 +22,11 @@ return count;
 """
 
 
-def played_game(autoref, scenario, page, log=None, chains=None, **settings):
-    """Plays a game, writes its page and, if asked for, its log and its possession chains, and returns its record."""
+def played_game(autoref, scenario, page, log=None, chains=None, actions=None, **settings):
+    """Plays a game, writes its page and, if asked for, its log, possession chains and actions; returns its record."""
     chosen = [word for key, value in settings.items() for word in ("--set", f"{key.replace('__', '.')}={value}")]
-    files = [word for flag, file in (("--log", log), ("--chains", chains)) if file for word in (flag, file)]
+    outputs = (("--log", log), ("--chains", chains), ("--actions", actions))
+    files = [word for flag, file in outputs if file for word in (flag, file)]
     done = subprocess.run(
         [autoref, "play", scenario, "--json", "--view", page, *chosen, *files],
         check=True,
@@ -50,10 +51,12 @@ class GamePage(BrowserTest):
         cls.folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(cls.folder.cleanup)
         cls.page = pathlib.Path(cls.folder.name) / "game.html"
-        chains = pathlib.Path(cls.folder.name) / "chains.csv"
-        cls.record = played_game(cls.autoref, cls.scenario, str(cls.page), chains=str(chains), **cls.settings)
-        with chains.open(newline="") as rows:
-            cls.chains = list(csv.DictReader(rows))  # as `play --chains` writes them
+        tables = {name: pathlib.Path(cls.folder.name) / f"{name}.csv" for name in ("chains", "actions")}
+        files = {name: str(file) for name, file in tables.items()}
+        cls.record = played_game(cls.autoref, cls.scenario, str(cls.page), **files, **cls.settings)
+        for name, file in tables.items():
+            with file.open(newline="") as rows:
+                setattr(cls, name, list(csv.DictReader(rows)))  # as `play --chains` and `--actions` write them
 
     def setUp(self):
         self.show(DESKTOP)

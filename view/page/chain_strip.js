@@ -74,8 +74,16 @@ class ChainStrip {
   // Describes the chain under the pointer or else the one in progress.
   describe() {
     const chain = this.pointed ?? this.current;
-    setText("chain", chain ? `${minutesAndSeconds(chain.start_s)}  ${chainTitle(chain)}` : "");
+    setText("chain", chain ? `${minutesAndSeconds(chain.start_s)}  ${chainTitle(chain)}${this.worthOf(chain)}` : "");
     document.getElementById("chain").dataset.side = chain ? String(chain.side) : "";
+  }
+
+  // What the chain was worth, and what each of its actions was.
+  worthOf(chain) {
+    const actions = this.chains.actionsOf(chain);
+    if (actions.length === 0) return "";
+    const worth = actions.reduce((sum, action) => sum + action.worth, 0);
+    return `, worth ${signed(worth)}: ${actions.map(actionTitle).join(", ")}`;
   }
 
   show(time_s) {

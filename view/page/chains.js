@@ -1,8 +1,8 @@
-// The possession chains and shots of a simulated game, and the filter that selects some of them.
+// The possession chains, shots and actions of a simulated game, and the filter that selects some of them.
 
 const kSameMoment_s = 1e-3;
 
-// The elements of a chain's and a shot's array (view/page.cpp).
+// The elements of the arrays of a chain, a shot and an action (view/page.cpp).
 function chainOf([start_s, end_s, side, start, end, passes, shots, xg]) {
   return {start_s, end_s, side, start, end, passes, shots, xg};
 }
@@ -11,13 +11,22 @@ function shotOf([time_s, side, position_mm, xg, hasScored]) {
   return {time_s, side, position_mm, xg, hasScored};
 }
 
+function actionOf([start_s, end_s, side, robot, kind, from_mm, to_mm, worth]) {
+  return {start_s, end_s, side, robot, kind, from_mm, to_mm, worth};
+}
+
 // Chains do not overlap and are sorted by time; shots are sorted by the ends of their chains.
 class Chains {
-  constructor({chains, shots}) {
+  constructor({chains, shots, actions}) {
     this.chains = [];
     this.shots = [];
+    this.actions = [];  // sorted by their ends
     this.filter = {side: "", start: "", end: "", isWithShot: false};  // empty texts match everything
     this.add(chains, shots);
+    for (const action of actions.map(actionOf)) {
+      const chain = this.chainWith({time_s: action.start_s, side: action.side});
+      this.actions.push({...action, chain});
+    }
   }
 
   // Call with a shot's chain before or with the shot.
@@ -29,6 +38,7 @@ class Chains {
   clear() {
     this.chains.length = 0;
     this.shots.length = 0;
+    this.actions.length = 0;
   }
 
   chainWith({time_s, side}) {
@@ -48,6 +58,15 @@ class Chains {
 
   matchingShots() {
     return this.shots.filter(({chain}) => chain && this.matches(chain));
+  }
+
+  matchingActions() {
+    return this.actions.filter(({chain}) => chain && this.matches(chain));
+  }
+
+  // What the team of the chain did with the ball.
+  actionsOf(chain) {
+    return this.actions.filter((action) => action.chain === chain && action.kind !== "foul");
   }
 
   // The chain in progress at this time, or null. A chain can last for no time: of several, one that

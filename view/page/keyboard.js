@@ -8,7 +8,7 @@ const kKeys = {
   n: "nextEvent", p: "previousEvent",
   g: "nextGoal", G: "previousGoal",
   Home: "toBegin", End: "toEnd",
-  1: "layer1", 2: "layer2", 3: "layer3", 4: "layer4", 5: "layer5", 6: "layer6",
+  1: "layer1", 2: "layer2", 3: "layer3", 4: "layer4", 5: "layer5", 6: "layer6", 7: "layer7", 8: "layer8",
   d: "disagreements",
   c: "nextChain", C: "previousChain",
   m: "nextTurningPoint", M: "previousTurningPoint",

@@ -1,7 +1,7 @@
 // Assembles the page.
 
 const kJump_s = 5;
-const kLayers = ["trails", "speeds", "distances", "heat", "list", "shots"];
+const kLayers = ["trails", "speeds", "distances", "heat", "list", "shots", "chains", "losses"];
 
 function readGame() {
   const game = JSON.parse(document.getElementById("game").textContent);
@@ -17,6 +17,7 @@ class Page {
     this.recording = recording;
     this.layers = {trails: true, speeds: false, distances: true, heat: false, list: true};
     if (game.chainKinds) this.layers.shots = false;
+    if (game.actions.length > 0) Object.assign(this.layers, {chains: false, losses: false});
     this.player = new Player(recording, () => { this.isStale = true; });
     const kicks = kicksOf(game.signals);
     const highlights = highlightsOf(game, kicks);
@@ -65,8 +66,14 @@ class Page {
     this.chainStrip = this.newChainStrip(seek);
     this.shotMap = new ShotMap(this.chains, this.game.signals, seek);
     for (const element of document.querySelectorAll(".ofChains")) element.hidden = false;
+    if (this.game.actions.length > 0) this.beginActions();
     listenToFilter(this.chains.filter, this.game.chainKinds, () => this.updateChains());
     this.updateChains();
+  }
+
+  beginActions() {
+    this.actionMap = new ActionMap(this.chains, this.game.signals);
+    for (const element of document.querySelectorAll(".ofActions")) element.hidden = false;
   }
 
   newChainStrip(seek) {
@@ -77,6 +84,7 @@ class Page {
   updateChains() {
     this.chainStrip.update();
     this.shotMap.update();
+    this.actionMap?.update();
   }
 
   // An address that ends in #t=83.2 shows that moment; &with=speeds,heat also shows these layers.
@@ -129,6 +137,7 @@ class Page {
     this.winChart?.show(time_s);
     this.chainStrip?.show(time_s);
     this.shotMap?.show(this.layers.shots === true, scene.yellowEnd, this.pitch.pixel_mm);
+    this.actionMap?.show(this.layers, scene.yellowEnd, this.pitch.pixel_mm);
     this.events.show(time_s);
     this.showControls();
   }

@@ -5,6 +5,12 @@
 const kSureGoal_mm = 600;  // diameter of a dot whose xG is 1
 const kBeforeShot_s = 1;
 
+// 1 if yellow defended the end at -x at this time, otherwise -1.
+function turnAt(signals, time_s) {
+  const signal = signals[lastNotAfter(signals, time_s + 1e-6, (one) => one.time_s)];
+  return signal && endOfYellow(signal) === 1 ? -1 : 1;
+}
+
 class ShotMap {
   // Calls `seek(time_s)` when the user picks a shot.
   constructor(chains, signals, seek) {
@@ -26,7 +32,7 @@ class ShotMap {
     dot.tabIndex = -1;  // keyboard users reach shots through the filter of chains
     dot.classList.toggle("scored", shot.hasScored);
     dot.style.color = kColors.sides[shot.side];
-    const [x, y] = shot.position_mm.map((coordinate) => this.turnAt(shot.time_s) * coordinate);
+    const [x, y] = shot.position_mm.map((coordinate) => turnAt(this.signals, shot.time_s) * coordinate);
     dot.style.setProperty("--x", x);
     dot.style.setProperty("--y", y);
     dot.style.setProperty("--diameter", kSureGoal_mm * Math.sqrt(shot.xg));
@@ -34,12 +40,6 @@ class ShotMap {
     dot.setAttribute("aria-label", dot.title);
     dot.addEventListener("click", () => this.seek(shot.time_s - kBeforeShot_s));
     return dot;
-  }
-
-  // 1 if yellow defended the end at -x, otherwise -1.
-  turnAt(time_s) {
-    const signal = this.signals[lastNotAfter(this.signals, time_s + 1e-6, (one) => one.time_s)];
-    return signal && endOfYellow(signal) === 1 ? -1 : 1;
   }
 
   // `yellowEnd` is the end that yellow defends now; the field has `pixel_mm` millimetres per pixel.

@@ -87,6 +87,18 @@ function chainTitle({side, start, end, passes, shots, xg}) {
   return `${capitalised(kSideNames[side])}: ${parts.join(", ")}`;
 }
 
+// "+0.02"
+function signed(number) {
+  const size = Math.abs(number).toFixed(2);
+  if (Number(size) === 0) return size;
+  return `${number < 0 ? "\u2212" : "+"}${size}`;
+}
+
+// "5 dribble +0.02"
+function actionTitle({robot, kind, worth}) {
+  return `${robot < 0 ? "" : `${robot} `}${kind} ${signed(worth)}`;
+}
+
 function shotTitle({time_s, side, xg, hasScored}) {
   const result = hasScored ? "goal" : "shot";
   return `${minutesAndSeconds(time_s)}  ${capitalised(kSideNames[side])}: ${result}, xG ${xg.toFixed(2)}`;

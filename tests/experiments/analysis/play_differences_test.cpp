@@ -70,8 +70,10 @@ TEST(PlayDifferences, HaveEachCountOnce) {
   std::vector<std::string> names;
   for (const auto& difference : play_differences({{"new~old", std::nullopt}}, {1}, rows))
     names.push_back(difference.name);
-  EXPECT_EQ(names.size(), game::kChainStartCount + game::count_fields().size() - 3);
-  EXPECT_EQ(names.back(), "duels won");
+  const std::size_t plain = game::kChainStartCount + game::count_fields().size() - 3;
+  EXPECT_EQ(names.size(), plain + 2 + game::kActionKindCount);
+  EXPECT_EQ(names[plain - 1], "duels won");
+  EXPECT_EQ(names.back(), "worth of fouls");
   std::sort(names.begin(), names.end());
   EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
 }

@@ -42,6 +42,12 @@ GameRow full_row() {
       if (field.count != nullptr) record.counts[team].*field.count = ++next;
       if (field.number != nullptr) record.counts[team].*field.number = ++next + 0.25;
     }
+    for (const auto& field : game::action_count_fields()) {
+      for (game::ActionCounts& counts : record.counts[team].by_action) {
+        if (field.count != nullptr) counts.*field.count = ++next;
+        if (field.number != nullptr) counts.*field.number = ++next - 0.5;
+      }
+    }
     for (const auto& field : game::chain_count_fields()) {
       for (const game::ChainGroup& group : game::chain_groups()) {
         game::ChainCounts& counts = group.of(record.counts[team]);

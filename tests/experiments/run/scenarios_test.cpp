@@ -105,7 +105,7 @@ bool has_a_general_name(const std::string& column, const Scenario& scenario) {
 // are compared in schemas_test.cpp, for the files listed there (also those of judged games).
 void expect_described(const std::filesystem::path& file, const Scenario& scenario) {
   const std::string text = content_of(file);
-  WrittenNames columns = with_chain_groups(io::csv_cells(io::complete_lines(text).at(0)).value());
+  WrittenNames columns = with_general_names(io::csv_cells(io::complete_lines(text).at(0)).value());
   std::erase_if(columns,
                 [&](const std::string& column) { return has_a_general_name(column, scenario); });
   WrittenNames closest = columns;

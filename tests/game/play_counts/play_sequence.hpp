@@ -43,6 +43,8 @@ class PlaySequence {
     chains.insert(chains.end(), ended.begin(), ended.end());
     const auto ended_shots = statistics.ended_shots();
     shots.insert(shots.end(), ended_shots.begin(), ended_shots.end());
+    const auto ended_actions = statistics.ended_actions();
+    actions.insert(actions.end(), ended_actions.begin(), ended_actions.end());
     touches_.clear();
     decisions_.clear();
   }
@@ -82,7 +84,9 @@ class PlaySequence {
   sim::WorldState now;
   std::vector<PossessionChain> chains;  // all that have ended
   std::vector<Shot> shots;              // of these chains
-  PlayStatistics statistics{Field{}, sim::BallParameters{}, 60.0, chance_model("paper")};
+  std::vector<BallAction> actions;      // all that have ended
+  PlayStatistics statistics{Field{}, sim::BallParameters{}, 60.0, chance_model("paper"),
+                            value_model("paper")};
   bool is_on = false;
   bool is_in_play = false;
   int substep = 0;  // the sub-step of touches added from now on

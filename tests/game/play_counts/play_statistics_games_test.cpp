@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <set>
 #include <tuple>
 
 #include "game/loop/game.hpp"
@@ -56,13 +59,21 @@ class Counters final : public Observer {
  public:
   explicit Counters(const GameConfiguration& game)
       : upright(game.field, game.sim.ball, game.sim.frame_rate_hz,
-                chance_model(game.match.rules.name)),
+                chance_model(game.match.rules.name), value_model(game.match.rules.name)),
         upside_down(upright) {}
 
   void on_decision(const referee::Decision& decision) override {
     decisions_.push_back(decision);
     turned_decisions_.push_back(turned(decision));
     is_on_ = decision.to == referee::State::kRun;
+    if (!is_on_) stopped_.insert(decision.frame);
+  }
+  void on_action(const BallAction& action) override {
+    if (action.kind == ActionKind::kFoul) return;
+    if (last_action_frame_ && !stopped_.contains(*last_action_frame_)) {
+      EXPECT_EQ(action.first_frame, *last_action_frame_) << "a gap between two actions";
+    }
+    last_action_frame_ = action.last_frame;
   }
   void on_frame(const Frame&, const RefereeSignal&, const sim::World& world) override {
     if (!world.touches().empty()) touched_ = world.touches().back().robot.side;
@@ -85,6 +96,8 @@ class Counters final : public Observer {
   }
 
   bool is_on_ = false;
+  std::set<std::int64_t> stopped_;  // frames of decisions that stopped play
+  std::optional<std::int64_t> last_action_frame_;
   Side touched_ = Side::kWest;
   std::vector<referee::Decision> decisions_;
   std::vector<referee::Decision> turned_decisions_;
@@ -106,6 +119,14 @@ ChainCounts all_chains(const PlayCounts& team) {
     all.xg += some.xg;
   }
   return all;
+}
+
+// The angles of a turned goal may be rounded differently.
+void take_over_equal_worths(const PlayCounts& from, PlayCounts& to) {
+  for (std::size_t kind = 0; kind < kActionKindCount; ++kind) {
+    EXPECT_NEAR(to.by_action[kind].worth, from.by_action[kind].worth, 1e-9);
+    to.by_action[kind].worth = from.by_action[kind].worth;
+  }
 }
 
 class PlayCountsOfGames : public testing::TestWithParam<Setup> {
@@ -135,6 +156,10 @@ TEST_P(PlayCountsOfGames, AreConsistent) {
       EXPECT_LE(team.with_pass.xg, all_chains(team).xg + 1e-9);
       EXPECT_LE(team.with_pass.goals, all_chains(team).goals);
       EXPECT_NEAR(all_chains(team).xg, team.xg, 1e-9);
+      EXPECT_GT(counts_of(team, ActionKind::kDribble).actions, 0);
+      EXPECT_LE(counts_of(team, ActionKind::kShot).actions, team.shots);
+      EXPECT_GE(counts_of(team, ActionKind::kPass).actions, team.passes_completed);
+      EXPECT_LE(counts_of(team, ActionKind::kFoul).actions, team.fouls);
     }
     EXPECT_EQ(all_chains(record.counts[0]).goals + record.counts[1].own_goals, record.goals_a);
     EXPECT_EQ(all_chains(record.counts[1]).goals + record.counts[0].own_goals, record.goals_b);
@@ -150,7 +175,8 @@ TEST_P(PlayCountsOfGames, AreSwappedIfTheFieldIsRotated) {
   Counters counters(configuration);
   play(configuration, &counters);
   const PerSide<PlayCounts> counts = counters.upright.counts();
-  const PerSide<PlayCounts> others = counters.upside_down.counts();
+  PerSide<PlayCounts> others = counters.upside_down.counts();
+  for (const Side side : kSides) take_over_equal_worths(counts[side], others[opponent_of(side)]);
   EXPECT_EQ(counts[Side::kWest], others[Side::kEast]);
   EXPECT_EQ(counts[Side::kEast], others[Side::kWest]);
   EXPECT_GT(counts[Side::kWest].shots + counts[Side::kEast].shots, 0) << "nothing was compared";
