@@ -7,50 +7,21 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
-#include <memory>
+#include <exception>
+#include <numeric>
 #include <optional>
-#include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "experiments/analysis/difference_parts.hpp"
 #include "experiments/analysis/play_differences.hpp"
-#include "experiments/kinds/compare/comparison.hpp"
 #include "experiments/kinds/compare/parts_report.hpp"
 #include "experiments/kinds/compare/play_report.hpp"
-#include "experiments/results/row_format.hpp"
-#include "game/loop/game.hpp"
-#include "game/loop/team_controller.hpp"
-#include "game/settings/fields.hpp"
-#include "io/processes/workers.hpp"
 #include "io/table.hpp"
-#include "strategies/strategy.hpp"
+#include "tools/planted/planted_change.hpp"
 
 namespace autoref::tools {
 namespace {
-
-// Changes a team's commands.
-using Weakness = std::function<void(const strategies::Strategy& team, const TeamView& view,
-                                    const Field& field, TeamCommands& commands)>;
-
-class WeakTeam final : public strategies::Strategy {
- public:
-  WeakTeam(std::unique_ptr<strategies::Strategy> team, const Weakness& weakness, const Field& field)
-      : team_(std::move(team)), weakness_(weakness), field_(field) {}
-
-  void decide(const TeamView& view, TeamCommands& commands) override {
-    team_->decide(view, commands);
-    weakness_(*team_, view, field_, commands);
-  }
-  TeamRequests requests() const override { return team_->requests(); }
-
- private:
-  std::unique_ptr<strategies::Strategy> team_;
-  Weakness weakness_;
-  Field field_;
-};
 
 // All robots stand still while the team should take a free kick near the opponents' corners.
 void without_corner_kicks(const strategies::Strategy& /*team*/, const TeamView& view,
@@ -63,86 +34,23 @@ void without_corner_kicks(const strategies::Strategy& /*team*/, const TeamView& 
   if (view.ours && is_free_kick && is_in_corner) commands = {};
 }
 
-void with_slow_keeper(const strategies::Strategy& team, const TeamView& /*view*/,
-                      const Field& /*field*/, TeamCommands& commands) {
-  constexpr double kShare = 0.3;
-  const int keeper = team.requests().keeper;
-  if (keeper >= 0) commands.at(static_cast<std::size_t>(keeper)).velocity_mps *= kShare;
-}
-
-struct PlantedCause {
-  std::string name;
-  Weakness weakness;                // of the new team; empty: none
-  std::vector<std::string> params;  // changed parameters of the new team, "name=value"
-};
-
-const std::vector<PlantedCause> kCauses = {
-    {"takes no corner kicks", without_corner_kicks, {}},
-    {"slow keeper", with_slow_keeper, {}},
-    {"never passes", {}, {"after_pass=0", "after_chip=0", "receivers=0"}},
-    {"no weakness", {}, {}}};
-
-experiments::Comparison comparison_of(const PlantedCause& cause, int games) {
-  experiments::Comparison comparison;
-  game::set_by_path(comparison.base, "match.rules", "2026-b");
-  for (const char* name : {experiments::kOldTeam, experiments::kNewTeam})
-    comparison.teams[name].strategy = "cobalt";
-  for (const std::string& param : cause.params) {
-    const std::size_t equals = param.find('=');
-    comparison.teams[experiments::kNewTeam].params[param.substr(0, equals)] =
-        std::atof(param.c_str() + equals + 1);
-  }
-  comparison.test.max_pairs = games / 2;
-  return comparison;
-}
-
-// The new team is team a.
-game::GameRecord play_with(const game::GameConfiguration& game, const PlantedCause& cause) {
-  const auto make_team = [&](const game::TeamConfiguration& team,
-                             const strategies::TeamContext& context) {
-    std::unique_ptr<strategies::Strategy> made = game::make_registered_team(team, context);
-    if (!cause.weakness || context.side != game.match.a_plays) return made;
-    made = std::make_unique<WeakTeam>(std::move(made), cause.weakness, game.field);
-    return made;
-  };
-  return game::play(game, {}, make_team);
-}
-
-experiments::RowsById rows_of_games(const PlantedCause& cause,
-                                    const experiments::Comparison& comparison) {
-  const std::vector<experiments::ScheduledGame> scheduled = comparison.games();
-  const experiments::RowFormat format({});
-  std::vector<std::size_t> jobs;
-  for (std::size_t i = 0; i < scheduled.size(); ++i) jobs.push_back(i);
-  const auto work = [&](const io::Job& job) {
-    experiments::GameRow row = experiments::row_of(scheduled[job.number]);
-    row.record = play_with(experiments::resolved(scheduled[job.number]), cause);
-    return format.line(row);
-  };
-  experiments::RowsById rows;
-  const auto done = [&](const io::JobResult& result) {
-    if (!result.failure.empty()) throw std::runtime_error(result.failure);
-    const auto row = format.read(result.payload).value();
-    if (experiments::is_void(row.record)) throw std::runtime_error(row.record.void_reason);
-    rows[row.game_id] = row;
-  };
-  io::WorkerOptions pool;
-  pool.workers = io::processors();
-  if (io::do_jobs(jobs, pool, {work, done, [] {}}) == io::Ending::kInterrupted)
-    throw io::Interrupted();
-  return rows;
+std::vector<PlantedChange> all_causes() {
+  return {{"takes no corner kicks", without_corner_kicks, {}},
+          slow_keeper(),
+          never_passes(),
+          {"no weakness", {}, {}}};
 }
 
 // The report's lines and tables of reasons.
-std::string reasons_after(const PlantedCause& cause, int games) {
-  const experiments::Comparison comparison = comparison_of(cause, games);
-  const experiments::RowsById rows = rows_of_games(cause, comparison);
-  std::vector<int> pairs;
-  for (int pair = 1; pair <= games / 2; ++pair) pairs.push_back(pair);
+std::string reasons_after(const PlantedChange& cause, int pairs) {
+  const experiments::Comparison comparison = comparison_of(cause, pairs);
+  const experiments::RowsById rows = play_all(comparison, cause.change);
+  std::vector<int> numbers(static_cast<std::size_t>(pairs));
+  std::iota(numbers.begin(), numbers.end(), 1);
   const std::vector<experiments::PairedOpponent> opponents = {
-      {experiments::matchup_name(experiments::matchups_of(comparison)[0]), std::nullopt}};
-  const auto parts = experiments::difference_parts(opponents, pairs, rows);
-  const auto play = experiments::play_differences(opponents, pairs, rows);
+      {matchup_of(comparison), std::nullopt}};
+  const auto parts = experiments::difference_parts(opponents, numbers, rows);
+  const auto play = experiments::play_differences(opponents, numbers, rows);
   std::string text = fmt::format("{}\n\n{}\n\n{}", experiments::most_certain_text(parts),
                                  experiments::most_certain_text(play),
                                  io::text_of(experiments::parts_table(parts, false)));
@@ -156,8 +64,8 @@ int main_of(int games) {
       "# Planted weaknesses\n\n{} games of cobalt with each weakness (new) against cobalt without "
       "it (old), rules 2026-b.\n\n",
       games);
-  for (const PlantedCause& cause : kCauses) {
-    fmt::print("## {}\n\n{}\n", cause.name, reasons_after(cause, games));
+  for (const PlantedChange& cause : all_causes()) {
+    fmt::print("## {}\n\n{}\n", cause.name, reasons_after(cause, games / 2));
     std::fflush(stdout);
   }
   return 0;
