@@ -41,6 +41,15 @@ void add_decision_outputs(CLI::App& verb, std::string& events, std::string& game
       ->type_name("FILE");
 }
 
+void add_play_outputs(CLI::App& verb, std::string& chains, std::string& actions) {
+  verb.add_option("--chains", chains, "Write the teams' possession chains to FILE, as CSV.")
+      ->type_name("FILE");
+  verb.add_option("--actions", actions,
+                  "Write the passes, dribbles, shots, losses and fouls to FILE, as CSV, with what "
+                  "each was worth.")
+      ->type_name("FILE");
+}
+
 void add_log_argument(CLI::App& verb, std::string& log) {
   verb.add_option("LOG", log, "A .log or .log.gz file.")->required();
 }

@@ -29,6 +29,9 @@ void add_output_option(CLI::App& verb, std::string& output, const std::string& a
 // Adds --events and --game-events.
 void add_decision_outputs(CLI::App& verb, std::string& events, std::string& game_events);
 
+// Adds --chains and --actions.
+void add_play_outputs(CLI::App& verb, std::string& chains, std::string& actions);
+
 // Adds the required argument LOG.
 void add_log_argument(CLI::App& verb, std::string& log);
 

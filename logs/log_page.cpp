@@ -44,10 +44,11 @@ std::vector<view::ComparedCall> compared_calls(const Agreement& agreement) {
 }
 
 std::string log_page(const std::filesystem::path& log, const std::string& name, const Field& field,
-                     const std::vector<view::RecordedDecision>& decisions,
-                     const Agreement& agreement, league::FrameSource source) {
+                     const view::GameRecording& recording,
+                     const std::optional<view::ChainKinds>& chain_kinds, const Agreement& agreement,
+                     league::FrameSource source) {
   LogRecorder recorder;
-  for (const view::RecordedDecision& decision : decisions) recorder.recording.add(decision);
+  recorder.recording = recording;
   league::read_log(log, recorder, source);
   return view::page_of({recorder.recording,
                         field,
@@ -56,7 +57,8 @@ std::string log_page(const std::filesystem::path& log, const std::string& name, 
                          {"right", fmt::format("{} of {} calls; recorded {}", agreement.right,
                                                agreement.refereed, agreement.recorded)},
                          {"page made by build", std::string(io::build_id())}},
-                        compared_calls(agreement)});
+                        compared_calls(agreement),
+                        chain_kinds});
 }
 
 std::string moment_in(const std::string& page, double time_s) {

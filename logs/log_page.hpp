@@ -46,11 +46,11 @@ class LogRecorder final : public league::LogVisitor {
 // The calls of both referees in order of time.
 std::vector<view::ComparedCall> compared_calls(const Agreement& agreement);
 
-// `decisions` are AutoRef's decisions, and `name` is the path that the user gave for the log.
-// Throws league::LogError.
+// `recording` has AutoRef's decisions, and the chains and shots of the game; their `chain_kinds` as
+// in view::PageContent. `name` is the path that the user gave for the log. Throws league::LogError.
 std::string log_page(const std::filesystem::path& log, const std::string& name, const Field& field,
-                     const std::vector<view::RecordedDecision>& decisions,
-                     const Agreement& agreement,
+                     const view::GameRecording& recording,
+                     const std::optional<view::ChainKinds>& chain_kinds, const Agreement& agreement,
                      league::FrameSource source = league::FrameSource::kFirst);
 
 // The address of a moment on the page of a recorded game, such as "game.html#t=83.20".

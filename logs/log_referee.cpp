@@ -162,6 +162,7 @@ void LogReferee::judge(const Frame& frame) {
     signals_.pop_front();
   }
   for (const referee::Decision& decision : referee_.decisions()) watch_(decision);
+  if (watch_frame_) watch_frame_(*this);
 }
 
 LogRefereeResult referee_log(const std::filesystem::path& log, const RecordedFacts& facts,
@@ -170,6 +171,8 @@ LogRefereeResult referee_log(const std::filesystem::path& log, const RecordedFac
   DecisionCollector collector(facts, configurations.front().rules, watch);
   LogReferee log_referee(configurations, facts.teams, SignalOrder::kByTime,
                          [&](const referee::Decision& decision) { collector.add(decision); });
+  RecordedPlay play(configurations.front());
+  log_referee.watch_frames([&](const LogReferee& judged) { play.add(judged); });
   league::read_log(log, log_referee, facts.log.source);
   const bool is_alone = configurations.front().control == referee::Control::kAutoref;
   CallMaker recorded;
@@ -177,6 +180,7 @@ LogRefereeResult referee_log(const std::filesystem::path& log, const RecordedFac
     if (is_alone || may_be_call(command)) recorded.add(command.time_s, command.command);
   }
   LogRefereeResult result = collector.result();
+  result.play = play.finish();
   const bool is_beside_person = log_referee.configuration().control != referee::Control::kAutoref;
   result.agreement = agreement_of(recorded.calls(), collector.calls(is_beside_person));
   result.control = configurations.front().control;

@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "game/loop/event_log.hpp"
@@ -14,13 +15,17 @@
 #include "logs/calls.hpp"
 #include "logs/recorded_ends.hpp"
 #include "logs/recorded_facts.hpp"
+#include "logs/recorded_play.hpp"
 #include "referee/referee.hpp"
 #include "soccer/robot_command.hpp"
 
 namespace autoref::logs {
 
+class LogReferee;
+
 // Called with each decision.
 using DecisionWatch = std::function<void(const referee::Decision&)>;
+using FrameWatch = std::function<void(const LogReferee&)>;
 
 // When a referee packet takes effect: in a log, after the last frame captured before the packet; in
 // a live game, after the frame that is being received when the packet arrives.
@@ -36,6 +41,9 @@ class LogReferee final : public league::LogVisitor {
   // referee.
   LogReferee(std::vector<referee::Configuration> configurations, const RecordedTeams& teams,
              SignalOrder order, DecisionWatch watch);
+
+  // `watch` is called after each frame that has been judged, and the signals that follow it.
+  void watch_frames(FrameWatch watch) { watch_frame_ = std::move(watch); }
 
   void on_frame(const Frame& frame) override;
   void on_referee(double time_s, const league::RefereePacket& packet) override;
@@ -62,6 +70,7 @@ class LogReferee final : public league::LogVisitor {
   PerSide<std::optional<int>> actual_keepers_;
   SignalOrder order_;
   DecisionWatch watch_;
+  FrameWatch watch_frame_;
   PerSide<TeamRequests> requests_;
   std::size_t game_ = 0;
   NextGame next_game_;
@@ -78,6 +87,7 @@ struct LogRefereeResult {
   std::vector<Call> calls;  // AutoRef's calls with their events, including those that stop nothing
   PerSide<int> goals;       // goals counted by AutoRef
   std::vector<game::TimedGameEvent> game_events;  // game events for AutoRef's decisions
+  PlayOfLog play;      // chains and play counts, from the first game's rules
   std::string events;  // AutoRef's decisions, one JSON object per line (event_log.hpp)
   int decisions = 0;
   referee::Control control = referee::Control::kAutoref;  // control mode of the first game

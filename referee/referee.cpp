@@ -80,6 +80,7 @@ class Referee::Impl {
 
   std::span<const Decision> decisions() const { return decisions_; }
   const RefereeState& state() const { return std::as_const(*official_).state(); }
+  const Sight& sight() const { return sight_; }
 
  private:
   RefereeInput input() const { return input_with(sight_.last_touch(), sight_.frame()); }
@@ -199,6 +200,8 @@ void Referee::begin(const MidwayStart& midway_start) { impl_->begin(midway_start
 void Referee::follow(const RefereeSignal& given) { impl_->follow(given); }
 
 std::span<const Decision> Referee::decisions() const { return impl_->decisions(); }
+const Frame& Referee::frame() const { return impl_->sight().frame(); }
+const LastTouch& Referee::last_touch() const { return impl_->sight().last_touch(); }
 State Referee::state() const { return impl_->state().machine_state; }
 bool Referee::is_ball_in_play() const {
   return impl_->state().machine_state == State::kRun && impl_->state().play.in_play;

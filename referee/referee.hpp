@@ -72,6 +72,11 @@ class Referee {
   // The decisions made in the last frame and for signals received since, in order; usually empty.
   std::span<const Decision> decisions() const;
 
+  // The last frame as it was judged: without impossible objects, and completed by the tracks.
+  const Frame& frame() const;
+  // The last touch in the current play, as the online detector estimates it in this frame
+  // (touch/online_touch_detector.hpp).
+  const LastTouch& last_touch() const;
   State state() const;
   bool is_ball_in_play() const;
   // Whether the last half is over and `after_game` is kHalt, so no further command will follow.

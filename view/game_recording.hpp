@@ -1,5 +1,5 @@
 // A recording of a game: every frame, the referee's signals and its decisions, and the possession
-// chains, shots and win probability of a simulated game, packed for a page (page.hpp).
+// chains, shots and win probability, as far as they are known, packed for a page (page.hpp).
 #pragma once
 
 #include <array>
@@ -59,7 +59,7 @@ struct ClockMark {
   int left_s = 0;
 };
 
-// A possession chain of a simulated game.
+// A possession chain.
 struct RecordedChain {
   double start_s = 0;
   double end_s = 0;
@@ -71,7 +71,7 @@ struct RecordedChain {
   double xg = 0;  // expected goals of these shots
 };
 
-// A shot of a simulated game.
+// A shot.
 struct RecordedShot {
   double time_s = 0;
   Side team = Side::kWest;

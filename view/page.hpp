@@ -43,7 +43,8 @@ struct PageContent {
   std::vector<PageFact> facts{};  // shown below the game, such as {"build", "1.0.0-..."}
   // Compared calls in order of time; nullopt: no comparison.
   std::optional<std::vector<ComparedCall>> compared{};
-  // nullopt: the game is not divided into possession chains, because it is not simulated.
+  // nullopt: the game is not divided into possession chains, such as one of real robots that is
+  // still played.
   std::optional<ChainKinds> chain_kinds{};
 };
 

@@ -192,12 +192,7 @@ void check_interrupt() {
 
 void add_output_options(CLI::App& verb, GameOutput& output) {
   add_decision_outputs(verb, output.events, output.game_events);
-  verb.add_option("--chains", output.chains, "Write the teams' possession chains to FILE, as CSV.")
-      ->type_name("FILE");
-  verb.add_option("--actions", output.actions,
-                  "Write the passes, dribbles, shots, losses and fouls to FILE, as CSV, with what "
-                  "each was worth.")
-      ->type_name("FILE");
+  add_play_outputs(verb, output.chains, output.actions);
   verb.add_option("--log", output.log,
                   "Write the game to FILE as an SSL log; compressed if FILE ends in .gz.")
       ->type_name("FILE");

@@ -8,6 +8,7 @@
 #include "app/referee/referee_game.hpp"
 #include "app/shared_options.hpp"
 #include "app/verbs.hpp"
+#include "game/loop/chain_log.hpp"
 #include "game/settings/assignments.hpp"
 #include "game/settings/game_settings.hpp"
 #include "io/errors.hpp"
@@ -27,6 +28,8 @@ namespace {
 struct RefereeLogArguments : RefereeArguments {
   std::string log;
   std::string annotations;  // CSV to compare with; empty: the recorded commands
+  std::string chains;       // output file for possession chains; empty: none
+  std::string actions;      // output file for actions; empty: none
   std::string report;       // output file for the page of both referees; empty: none
   bool json = false;
 };
@@ -70,18 +73,56 @@ league::FrameSource source_of(const RefereeLogArguments& arguments) {
                                        : league::FrameSource::kVision;
 }
 
+// Adds the chains, shots and actions to the recording, as a page shows them.
+void add_play(const logs::PlayOfLog& play, view::GameRecording& recording) {
+  constexpr double kRate_hz = logs::RecordedPlay::kRate_hz;
+  for (const game::PossessionChain& chain : play.chains) recording.add(recorded(chain, kRate_hz));
+  for (const logs::RecordedShot& shot : play.shots)
+    recording.add(recorded(shot.shot, kRate_hz, shot.blue_on_positive_half));
+  for (const logs::RecordedAction& action : play.actions)
+    recording.add(recorded(action.action, kRate_hz, action.blue_on_positive_half));
+}
+
+game::EventGame teams_by_colour() {
+  game::EventGame game;
+  for (const Side side : kSides) game.teams[side].letter = colour_of(side);
+  return game;
+}
+
+std::string chains_text(const logs::PlayOfLog& play) {
+  std::vector<game::ChainRow> rows;
+  for (const game::PossessionChain& chain : play.chains)
+    rows.push_back({static_cast<int>(rows.size()) + 1, chain});
+  return io::csv_text(
+      io::table_rows(game::chain_columns(teams_by_colour(), logs::RecordedPlay::kRate_hz), rows));
+}
+
+std::string actions_text(const logs::PlayOfLog& play) {
+  std::vector<game::BallAction> rows;
+  rows.reserve(play.actions.size());
+  for (const logs::RecordedAction& recorded : play.actions) rows.push_back(recorded.action);
+  return io::csv_text(
+      io::table_rows(game::action_columns(teams_by_colour(), logs::RecordedPlay::kRate_hz), rows));
+}
+
 int referee_log_verb(const RefereeLogArguments& arguments) {
   const game::Assignments assignments = game::assignments_in(arguments.sets);
   refuse_book_among(assignments);
   check_outputs({{"--events", arguments.events},
                  {"--game-events", arguments.game_events},
+                 {"--chains", arguments.chains},
+                 {"--actions", arguments.actions},
                  {"--report", arguments.report}},
                 {arguments.log, arguments.annotations});
   std::optional<io::PendingFile> events;
   std::optional<io::PendingFile> game_events;
+  std::optional<io::PendingFile> chains;
+  std::optional<io::PendingFile> actions;
   std::optional<io::PendingFile> page;
   open_output(events, "--events", arguments.events);
   open_output(game_events, "--game-events", arguments.game_events);
+  open_output(chains, "--chains", arguments.chains);
+  open_output(actions, "--actions", arguments.actions);
   open_output(page, "--report", arguments.report);
   const std::vector<logs::Call> annotated = annotated_calls(arguments);
   const std::string log = logs::seekable_log(arguments.log);
@@ -105,19 +146,23 @@ int referee_log_verb(const RefereeLogArguments& arguments) {
       logs::teams_in(log, games.front().field, games.front().rules.change_ends, facts.log.source);
   print_keepers(arguments, facts);
   print_ends(arguments, facts);
-  std::vector<view::RecordedDecision> decisions;
+  view::GameRecording recording;
   const auto keep = [&](const referee::Decision& decision) {
-    if (page) decisions.push_back(recorded(decision));
+    if (page) recording.add(recorded(decision));
   };
   logs::LogRefereeResult evaluation = logs::referee_log(log, facts, games, keep);
   const logs::Comparison comparison{!arguments.annotations.empty(), arguments.report};
   if (comparison.is_annotated)
     evaluation.agreement = logs::agreement_with_annotations(annotated, evaluation.calls);
   if (events) events->commit(evaluation.events);
+  if (chains) chains->commit(chains_text(evaluation.play));
+  if (actions) actions->commit(actions_text(evaluation.play));
   if (game_events) game_events->commit(game::game_event_lines(evaluation.game_events));
-  if (page)
-    page->commit(logs::log_page(log, arguments.log, games.front().field, decisions,
+  if (page) {
+    add_play(evaluation.play, recording);
+    page->commit(logs::log_page(log, arguments.log, games.front().field, recording, chain_kinds(),
                                 evaluation.agreement, facts.log.source));
+  }
   fmt::print("{}\n", arguments.json
                          ? logs::referee_log_json(evaluation, facts, comparison)
                          : io::text_of(logs::referee_log_text(evaluation, facts, comparison),
@@ -138,6 +183,7 @@ void add_referee_log_verb(CLI::App& referee, Chosen& chosen) {
   add_referee_options(*verb, *arguments, "default if the log has one",
                       "default if the log begins with them");
   add_decision_outputs(*verb, arguments->events, arguments->game_events);
+  add_play_outputs(*verb, arguments->chains, arguments->actions);
   verb->add_option("--report", arguments->report,
                    "Write an HTML page of the game with the calls of both referees.")
       ->type_name("FILE");

@@ -777,14 +777,19 @@ class ComparedPageTest(BrowserTest):
         self.settle()
         self.assertFalse(self.browser.find_element(By.ID, "disagreements").is_displayed())
 
-    def test_has_no_chains_since_logs_do_not_contain_them(self):
-        self.browser.get(self.page.as_uri() + "#with=shots")
+    def test_shows_the_chains_of_the_log_but_no_win_probability(self):
+        self.browser.get(self.page.as_uri())
         self.settle()
-        self.browser.find_element(By.TAG_NAME, "body").send_keys("6cC")
+        self.browser.find_element(By.TAG_NAME, "body").send_keys("67c")
         self.settle()
-        self.assertEqual(self.text("time"), "0:00.00")
-        for name in ("chainStrip", "chainStart", "shots", "layer-shots", "xg", "winChart", "win", "turningPoints"):
+        self.assertNotEqual(self.text("time"), "0:00.00")
+        self.assertIn(", worth ", self.text("chain"))
+        for name in ("chainStrip", "chainStart", "layer-shots", "layer-losses", "xg"):
+            self.assertTrue(self.browser.find_element(By.ID, name).is_displayed(), name)
+        self.assertGreater(len(self.browser.find_elements(By.CSS_SELECTOR, "#paths line")), 5)
+        for name in ("winChart", "win", "turningPoints"):
             self.assertFalse(self.browser.find_element(By.ID, name).is_displayed(), name)
+        self.leave_picture("log-chains")
         self.assertEqual(self.browser.get_log("browser"), [])
 
     def test_marks_what_was_missed_and_opens_at_that_moment(self):

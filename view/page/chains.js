@@ -1,4 +1,4 @@
-// The possession chains, shots and actions of a simulated game, and the filter that selects some of them.
+// The possession chains, shots and actions of a game, and the filter that selects some of them.
 
 const kSameMoment_s = 1e-3;
 
