@@ -18,18 +18,17 @@ struct CountedPlay {
   TeamNumber number;
 };
 
+// The actions that are compared. Shots are not: what they are worth is a part of the goal
+// difference.
 struct ShownActions {
   const char* name;
   game::ActionKind kind;
+  bool is_new_count;  // whether their number is not among the play counts
 };
-constexpr ShownActions kValuedActions[] = {{"passes", game::ActionKind::kPass},
-                                           {"dribbles", game::ActionKind::kDribble},
-                                           {"shots", game::ActionKind::kShot},
-                                           {"losses", game::ActionKind::kLoss},
-                                           {"fouls", game::ActionKind::kFoul}};
-// The other kinds are among the play counts.
-constexpr ShownActions kCountedActions[] = {{"dribbles", game::ActionKind::kDribble},
-                                            {"losses", game::ActionKind::kLoss}};
+constexpr ShownActions kShownActions[] = {{"passes", game::ActionKind::kPass, false},
+                                          {"dribbles", game::ActionKind::kDribble, true},
+                                          {"losses", game::ActionKind::kLoss, true},
+                                          {"fouls", game::ActionKind::kFoul, false}};
 
 // Counts that are parts of the goal difference.
 bool is_part_of_goals(const Field& field) {
@@ -59,12 +58,12 @@ std::vector<CountedPlay> counted_play() {
                                                        : game.own->*field.number;
                        }});
   }
-  for (const ShownActions& shown : kCountedActions) {
-    counted.push_back({shown.name, [&shown](const TeamGame& game) {
-                         return game::counts_of(*game.own, shown.kind).actions;
-                       }});
-  }
-  for (const ShownActions& shown : kValuedActions) {
+  for (const ShownActions& shown : kShownActions) {
+    if (shown.is_new_count) {
+      counted.push_back({shown.name, [&shown](const TeamGame& game) {
+                           return game::counts_of(*game.own, shown.kind).actions;
+                         }});
+    }
     counted.push_back({fmt::format("worth of {}", shown.name), [&shown](const TeamGame& game) {
                          return game::counts_of(*game.own, shown.kind).worth;
                        }});

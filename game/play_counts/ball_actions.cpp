@@ -28,23 +28,25 @@ int robot_at_fault(const referee::Finding& foul, Side offender) {
 
 void BallActions::touch(std::span<const sim::Touch> touches, bool is_kick_away,
                         const Owners& owners, const sim::WorldState& now) {
-  const sim::Touch& touch = *std::min_element(touches.begin(), touches.end(),
-                                              [](const sim::Touch& one, const sim::Touch& other) {
-                                                return one.robot.number < other.robot.number;
-                                              });
-  const bool is_owners = owners.after && owners.after->team == touch.robot.side;
-  if (!is_owners) return;  // has not gained the ball
-  const bool goes_on =
-      action_ && std::any_of(touches.begin(), touches.end(),
-                             [this](const auto& one) { return one.robot == action_->robot; });
-  if (goes_on && !is_kick_away) return;
-  const double value = value_at_touch(touch, is_kick_away, owners, now);
-  end(touch.frame, touch.ball_m, value, touch.robot.side);
-  action_ = Action{touch.robot, is_kick_away, false, touch.frame, touch.ball_m, value};
+  const Side side = touches[0].robot.side;
+  const bool has_ball = owners.after && owners.after->team == side;
+  if (!has_ball) {
+    if (!next_) next_ = action_from(touches, is_kick_away, owners.before, now);
+    return;
+  }
+  if (next_ && next_->robot.side == side) begin(*next_);
+  next_.reset();
+  if (!is_kick_away && goes_on_with(touches)) return;
+  begin(action_from(touches, is_kick_away, owners.before, now));
 }
 
 void BallActions::note_shot(Side team) {
+  if (next_ && next_->robot.side == team) begin(*next_);
   if (action_ && action_->robot.side == team) action_->is_shot = true;
+}
+
+void BallActions::end_kick() {
+  if (action_) action_->is_kick_over = action_->is_kick;
 }
 
 void BallActions::discard_kick() {
@@ -71,6 +73,7 @@ void BallActions::call(const referee::Decision& decision, const Owners& owners,
 void BallActions::stop(const std::optional<BallOwner>& owner, const sim::WorldState& now) {
   if (owner) end(now.frame, now.ball.position_m, value_to_west(owner, now), owner->team);
   action_.reset();
+  next_.reset();
 }
 
 double BallActions::value_to_west(const std::optional<BallOwner>& owner,
@@ -81,24 +84,45 @@ double BallActions::value_to_west(const std::optional<BallOwner>& owner,
   return seen_by(owner->team, value.scores - value.concedes);
 }
 
-// What the situation is worth to west in which the robot acts: before a kick, but after any other
-// touch.
-double BallActions::value_at_touch(const sim::Touch& touch, bool is_kick_away, const Owners& owners,
-                                   const sim::WorldState& now) const {
-  const std::optional<BallOwner>& before = owners.before;
-  const bool takes_restart = before && before->is_restart && before->team == touch.robot.side;
-  if (takes_restart) return value_to_west(before, now);
-  if (is_kick_away) return value_to_west(BallOwner{touch.robot.side}, before_kick(touch, now));
-  return value_to_west(owners.after, now);
+// The action that begins with these touches. Its value is that of the situation in which the robot
+// acts: before a kick, but after any other touch.
+BallActions::Action BallActions::action_from(std::span<const sim::Touch> touches, bool is_kick_away,
+                                             const std::optional<BallOwner>& before,
+                                             const sim::WorldState& now) const {
+  // Touches in the same sub-step are in no particular order.
+  const sim::Touch& touch = *std::min_element(touches.begin(), touches.end(),
+                                              [](const sim::Touch& one, const sim::Touch& other) {
+                                                return one.robot.number < other.robot.number;
+                                              });
+  const BallOwner owner{touch.robot.side};
+  const bool takes_restart = before && before->is_restart && before->team == owner.team;
+  const double value = takes_restart  ? value_to_west(before, now)
+                       : is_kick_away ? value_to_west(owner, before_kick(touch, now))
+                                      : value_to_west(owner, now);
+  return {touch.robot, is_kick_away, false, false, touch.frame, touch.ball_m, value};
+}
+
+// Whether these touches belong to the action in progress, which is a dribble or a kick whose hull
+// still touches the departing ball.
+bool BallActions::goes_on_with(std::span<const sim::Touch> touches) const {
+  return action_ && !action_->is_kick_over &&
+         std::any_of(touches.begin(), touches.end(),
+                     [this](const sim::Touch& one) { return one.robot == action_->robot; });
+}
+
+// Ends the action in progress and begins the next one.
+void BallActions::begin(const Action& action) {
+  end(action.frame, action.ball_m, action.value, action.robot.side);
+  action_ = action;
 }
 
 // `value`: to west. `next`: the team that has the ball or gets the restart.
 void BallActions::end(std::int64_t frame, const Vec2& ball_m, double value, Side next) {
   if (!action_) return;
   const Side team = action_->robot.side;
-  const ActionKind kept = action_->is_kick ? ActionKind::kPass : ActionKind::kDribble;
+  const ActionKind kind_if_kept = action_->is_kick ? ActionKind::kPass : ActionKind::kDribble;
   const ActionKind kind = action_->is_shot ? ActionKind::kShot
-                          : next == team   ? kept
+                          : next == team   ? kind_if_kept
                                            : ActionKind::kLoss;
   ended_.push_back({team, action_->robot.number, kind, action_->frame, frame, action_->ball_m,
                     ball_m, seen_by(team, value - action_->value)});

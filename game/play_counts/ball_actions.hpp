@@ -4,9 +4,13 @@
 // goal by the team, minus that of a goal against it (situation_value.hpp). What an action was worth
 // is the difference between the situations at its end and at its start. From the touch that takes
 // a restart until play stops, each action begins where the previous one ends, so that their worths
-// add up to the difference between the situation at the stop (a goal: 1 or -1) and at the restart,
-// seen from one team. Only fouls while play is stopped and the time between two spells are left
-// out.
+// add up to the difference between the situation at the end and at the restart, seen from one team.
+// At the end, the situation is the goal (1 or -1), the restart that a call awards, or otherwise
+// what it was when play stopped.
+//
+// Calls while the ball is not in play, and fouls by both teams, have no action. Neither has the
+// action that the end of a game during play cuts short. If nobody commands the game, calls change
+// nothing.
 #pragma once
 
 #include <array>
@@ -31,7 +35,7 @@ enum class ActionKind : std::uint8_t {
   kDribble,  // from a robot's first touch to its kick, or to a team-mate's touch
   kShot,     // as in PlayCounts
   kLoss,     // every other action after which the opponents have the ball or get the restart
-  kFoul,     // a robot's foul that decides how play continues
+  kFoul,     // a robot's foul that decides how play continues; the action before it is no loss
 };
 constexpr auto names_of(ActionKind /*any*/) {
   return std::to_array<Named<ActionKind>>({{ActionKind::kPass, "pass"},
@@ -75,6 +79,8 @@ class BallActions {
              const sim::WorldState& now);
   // The kick in progress was a shot by the team, or its robot has pushed the ball into the goal.
   void note_shot(Side team);
+  // The kick in progress has ended, for example with an opponent's touch.
+  void end_kick();
   // The kick in progress only pushed the ball ahead.
   void discard_kick();
   // A goal has been given.
@@ -89,6 +95,7 @@ class BallActions {
   struct Action {
     RobotId robot;
     bool is_kick = false;
+    bool is_kick_over = false;
     bool is_shot = false;
     std::int64_t frame = 0;
     Vec2 ball_m{0, 0};
@@ -96,14 +103,18 @@ class BallActions {
   };
 
   double value_to_west(const std::optional<BallOwner>& owner, const sim::WorldState& now) const;
-  double value_at_touch(const sim::Touch& touch, bool is_kick_away, const Owners& owners,
-                        const sim::WorldState& now) const;
+  Action action_from(std::span<const sim::Touch> touches, bool is_kick_away,
+                     const std::optional<BallOwner>& before, const sim::WorldState& now) const;
+  bool goes_on_with(std::span<const sim::Touch> touches) const;
+  void begin(const Action& action);
   void end(std::int64_t frame, const Vec2& ball_m, double value, Side next);
   void add_foul(const referee::Decision& decision, double before, double after, const Vec2& ball_m);
 
   Field field_;
   const ValueModel* model_;
   std::optional<Action> action_;  // of the team with the ball
+  // The action that has begun if the other team, which touched the ball last, gains it.
+  std::optional<Action> next_;
   std::vector<BallAction> ended_;
 };
 

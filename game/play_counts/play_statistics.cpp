@@ -201,6 +201,7 @@ void PlayStatistics::settle(Next next) {
   if (!kick_) return;
   const KickAway kick = *kick_;
   kick_.reset();
+  actions_.end_kick();
   PlayCounts& team = counts_[kick.robot.side];
   if (next == Next::kMate && kick.is_for_mate) {
     ++team.passes_tried;
@@ -234,7 +235,8 @@ void PlayStatistics::count_shot(const Shot& shot) {
 }
 
 void PlayStatistics::note(const referee::Decision& decision, const sim::WorldState& now) {
-  const std::optional<BallOwner> before = ball_owner();
+  const bool has_stopped = decision.from != referee::State::kRun;
+  const std::optional<BallOwner> before = has_stopped ? next_kicker() : ball_owner();
   if (const std::optional<Side> scorer = scorer_in(decision)) give_goal(*scorer, now);
   chains_.decide(decision, now.ball.position_m);
   if (decision.restart()) note_call(decision, {before, next_kicker()}, now);
@@ -256,7 +258,7 @@ void PlayStatistics::give_goal(Side scorer, const sim::WorldState& now) {
 
 void PlayStatistics::note_call(const referee::Decision& decision, const BallActions::Owners& owners,
                                const sim::WorldState& now) {
-  if (decision.to == referee::State::kRun) return;  // play goes on, since nobody commands the game
+  if (decision.to == referee::State::kRun) return;  // play goes on
   if (kick_ && kick_->shot) actions_.note_shot(kick_->robot.side);
   actions_.call(decision, owners, now);
 }

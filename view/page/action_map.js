@@ -25,27 +25,27 @@ class ActionMap {
     this.losses.replaceChildren(...actions.filter(({kind}) => kind === "loss").map((one) => this.loss(one)));
   }
 
-  turned([x, y], time_s) {
+  positionNow([x, y], time_s) {
     const turn = turnAt(this.signals, time_s);
     return [turn * x, turn * y];
   }
 
   line(action) {
     const {kind, side, start_s, end_s, from_mm, to_mm} = action;
-    const [x1, y1] = this.turned(from_mm, start_s);
-    const [x2, y2] = this.turned(to_mm, end_s);
+    const [x1, y1] = this.positionNow(from_mm, start_s);
+    const [x2, y2] = this.positionNow(to_mm, end_s);
     return svgElement(this.paths, "line", {"data-kind": kind, x1, y1, x2, y2, stroke: kColors.sides[side]});
   }
 
   loss({side, end_s, to_mm}) {
-    const [cx, cy] = this.turned(to_mm, end_s);
+    const [cx, cy] = this.positionNow(to_mm, end_s);
     return svgElement(this.losses, "circle", {cx, cy, r: kLoss_mm, fill: kColors.sides[side]});
   }
 
   // `layers` says which of both drawings are on; the rest is as in ShotMap.
   show(layers, yellowEnd, pixel_mm) {
     const scale = (yellowEnd === 1 ? -1 : 1) / pixel_mm;
-    for (const [drawing, isOn] of [[this.paths, layers.chains], [this.losses, layers.losses]]) {
+    for (const [drawing, isOn] of [[this.paths, layers.paths], [this.losses, layers.losses]]) {
       drawing.style.display = isOn ? "" : "none";
       drawing.setAttribute("transform", `scale(${scale} ${-scale})`);
     }

@@ -74,16 +74,23 @@ class ChainStrip {
   // Describes the chain under the pointer or else the one in progress.
   describe() {
     const chain = this.pointed ?? this.current;
+    this.list(chain);
     setText("chain", chain ? `${minutesAndSeconds(chain.start_s)}  ${chainTitle(chain)}${this.worthOf(chain)}` : "");
     document.getElementById("chain").dataset.side = chain ? String(chain.side) : "";
   }
 
-  // What the chain was worth, and what each of its actions was.
+  // What the chain was worth.
   worthOf(chain) {
     const actions = this.chains.actionsOf(chain);
-    if (actions.length === 0) return "";
-    const worth = actions.reduce((sum, action) => sum + action.worth, 0);
-    return `, worth ${signed(worth)}: ${actions.map(actionTitle).join(", ")}`;
+    return actions.length === 0 ? "" : `, worth ${signedText(actions.reduce((sum, {worth}) => sum + worth, 0))}`;
+  }
+
+  // Lists the actions of the chain, if there is one.
+  list(chain) {
+    if (chain === this.listed) return;
+    this.listed = chain;
+    const items = chain ? this.chains.actionsOf(chain).map((action) => textElement("li", "", actionTitle(action))) : [];
+    document.getElementById("chainActionList").replaceChildren(...items);
   }
 
   show(time_s) {

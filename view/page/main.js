@@ -1,7 +1,7 @@
 // Assembles the page.
 
 const kJump_s = 5;
-const kLayers = ["trails", "speeds", "distances", "heat", "list", "shots", "chains", "losses"];
+const kLayers = ["trails", "speeds", "distances", "heat", "list", "shots", "paths", "losses"];
 
 function readGame() {
   const game = JSON.parse(document.getElementById("game").textContent);
@@ -17,7 +17,7 @@ class Page {
     this.recording = recording;
     this.layers = {trails: true, speeds: false, distances: true, heat: false, list: true};
     if (game.chainKinds) this.layers.shots = false;
-    if (game.actions.length > 0) Object.assign(this.layers, {chains: false, losses: false});
+    if (game.actions.length > 0) Object.assign(this.layers, {paths: false, losses: false});
     this.player = new Player(recording, () => { this.isStale = true; });
     const kicks = kicksOf(game.signals);
     const highlights = highlightsOf(game, kicks);
@@ -74,6 +74,7 @@ class Page {
   beginActions() {
     this.actionMap = new ActionMap(this.chains, this.game.signals);
     for (const element of document.querySelectorAll(".ofActions")) element.hidden = false;
+    document.getElementById("chainActions").hidden = false;
   }
 
   newChainStrip(seek) {

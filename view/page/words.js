@@ -88,7 +88,7 @@ function chainTitle({side, start, end, passes, shots, xg}) {
 }
 
 // "+0.02"
-function signed(number) {
+function signedText(number) {
   const size = Math.abs(number).toFixed(2);
   if (Number(size) === 0) return size;
   return `${number < 0 ? "\u2212" : "+"}${size}`;
@@ -96,7 +96,7 @@ function signed(number) {
 
 // "5 dribble +0.02"
 function actionTitle({robot, kind, worth}) {
-  return `${robot < 0 ? "" : `${robot} `}${kind} ${signed(worth)}`;
+  return `${robot < 0 ? "" : `${robot} `}${kind} ${signedText(worth)}`;
 }
 
 function shotTitle({time_s, side, xg, hasScored}) {

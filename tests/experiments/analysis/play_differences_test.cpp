@@ -71,7 +71,7 @@ TEST(PlayDifferences, HaveEachCountOnce) {
   for (const auto& difference : play_differences({{"new~old", std::nullopt}}, {1}, rows))
     names.push_back(difference.name);
   const std::size_t plain = game::kChainStartCount + game::count_fields().size() - 3;
-  EXPECT_EQ(names.size(), plain + 2 + game::kActionKindCount);
+  EXPECT_EQ(names.size(), plain + 2 + game::kActionKindCount - 1);
   EXPECT_EQ(names[plain - 1], "duels won");
   EXPECT_EQ(names.back(), "worth of fouls");
   std::sort(names.begin(), names.end());

@@ -33,8 +33,8 @@ struct ActionPlay : ChainPlay {
   double worth_to_west() const {
     return std::accumulate(actions.begin(), actions.end(), 0.0,
                            [](double sum, const BallAction& action) {
-                             const bool is_wests = action.team == Side::kWest;
-                             return sum + (is_wests ? action.worth : -action.worth);
+                             const bool is_west = action.team == Side::kWest;
+                             return sum + (is_west ? action.worth : -action.worth);
                            });
   }
 
@@ -44,7 +44,7 @@ struct ActionPlay : ChainPlay {
     const double of_owner = value.scores - value.concedes;
     return owner.team == Side::kWest ? of_owner : -of_owner;
   }
-  // East's free kick from the place of the ball.
+  // East's free kick from the position of the ball.
   static referee::Decision free_kick_for_east(referee::Event event, std::optional<Side> offender) {
     referee::Decision decision = call(event, offender);
     decision.finding.restart = {CommandKind::kDirectFree, Side::kEast};
@@ -130,6 +130,86 @@ TEST(BallActions, AParryDoesNotEndTheShot) {
   play.gain(kWest1, {2.2, 0.3});
   EXPECT_EQ(play.kinds(),
             (Kinds{{Side::kWest, 2, ActionKind::kDribble}, {Side::kWest, 2, ActionKind::kShot}}));
+}
+
+TEST(BallActions, AReboundToTheShooterIsANewAction) {
+  ActionPlay play;
+  play.put(kWest2, kNearGoal_m);
+  play.gain(kWest2, kNearGoal_m);
+  play.kick(kWest2, kNearGoal_m, {6, 0});
+  play.frames(8);
+  play.hull(kEast1, {2.7, 0});
+  play.frames(8);
+  play.gain(kWest2, kNearGoal_m);
+  play.put(kEast2, kNearGoal_m);
+  play.gain(kEast2, kNearGoal_m);
+  EXPECT_EQ(play.kinds(), (Kinds{{Side::kWest, 2, ActionKind::kDribble},
+                                 {Side::kWest, 2, ActionKind::kShot},
+                                 {Side::kWest, 2, ActionKind::kLoss}}));
+}
+
+TEST(BallActions, ABallIsLostAtTheFirstTouchOfTheTeamThatGainsIt) {
+  ActionPlay play;
+  play.gain(kWest1, kMidfield_m);
+  play.kick_to(kWest1, kMidfield_m, {3, 1}, kEast1, {1.5, 0.5});
+  play.frames(60);
+  play.gain(kEast2, {0.5, 1.0});
+  const PossessionChain& chain = play.chains.back();
+  EXPECT_EQ(play.kinds(), (Kinds{{Side::kWest, 1, ActionKind::kDribble},
+                                 {Side::kWest, 1, ActionKind::kLoss},
+                                 {Side::kEast, 1, ActionKind::kDribble}}));
+  EXPECT_EQ(play.actions[1].last_frame, chain.last_frame);
+  EXPECT_EQ(play.actions[1].last_m, chain.last_m);
+}
+
+TEST(BallActions, ASingleTouchThatBecomesAGoalIsAShot) {
+  for (const Side owner : kSides) {
+    ActionPlay play;
+    const RobotId holder = owner == Side::kWest ? kWest1 : kEast1;
+    const RobotId other = owner == Side::kWest ? kEast2 : kWest2;
+    play.gain(holder, kMidfield_m);
+    play.kick_to(holder, kMidfield_m, {goal_sign(owner) * -2, 0}, other, {0.8, 0.2});
+    play.frames(20);
+    play.goal_of(other.side);
+    ASSERT_EQ(play.actions.size(), 3U);
+    EXPECT_EQ(play.actions[1].kind, ActionKind::kLoss);
+    EXPECT_EQ(play.actions[2].kind, ActionKind::kShot);
+    EXPECT_EQ(play.actions[2].team, other.side);
+    EXPECT_EQ(play.actions[2].robot, other.number);
+    EXPECT_GT(play.actions[2].worth, 0.5);
+  }
+}
+
+TEST(BallActions, AnOwnGoalIsALoss) {
+  ActionPlay play;
+  play.gain(kEast1, {2.8, 0});
+  const double before = play.value_to_west({Side::kEast});
+  play.goal_of(Side::kWest);
+  EXPECT_EQ(play.kinds(), (Kinds{{Side::kEast, 1, ActionKind::kLoss}}));
+  EXPECT_NEAR(play.actions[0].worth, before - 1, 0.2);
+}
+
+TEST(BallActions, AFoulByBothTeamsIsNobodys) {
+  ActionPlay play;
+  play.gain(kEast1, kMidfield_m);
+  play.stop_by(ChainPlay::call(referee::Event::kBotPushedBot));
+  EXPECT_EQ(play.kinds(), (Kinds{{Side::kEast, 1, ActionKind::kDribble}}));
+}
+
+TEST(BallActions, AFoulDuringAStopCostsTheRestart) {
+  ActionPlay play;
+  play.gain(kWest1, kMidfield_m);
+  referee::Decision out = ChainPlay::call(referee::Event::kThrowIn);
+  out.finding.restart = {CommandKind::kDirectFree, Side::kWest};
+  play.stop_by(out);
+  referee::Decision foul =
+      ActionPlay::free_kick_for_east(referee::Event::kAttackerStaysNearArea, Side::kWest);
+  foul.from = referee::State::kWaitStop;
+  play.stop_by(foul);
+  ASSERT_EQ(play.actions.back().kind, ActionKind::kFoul);
+  EXPECT_NEAR(play.actions.back().worth,
+              play.value_to_west({Side::kEast, true}) - play.value_to_west({Side::kWest, true}),
+              1e-12);
 }
 
 TEST(BallActions, AFoulCostsItsTeamWhatTheRestartChanges) {

@@ -122,7 +122,7 @@ ChainCounts all_chains(const PlayCounts& team) {
 }
 
 // The angles of a turned goal may be rounded differently.
-void take_over_equal_worths(const PlayCounts& from, PlayCounts& to) {
+void expect_near_and_copy_worths(const PlayCounts& from, PlayCounts& to) {
   for (std::size_t kind = 0; kind < kActionKindCount; ++kind) {
     EXPECT_NEAR(to.by_action[kind].worth, from.by_action[kind].worth, 1e-9);
     to.by_action[kind].worth = from.by_action[kind].worth;
@@ -176,7 +176,8 @@ TEST_P(PlayCountsOfGames, AreSwappedIfTheFieldIsRotated) {
   play(configuration, &counters);
   const PerSide<PlayCounts> counts = counters.upright.counts();
   PerSide<PlayCounts> others = counters.upside_down.counts();
-  for (const Side side : kSides) take_over_equal_worths(counts[side], others[opponent_of(side)]);
+  for (const Side side : kSides)
+    expect_near_and_copy_worths(counts[side], others[opponent_of(side)]);
   EXPECT_EQ(counts[Side::kWest], others[Side::kEast]);
   EXPECT_EQ(counts[Side::kEast], others[Side::kWest]);
   EXPECT_GT(counts[Side::kWest].shots + counts[Side::kEast].shots, 0) << "nothing was compared";
