@@ -54,6 +54,10 @@ void add_log_argument(CLI::App& verb, std::string& log) {
   verb.add_option("LOG", log, "A .log or .log.gz file.")->required();
 }
 
+void add_logs_argument(CLI::App& verb, std::vector<std::string>& logs) {
+  verb.add_option("LOG", logs, ".log and .log.gz files, or folders of them.")->required();
+}
+
 void add_field_option(CLI::App& verb, std::string& rules) {
   verb.add_option("--rules", rules, "Rule book that defines the field if the log has no geometry.")
       ->type_name("BOOK")

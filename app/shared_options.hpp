@@ -35,6 +35,9 @@ void add_play_outputs(CLI::App& verb, std::string& chains, std::string& actions)
 // Adds the required argument LOG.
 void add_log_argument(CLI::App& verb, std::string& log);
 
+// Adds the required arguments LOG..., for logs_in() (logs/user_log.hpp).
+void add_logs_argument(CLI::App& verb, std::vector<std::string>& logs);
+
 // Adds --rules, the rule book to use for a log without geometry.
 void add_field_option(CLI::App& verb, std::string& rules);
 

@@ -167,12 +167,15 @@ void LogReferee::judge(const Frame& frame) {
 
 LogRefereeResult referee_log(const std::filesystem::path& log, const RecordedFacts& facts,
                              const std::vector<referee::Configuration>& configurations,
-                             const DecisionWatch& watch) {
+                             const DecisionWatch& watch, const FrameWatch& frame_watch) {
   DecisionCollector collector(facts, configurations.front().rules, watch);
   LogReferee log_referee(configurations, facts.teams, SignalOrder::kByTime,
                          [&](const referee::Decision& decision) { collector.add(decision); });
   RecordedPlay play(configurations.front());
-  log_referee.watch_frames([&](const LogReferee& judged) { play.add(judged); });
+  log_referee.watch_frames([&](const LogReferee& judged) {
+    play.add(judged);
+    if (frame_watch) frame_watch(judged);
+  });
   league::read_log(log, log_referee, facts.log.source);
   const bool is_alone = configurations.front().control == referee::Control::kAutoref;
   CallMaker recorded;

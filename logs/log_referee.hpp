@@ -93,11 +93,11 @@ struct LogRefereeResult {
   referee::Control control = referee::Control::kAutoref;  // control mode of the first game
 };
 
-// Judges every frame of the log in order. The goals in the result are those of the last game.
-// Throws league::LogError, and std::invalid_argument if a configuration is not valid for a referee.
-// `configurations` must not be empty.
+// Judges every frame of the log in order. `frame_watch` is called after each frame. The goals in
+// the result are those of the last game. Throws league::LogError, and std::invalid_argument if a
+// configuration is not valid for a referee. `configurations` must not be empty.
 LogRefereeResult referee_log(const std::filesystem::path& log, const RecordedFacts& facts,
                              const std::vector<referee::Configuration>& configurations,
-                             const DecisionWatch& watch = {});
+                             const DecisionWatch& watch = {}, const FrameWatch& frame_watch = {});
 
 }  // namespace autoref::logs

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -89,7 +90,43 @@ void copy_log(int from, int to, const std::string& path) {
   }
 }
 
+bool is_log_name(const std::string& name) {
+  return name.ends_with(".log") || name.ends_with(".log.gz");
+}
+
+std::vector<std::string> logs_in_folder(const std::string& folder) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  std::vector<std::string> logs;
+  std::size_t files = 0;
+  for (fs::directory_iterator file(folder, error), end; !error && file != end;
+       file.increment(error)) {
+    if (++files > kMostLogs) {
+      throw io::InputError({folder}, "",
+                           fmt::format("contains more than {} files; name the logs", kMostLogs));
+    }
+    std::error_code none;
+    const std::string path = file->path().string();
+    if (is_log_name(path) && !file->is_directory(none)) logs.push_back(path);
+  }
+  if (error) throw io::InputError({folder}, "", error.message());
+  if (logs.empty()) throw io::InputError({folder}, "", "contains no .log or .log.gz file");
+  std::sort(logs.begin(), logs.end());
+  return logs;
+}
+
 }  // namespace
+
+std::vector<std::string> logs_in(const std::vector<std::string>& paths) {
+  std::vector<std::string> logs;
+  for (const std::string& path : paths) {
+    std::error_code none;
+    const bool is_folder = std::filesystem::is_directory(path, none);
+    for (const std::string& log : is_folder ? logs_in_folder(path) : std::vector{path})
+      logs.push_back(log);
+  }
+  return logs;
+}
 
 std::string seekable_log(const std::string& path) {
   struct stat status {};

@@ -9,6 +9,12 @@
 
 namespace autoref::logs {
 
+// The logs that `paths` name: a folder stands for its .log and .log.gz files, sorted by name,
+// without those in folders below. Throws InputError if a folder contains none, cannot be read, or
+// has more than kMostLogs files.
+inline constexpr std::size_t kMostLogs = 10'000;
+std::vector<std::string> logs_in(const std::vector<std::string>& paths);
+
 // A path from which the log can be read several times: `path` itself or, if that is a pipe, an
 // unnamed copy that disappears when the program ends. Throws InputError if the log cannot be
 // opened, and InputOutputError if it cannot be copied.

@@ -11,7 +11,7 @@
 #include "app/game/play_one.hpp"
 #include "app/network_flags.hpp"
 #include "app/output_file.hpp"
-#include "app/referee/referee_game.hpp"
+#include "app/referee_game.hpp"
 #include "app/shared_options.hpp"
 #include "app/verbs.hpp"
 #include "game/loop/event_log.hpp"

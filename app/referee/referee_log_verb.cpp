@@ -5,7 +5,7 @@
 
 #include "app/game/page_recorder.hpp"
 #include "app/output_file.hpp"
-#include "app/referee/referee_game.hpp"
+#include "app/referee_game.hpp"
 #include "app/shared_options.hpp"
 #include "app/verbs.hpp"
 #include "game/loop/chain_log.hpp"
@@ -18,6 +18,7 @@
 #include "logs/calls.hpp"
 #include "logs/log_page.hpp"
 #include "logs/log_report.hpp"
+#include "logs/log_tables.hpp"
 #include "logs/recorded_teams.hpp"
 #include "logs/user_log.hpp"
 #include "soccer/side.hpp"
@@ -83,26 +84,20 @@ void add_play(const logs::PlayOfLog& play, view::GameRecording& recording) {
     recording.add(recorded(action.action, kRate_hz, action.blue_on_positive_half));
 }
 
-game::EventGame teams_by_colour() {
-  game::EventGame game;
-  for (const Side side : kSides) game.teams[side].letter = colour_of(side);
-  return game;
-}
-
 std::string chains_text(const logs::PlayOfLog& play) {
   std::vector<game::ChainRow> rows;
   for (const game::PossessionChain& chain : play.chains)
     rows.push_back({static_cast<int>(rows.size()) + 1, chain});
-  return io::csv_text(
-      io::table_rows(game::chain_columns(teams_by_colour(), logs::RecordedPlay::kRate_hz), rows));
+  return io::csv_text(io::table_rows(
+      game::chain_columns(logs::game_of_colours(), logs::RecordedPlay::kRate_hz), rows));
 }
 
 std::string actions_text(const logs::PlayOfLog& play) {
   std::vector<game::BallAction> rows;
   rows.reserve(play.actions.size());
   for (const logs::RecordedAction& recorded : play.actions) rows.push_back(recorded.action);
-  return io::csv_text(
-      io::table_rows(game::action_columns(teams_by_colour(), logs::RecordedPlay::kRate_hz), rows));
+  return io::csv_text(io::table_rows(
+      game::action_columns(logs::game_of_colours(), logs::RecordedPlay::kRate_hz), rows));
 }
 
 int referee_log_verb(const RefereeLogArguments& arguments) {

@@ -18,6 +18,7 @@
 #include "game/play_counts/play_counts.hpp"
 #include "io/csv.hpp"
 #include "judge/judge_report.hpp"
+#include "logs/log_tables.hpp"
 #include "tests/experiments/kinds/rules/small_rules.hpp"
 #include "tests/experiments/kinds/situations/small_situations.hpp"
 #include "tests/experiments/run/fake_games.hpp"
@@ -188,6 +189,11 @@ std::vector<Artefact> written_csv() {
       {"games/*.csv", circumstances_columns},
       {"play --chains", [] { return io::heads_of(game::chain_columns({}, 60)); }},
       {"play --actions", [] { return io::heads_of(game::action_columns({}, 60)); }},
+      {"log info of several logs", [] { return io::heads_of(logs::summary_columns()); }},
+      {"log export: tracks.csv", [] { return io::heads_of(logs::track_columns()); }},
+      {"log export: chains.csv", [] { return io::heads_of(logs::logged_chain_columns()); }},
+      {"log export: actions.csv", [] { return io::heads_of(logs::logged_action_columns()); }},
+      {"log export: shots.csv", [] { return io::heads_of(logs::logged_shot_columns()); }},
       {"games/*.csv of autoref judge",
        [] { return experiments::row_format(experiments::JudgeSchedule{}).names(); }},
       {"summary.csv of a sweep",

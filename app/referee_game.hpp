@@ -1,5 +1,5 @@
-// The game that `autoref referee` judges, from a log or from the network, and the options shared by
-// both verbs.
+// The game that AutoRef judges, from a log or from the network, and the options shared by the verbs
+// of `autoref referee`.
 #pragma once
 
 #include <CLI/App.hpp>

@@ -1,4 +1,4 @@
-#include "app/referee/referee_game.hpp"
+#include "app/referee_game.hpp"
 
 #include <fmt/format.h>
 
