@@ -219,7 +219,7 @@ void RecordedPlay::start(const PerSide<int>& goals) {
 
 void RecordedPlay::stop(const referee::Finding& reason) {
   is_on_ = false;
-  stop_ = Stop{world_, reason};
+  stop_ = Stop{world_, is_turned_, reason};
 }
 
 void RecordedPlay::settle_stop(const PerSide<int>& goals) {
@@ -236,8 +236,10 @@ void RecordedPlay::settle_stop(const PerSide<int>& goals) {
     decision.finding = unknown_reason();
   }
   std::swap(world_, stop_->world);
+  std::swap(is_turned_, stop_->is_turned);
   update({}, {decision}, false);
   std::swap(world_, stop_->world);
+  std::swap(is_turned_, stop_->is_turned);
   stop_.reset();
 }
 

@@ -79,6 +79,7 @@ class RecordedPlay {
   // The end of a play, until its reason is known: whether it was a goal.
   struct Stop {
     sim::WorldState world;
+    bool is_turned = false;  // teams may change ends before the reason is known
     referee::Finding reason;
   };
 

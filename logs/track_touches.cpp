@@ -8,12 +8,16 @@ namespace {
 constexpr double kSameTouch_s = 1e-6;
 // Robots farther from the ball than this do not touch it.
 constexpr double kFar_m = 1;
-// A robot holds the ball if it is within kHeld_m of the hull for kHeldFor_s, hardly moves relative
-// to the robot, and no opponent is within kAlone_m.
+// A robot holds the ball if it is within kHeld_m of the hull for kHeldFor_s, moves relative to the
+// robot no faster than kHeld_mps, and no opponent is within kAlone_m. The values were chosen in
+// games of the camera presets `realistic` and `rc2026-b` other than those in
+// docs/logs-and-pages.md.
 constexpr double kHeld_m = 20_mm;
-constexpr double kAlone_m = 60_mm;
+constexpr double kAlone_m = 30_mm;
 constexpr double kHeldFor_s = 100_ms;
-constexpr double kHeld_mps = 0.4_mps;
+constexpr double kHeld_mps = 1.0_mps;
+// A slower ball may just be at rest next to the robot.
+constexpr double kMoves_mps = 0.4_mps;
 // A ball that lies ready for a restart moves by less than this.
 constexpr double kAtRest_m = 15_mm;
 
@@ -95,7 +99,7 @@ void TrackTouches::note_held(const TrackedFrame& frame) {
   if (holder_ != id) held_since_s_ = frame.time_s;
   holder_ = id;
   if (frame.time_s - held_since_s_ < kHeldFor_s) return;
-  if (frame.world.ball.velocity_mps.norm() < kHeld_mps) return;  // both may just be at rest
+  if (frame.world.ball.velocity_mps.norm() < kMoves_mps) return;
   add(id, frame.time_s);
 }
 
