@@ -100,25 +100,42 @@ std::string actions_text(const logs::PlayOfLog& play) {
       game::action_columns(logs::game_of_colours(), logs::RecordedPlay::kRate_hz), rows));
 }
 
-int referee_log_verb(const RefereeLogArguments& arguments) {
-  const game::Assignments assignments = game::assignments_in(arguments.sets);
-  refuse_book_among(assignments);
-  check_outputs({{"--events", arguments.events},
-                 {"--game-events", arguments.game_events},
-                 {"--chains", arguments.chains},
-                 {"--actions", arguments.actions},
-                 {"--report", arguments.report}},
-                {arguments.log, arguments.annotations});
+// The output files; nullopt: not wanted. They appear when the log has been refereed.
+struct LogFiles {
+  // Throws InputError naming the flag if a file cannot be written.
+  explicit LogFiles(const RefereeLogArguments& arguments) {
+    check_outputs({{"--events", arguments.events},
+                   {"--game-events", arguments.game_events},
+                   {"--chains", arguments.chains},
+                   {"--actions", arguments.actions},
+                   {"--report", arguments.report}},
+                  {arguments.log, arguments.annotations});
+    open_output(events, "--events", arguments.events);
+    open_output(game_events, "--game-events", arguments.game_events);
+    open_output(chains, "--chains", arguments.chains);
+    open_output(actions, "--actions", arguments.actions);
+    open_output(page, "--report", arguments.report);
+  }
+
+  // Writes all files but the page.
+  void commit(const logs::LogRefereeResult& result) {
+    if (events) events->commit(result.events);
+    if (game_events) game_events->commit(game::game_event_lines(result.game_events));
+    if (chains) chains->commit(chains_text(result.play));
+    if (actions) actions->commit(actions_text(result.play));
+  }
+
   std::optional<io::PendingFile> events;
   std::optional<io::PendingFile> game_events;
   std::optional<io::PendingFile> chains;
   std::optional<io::PendingFile> actions;
   std::optional<io::PendingFile> page;
-  open_output(events, "--events", arguments.events);
-  open_output(game_events, "--game-events", arguments.game_events);
-  open_output(chains, "--chains", arguments.chains);
-  open_output(actions, "--actions", arguments.actions);
-  open_output(page, "--report", arguments.report);
+};
+
+int referee_log_verb(const RefereeLogArguments& arguments) {
+  const game::Assignments assignments = game::assignments_in(arguments.sets);
+  refuse_book_among(assignments);
+  LogFiles files(arguments);
   const std::vector<logs::Call> annotated = annotated_calls(arguments);
   const std::string log = logs::seekable_log(arguments.log);
   logs::RecordedFacts facts = logs::read_facts(arguments.log, log, source_of(arguments));
@@ -143,20 +160,17 @@ int referee_log_verb(const RefereeLogArguments& arguments) {
   print_ends(arguments, facts);
   view::GameRecording recording;
   const auto keep = [&](const referee::Decision& decision) {
-    if (page) recording.add(recorded(decision));
+    if (files.page) recording.add(recorded(decision));
   };
   logs::LogRefereeResult evaluation = logs::referee_log(log, facts, games, keep);
   const logs::Comparison comparison{!arguments.annotations.empty(), arguments.report};
   if (comparison.is_annotated)
     evaluation.agreement = logs::agreement_with_annotations(annotated, evaluation.calls);
-  if (events) events->commit(evaluation.events);
-  if (chains) chains->commit(chains_text(evaluation.play));
-  if (actions) actions->commit(actions_text(evaluation.play));
-  if (game_events) game_events->commit(game::game_event_lines(evaluation.game_events));
-  if (page) {
+  files.commit(evaluation);
+  if (files.page) {
     add_play(evaluation.play, recording);
-    page->commit(logs::log_page(log, arguments.log, games.front().field, recording, chain_kinds(),
-                                evaluation.agreement, facts.log.source));
+    files.page->commit(logs::log_page(log, arguments.log, games.front().field, recording,
+                                      chain_kinds(), evaluation.agreement, facts.log.source));
   }
   fmt::print("{}\n", arguments.json
                          ? logs::referee_log_json(evaluation, facts, comparison)
