@@ -35,7 +35,7 @@ enum class ActionKind : std::uint8_t {
   kDribble,  // from a robot's first touch to its kick, or to a team-mate's touch
   kShot,     // as in PlayCounts
   kLoss,     // every other action after which the opponents have the ball or get the restart
-  kFoul,     // a robot's foul that decides how play continues; the action before it is no loss
+  kFoul,     // a robot's foul that decides how play continues; the action before it is not a loss
 };
 constexpr auto names_of(ActionKind /*any*/) {
   return std::to_array<Named<ActionKind>>({{ActionKind::kPass, "pass"},

@@ -23,6 +23,15 @@ struct ActionPlay : ChainPlay {
     put(kEast2, {0, 1.5});
   }
 
+  // West's robot 2 shoots, and east's robot 1 parries.
+  void shoot_at_keeper() {
+    put(kWest2, kNearGoal_m);
+    gain(kWest2, kNearGoal_m);
+    kick(kWest2, kNearGoal_m, {6, 0});
+    frames(8);
+    hull(kEast1, {2.7, 0});
+  }
+
   std::vector<std::tuple<Side, int, ActionKind>> kinds() const {
     std::vector<std::tuple<Side, int, ActionKind>> kinds;
     for (const BallAction& action : actions)
@@ -120,11 +129,7 @@ TEST(BallActions, ABallPushedAheadStaysADribble) {
 
 TEST(BallActions, AParryDoesNotEndTheShot) {
   ActionPlay play;
-  play.put(kWest2, kNearGoal_m);
-  play.gain(kWest2, kNearGoal_m);
-  play.kick(kWest2, kNearGoal_m, {6, 0});
-  play.frames(8);
-  play.hull(kEast1, {2.7, 0});
+  play.shoot_at_keeper();
   play.frames(3);
   EXPECT_EQ(play.actions.size(), 1);  // the dribble before the shot
   play.gain(kWest1, {2.2, 0.3});
@@ -134,11 +139,7 @@ TEST(BallActions, AParryDoesNotEndTheShot) {
 
 TEST(BallActions, AReboundToTheShooterIsANewAction) {
   ActionPlay play;
-  play.put(kWest2, kNearGoal_m);
-  play.gain(kWest2, kNearGoal_m);
-  play.kick(kWest2, kNearGoal_m, {6, 0});
-  play.frames(8);
-  play.hull(kEast1, {2.7, 0});
+  play.shoot_at_keeper();
   play.frames(8);
   play.gain(kWest2, kNearGoal_m);
   play.put(kEast2, kNearGoal_m);

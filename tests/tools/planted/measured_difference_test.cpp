@@ -17,7 +17,7 @@ Sample times(double factor, Sample sample) {
   return sample;
 }
 
-// Forty pairs, all won: 1 and 2 by turns.
+// Forty pairs, all won: 1 and 2 alternately.
 Sample clear_wins() {
   Sample sample;
   for (int i = 0; i < 20; ++i) sample.insert(sample.end(), {1, 2});
