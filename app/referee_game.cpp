@@ -56,6 +56,15 @@ void refuse_book_among(const game::Assignments& assignments) {
   }
 }
 
+void check_has_frames(const RefereeArguments& arguments, const logs::RecordedFacts& facts,
+                      const std::string& source) {
+  if (facts.log.frames > 0) return;
+  throw io::InputError({source}, "",
+                       arguments.source.empty()
+                           ? "contains neither vision nor tracker packets to referee"
+                           : fmt::format("contains no {} packets to referee", arguments.source));
+}
+
 std::string book_of(const RefereeArguments& arguments, const logs::RecordedFacts& facts,
                     const std::string& source) {
   if (!arguments.rules.empty()) return arguments.rules;

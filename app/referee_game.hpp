@@ -37,6 +37,10 @@ void refuse_book_among(const game::Assignments& assignments);
 std::string book_of(const RefereeArguments& arguments, const logs::RecordedFacts& facts,
                     const std::string& source);
 
+// Throws InputError if the log, `source`, has no frames of the kind that the arguments choose.
+void check_has_frames(const RefereeArguments& arguments, const logs::RecordedFacts& facts,
+                      const std::string& source);
+
 // The game under the rule book `book`, with the recorded facts and the user's settings applied.
 // Throws InputError if AutoRef cannot referee it.
 game::GameSettings game_of(const RefereeArguments& arguments, const std::string& book,

@@ -18,8 +18,7 @@ JudgedLog judged_log(const std::string& path, const std::string& rules,
   const std::string log = logs::seekable_log(path);
   judged.facts = logs::read_facts(path, log);
   io::write_message(stderr, logs::damage_text(path, judged.facts));
-  if (judged.facts.log.frames == 0)
-    throw io::InputError({path}, "", "contains neither vision nor tracker packets to referee");
+  check_has_frames(arguments, judged.facts, path);
   const std::string book = book_of(arguments, judged.facts, path);
   std::vector<referee::Configuration> games;
   for (const logs::RecordedGame& recorded : judged.facts.games) {

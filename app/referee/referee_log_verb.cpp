@@ -140,12 +140,7 @@ int referee_log_verb(const RefereeLogArguments& arguments) {
   const std::string log = logs::seekable_log(arguments.log);
   logs::RecordedFacts facts = logs::read_facts(arguments.log, log, source_of(arguments));
   io::write_message(stderr, logs::damage_text(arguments.log, facts));
-  if (facts.log.frames == 0) {
-    throw io::InputError({arguments.log}, "",
-                         arguments.source.empty()
-                             ? "contains neither vision nor tracker packets to referee"
-                             : fmt::format("contains no {} packets to referee", arguments.source));
-  }
+  check_has_frames(arguments, facts, arguments.log);
   const std::string book = book_of(arguments, facts, arguments.log);
   std::vector<referee::Configuration> games;
   for (const logs::RecordedGame& recorded : facts.games) {
