@@ -11,9 +11,9 @@
 #include "app/verbs.hpp"
 #include "experiments/kinds/scenario_reader.hpp"
 #include "experiments/kinds/situations/situations.hpp"
+#include "experiments/scenes/start_drawing.hpp"
 #include "io/errors.hpp"
 #include "io/words.hpp"
-#include "view/drawing.hpp"
 
 namespace autoref::app {
 namespace {
@@ -37,23 +37,6 @@ const experiments::SituationSetup& situation_named(const experiments::Situations
                                    nearest.empty() ? ";" : nearest, io::listed(names)));
 }
 
-Frame frame_of(const game::StartState& start) {
-  Frame frame;
-  for (const Side side : kSides) {
-    for (const sim::RobotState& robot : start.robots[side])
-      frame.robots[side].push_back({robot.number, robot.position_m, robot.heading});
-  }
-  frame.ball = BallObservation{start.ball.position_m, start.ball.height_m};
-  return frame;
-}
-
-RefereeSignal signal_of(const referee::MidwayStart& midway_start) {
-  RefereeSignal signal;
-  signal.stage = Stage::kFirstHalf;
-  signal.command = midway_start.restart.value_or(Command{CommandKind::kForceStart, Side::kWest});
-  return signal;
-}
-
 int situation_verb(const SituationArguments& arguments) {
   const experiments::Scenario scenario = experiments::read_scenario(arguments.file);
   const auto* situations = scenario.as<experiments::Situations>();
@@ -70,8 +53,7 @@ int situation_verb(const SituationArguments& arguments) {
   const Field& field = situations->base.field;
   const game::StartState start = experiments::drawn_state(situation, arguments.situation, field,
                                                           situations->seed, arguments.scene);
-  file->commit(view::drawing_of(
-      {field, {{"attackers", "defenders"}}, signal_of(start.referee), {frame_of(start)}}));
+  file->commit(experiments::drawing_of(start, field, {{"attackers", "defenders"}}));
   return io::kDone;
 }
 

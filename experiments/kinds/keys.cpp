@@ -63,6 +63,15 @@ std::vector<TeamAt> teams_at(const std::string& branch, Teams& teams) {
   return all;
 }
 
+// The setting `name`, or the settings below it.
+std::vector<game::Setting> settings_at(const ListSettings& settings, const std::string& name) {
+  std::vector<game::Setting> its = settings();
+  std::erase_if(its, [&name](const game::Setting& setting) {
+    return setting.path != name && !setting.path.starts_with(name + ".");
+  });
+  return its;
+}
+
 }  // namespace
 
 std::vector<KeyRow> rows_of(const std::vector<game::Setting>& settings,
@@ -168,6 +177,40 @@ Key seed_key(std::uint64_t& seed) {
   key.seed = [&seed] { return std::optional(seed); };
   key.set_seed = [&seed](std::uint64_t value) { seed = value; };
   key.seed_text = [&seed] { return std::to_string(seed); };
+  return key;
+}
+
+Key settings_key(const std::string& name, const ListSettings& settings) {
+  const KeyRow row = rows_of(settings_at(settings, name)).front();
+  Key key{name, row.value, row.about};
+  key.read = [settings, name](TopReader& top) {
+    const game::YamlEntry* entry = top.find(name);
+    if (entry == nullptr) return;
+    top.locations()[name] = entry->location;
+    game::SettingsReader(top.file(), settings(), top.locations()).read(*entry, name);
+  };
+  key.text = [settings, name] { return text_of(settings_at(settings, name)); };
+  key.values = [settings, name] { return values_of(settings_at(settings, name)); };
+  return key;
+}
+
+Key settings_branch_key(const std::string& name, const std::string& title, std::string about,
+                        const ListSettings& settings) {
+  Key key = settings_key(name, settings);
+  key.value.clear();
+  key.about = std::move(about);
+  key.below = [settings, name, title]() -> KeysBelow {
+    return {title, "", rows_of(settings_at(settings, name))};
+  };
+  return key;
+}
+
+Key without_default(Key key) {
+  key.value = key.value.substr(0, key.value.rfind(';'));
+  key.read = [name = key.name, read_setting = key.read](TopReader& top) {
+    top.required(name);
+    read_setting(top);
+  };
   return key;
 }
 

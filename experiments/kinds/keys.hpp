@@ -99,6 +99,20 @@ Key teams_key(NamedTeams& named, std::string about, TeamCount count = {});
 Key pairs_key(int& pairs, std::string about);
 Key seed_key(std::uint64_t& seed);
 
+// The settings of an experiment that have keys of their own.
+using ListSettings = std::function<std::vector<game::Setting>()>;
+
+// The key of the setting `name`.
+Key settings_key(const std::string& name, const ListSettings& settings);
+
+// The key of all settings below `name`, such as "test.pairs". `title` is that of its section on the
+// reference page.
+Key settings_branch_key(const std::string& name, const std::string& title, std::string about,
+                        const ListSettings& settings);
+
+// The same key of one setting, which every scenario file must contain.
+Key without_default(Key key);
+
 // The key `set_by_values`, which AutoRef writes into effective.yaml. The key lists the settings
 // that each value of the factors sets. A file in which this list has been changed is refused.
 Key set_by_values_key(const game::GameSettings& base, std::function<std::vector<Factor>()> factors);

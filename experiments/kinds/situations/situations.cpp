@@ -2,111 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "experiments/kinds/situations/scene_reader.hpp"
-#include "experiments/kinds/situations/situation_reader.hpp"
 #include "experiments/kinds/situations/situations_report.hpp"
-#include "experiments/reading/top_reader.hpp"
+#include "experiments/scenes/scene_reader.hpp"
+#include "experiments/scenes/situations_key.hpp"
 #include "experiments/schedule/matchup_schedule.hpp"
 #include "experiments/schedule/schedule.hpp"
-#include "game/settings/setting_value.hpp"
 
 namespace autoref::experiments {
 namespace {
-
-constexpr const char* kRemedy = "list teams by name under `attackers` and `defenders`";
-
-int fewest_robots(const Teams& teams) {
-  int fewest = kMaxRobots;
-  for (const auto& [name, team] : teams) fewest = std::min(fewest, team.robots);
-  return fewest;
-}
-
-void read_situations(TopReader& top, const game::Scene& scene, Situations& all) {
-  const SituationTeams teams{fewest_robots(all.attackers), fewest_robots(all.defenders)};
-  const SituationReader reader(top.file(), top.locations(), all.base.field, scene, teams);
-  const game::YamlEntry& list = top.required("situations");
-  for (const game::YamlEntry& entry : top.file().entries(list, "situations", {}))
-    all.situations[entry.key] = reader.read(entry);
-  if (all.situations.empty())
-    top.file().refuse(list.location, "situations", "expected at least one situation");
-}
-
-constexpr const char* kSituation =
-    "Values are in the attackers' frame: the attackers defend the goal at -x. Each is a number, a "
-    "range "
-    "such as `[1.5, 3]`, or `{ mean: 2, sd: 0.1 }`. Robots that are not listed are off the field.";
-
-std::vector<KeyRow> situation_rows() {
-  return {{"`restart`",
-           "`none`, `kickoff`, `direct_free`, `indirect_free`, `penalty` or `force_start`; `none`",
-           "how the scene begins; `none`: play is on"},
-          {"`taken_by`", "`attackers` or `defenders`; `attackers`", "who takes the restart"},
-          {"`after_stop`", "true or false; false",
-           "whether STOP comes first, so that the robots line up on their own"},
-          {"`ball`", "`x_m`, `y_m`, `vx_mps`, `vy_mps`, `height_m`, `vz_mps`",
-           "the ball; can be left out for a kick-off or a penalty kick"},
-          {"`attackers`, `defenders`",
-           "robots by number, with `x_m`, `y_m`, `heading_deg`, `vx_mps`, `vy_mps`, `turn_radps`",
-           "the robots; without `heading_deg`, a robot faces the ball"},
-          {"`from`", "`log`, `at_s`, `attackers`, `spread_m`",
-           "instead of all of these: the state of an SSL log at that time"},
-          {"`lasts_s`, `score`, `ends_on`", "as above", "for this situation only"}};
-}
-
-// `scene` contains the defaults for keys that a situation does not set.
-Key situations_key(Situations& all, std::shared_ptr<const game::Scene> scene) {
-  Key key{"situations", "", "start positions by name"};
-  key.below = []() -> KeysBelow { return {"one situation", kSituation, situation_rows()}; };
-  key.read = [&all, scene = std::move(scene)](TopReader& top) {
-    read_situations(top, *scene, all);
-  };
-  key.text = [&all] { return situations_text(all); };
-  key.values = [&all] { return situation_values(all); };
-  key.entries = [&all] {
-    std::vector<std::string> names;
-    for (const auto& [name, situation] : all.situations) names.push_back(name);
-    return names;
-  };
-  return key;
-}
-
-Key base_of_scenes_key(game::GameSettings& base) {
-  Key key = base_without_teams_key(base, kRemedy, "shared by every scene");
-  key.read = [read_base = key.read](TopReader& top) {
-    top.refuse_assignments("teams.", "name a team instead, such as attackers.NAME.robots");
-    read_base(top);
-  };
-  return key;
-}
-
-// The robots of a situation must exist in every team that plays it.
-void check_robots(const std::vector<DrawnRobot>& robots, const Teams& teams,
-                  const std::string& path) {
-  for (const DrawnRobot& robot : robots) {
-    for (const auto& [name, team] : teams) {
-      if (robot.number < team.robots) continue;
-      throw game::SettingError(
-          fmt::format("{}.{}", path, robot.number),
-          fmt::format(": team '{}' has {} robots, numbered from 0", name, team.robots));
-    }
-  }
-}
-
-void check_all(const Situations& situations) {
-  check(situations.base, situations.attackers, "attackers");
-  check(situations.base, situations.defenders, "defenders");
-  for (const auto& [name, situation] : situations.situations) {
-    const std::string path = fmt::format("situations.{}", name);
-    check_robots(situation.attackers, situations.attackers, path + ".attackers");
-    check_robots(situation.defenders, situations.defenders, path + ".defenders");
-  }
-}
 
 // The settings of a matchup's scenes.
 SharedSettings settings_of(const Situations& situations, const SituationMatchup& matchup) {
@@ -156,7 +64,7 @@ std::vector<Key> Situations::keys() {
       teams_key("attackers", "the teams that are compared", attackers, base, {1}),
       teams_key("defenders", "their opponents", defenders, base, {1})};
   for (Key& key : scene_keys(scene)) all.push_back(std::move(key));
-  all.push_back(situations_key(*this, scene));
+  all.push_back(situations_key({&situations, &base, &attackers, &defenders}, scene));
   all.push_back(pairs_key(pairs, "scenes per situation and teams, each played in both directions"));
   all.push_back(seed_key(seed));
   return all;
@@ -165,7 +73,7 @@ std::vector<Key> Situations::keys() {
 std::vector<ScheduledGame> Situations::games() const {
   const std::vector<SituationMatchup> matchups = matchups_of(*this);
   refuse_too_many(2.0 * pairs * static_cast<double>(matchups.size()));
-  check_all(*this);
+  check_scenes(base, attackers, defenders, situations);
   std::vector<SharedSettings> settings;
   settings.reserve(matchups.size());
   for (const SituationMatchup& matchup : matchups) settings.push_back(settings_of(*this, matchup));

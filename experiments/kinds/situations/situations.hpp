@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "experiments/kinds/experiment.hpp"
-#include "experiments/kinds/situations/situation.hpp"
+#include "experiments/scenes/scene_group.hpp"
+#include "experiments/scenes/situation.hpp"
 #include "experiments/schedule/matchup_schedule.hpp"
 
 namespace autoref::experiments {
@@ -20,7 +20,7 @@ struct Situations : ExperimentOf<Situations> {
   game::GameSettings base;  // its teams, seed, a_plays and first_kickoff are ignored
   Teams attackers;
   Teams defenders;
-  std::map<std::string, SituationSetup> situations;
+  SituationsByName situations;
   // Number of scenes drawn for each situation, 1 to 9999. Each scene is played in two legs.
   int pairs = 1;
   std::uint64_t seed = 1;  // master seed
@@ -36,15 +36,6 @@ struct Situations : ExperimentOf<Situations> {
   RowKind row_kind() const override { return RowKind::kScene; }
   std::vector<std::string> value_columns() const override { return {"situation"}; }
   ExperimentResults results(const RowsById& rows) const override;
-};
-
-// A situation and the teams that play it: the values of a group of scenes.
-struct SituationMatchup {
-  std::string situation;
-  std::string attackers;
-  std::string defenders;
-  auto operator<=>(const SituationMatchup&) const =
-      default;  // NOLINT(modernize-use-nullptr): not a pointer
 };
 
 // All matchups of the experiment, in order of their names.

@@ -1,8 +1,6 @@
-// The results of situations as CSV files, JSON and text tables, and the situations themselves as
-// text.
+// The results of situations as CSV files, JSON and text tables.
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -34,11 +32,5 @@ io::TextBlocks scenes_table(const std::vector<SceneGroup>& groups,
 // [{"situation": "corner", "attackers": "cobalt", "defenders": "zone", "scenes": 200,
 //   "void_scenes": 0, "goals": 31, "mean_score": 0.155}, ...]; without scenes, the mean is null.
 io::Json json_of(const std::vector<SceneGroup>& groups);
-
-// The key `situations` of effective.yaml, with every value written out.
-std::string situations_text(const Situations& situations);
-
-// The situations' values by path, such as "situations.corner.attackers.1.x_m".
-std::map<std::string, std::string> situation_values(const Situations& situations);
 
 }  // namespace autoref::experiments

@@ -101,42 +101,12 @@ void read_weights(TopReader& top, Tuning& tuning) {
       .read(*entry, "weights");
 }
 
-// The settings of a key.
-std::vector<game::Setting> settings_at(Tuning& tuning, const std::string& key) {
-  std::vector<game::Setting> settings = settings_of(tuning);
-  std::erase_if(settings, [&key](const game::Setting& setting) {
-    return setting.path != key && !setting.path.starts_with(key + ".");
-  });
-  return settings;
-}
-
 Key setting_key(Tuning& tuning, const std::string& name) {
-  const KeyRow row = rows_of(settings_at(tuning, name)).front();
-  Key key{name, row.value, row.about};
-  key.read = [&tuning, name](TopReader& top) {
-    const game::YamlEntry* entry = top.find(name);
-    if (entry == nullptr) return;
-    top.locations()[name] = entry->location;
-    game::SettingsReader(top.file(), settings_of(tuning), top.locations()).read(*entry, name);
-  };
-  key.text = [&tuning, name] { return text_of(settings_at(tuning, name)); };
-  key.values = [&tuning, name] { return values_of(settings_at(tuning, name)); };
-  return key;
-}
-
-// A key without a default.
-Key required_setting_key(Tuning& tuning, const std::string& name) {
-  Key key = setting_key(tuning, name);
-  key.value = game::expected_of(settings_at(tuning, name).front());
-  key.read = [name, read_setting = key.read](TopReader& top) {
-    top.required(name);
-    read_setting(top);
-  };
-  return key;
+  return settings_key(name, [&tuning] { return settings_of(tuning); });
 }
 
 Key pairs_per_candidate_key(Tuning& tuning) {
-  Key key = required_setting_key(tuning, "pairs");
+  Key key = without_default(setting_key(tuning, "pairs"));
   key.pairs = &tuning.pairs;
   return key;
 }
@@ -152,16 +122,6 @@ Key gain_key(Tuning& tuning) {
   };
   key.text = [&tuning, text_of_setting = key.text] {
     return tuning.method == kSpsaName ? text_of_setting() : "";
-  };
-  return key;
-}
-
-Key test_key(Tuning& tuning) {
-  Key key = setting_key(tuning, kTestKey);
-  key.value.clear();
-  key.about = "the test of the result at the end";
-  key.below = [&tuning]() -> KeysBelow {
-    return {"the test", "", rows_of(settings_at(tuning, kTestKey))};
   };
   return key;
 }
@@ -222,10 +182,11 @@ std::vector<Key> Tuning::keys() {
           team_key(*this),
           parameters_key(*this),
           setting_key(*this, "method"),
-          required_setting_key(*this, "iterations"),
+          without_default(setting_key(*this, "iterations")),
           pairs_per_candidate_key(*this),
           gain_key(*this),
-          test_key(*this),
+          settings_branch_key(kTestKey, "the test", "the test of the result at the end",
+                              [this] { return settings_of(*this); }),
           weights_key(*this),
           opponents_key(*this),
           seed_key(seed)};

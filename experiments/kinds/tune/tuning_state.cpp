@@ -30,7 +30,7 @@ PlayedPair pair_of(const TuningMatchup& matchup, int pair, const RowsById& rows)
 }
 
 // The mean over all pairs of a matchup; `is_played` if all of them have been played.
-PlayedPair mean_of(const TuningMatchup& matchup, int pairs, const RowsById& rows) {
+PlayedPair mean_over_pairs(const TuningMatchup& matchup, int pairs, const RowsById& rows) {
   std::vector<double> differences;
   for (int pair = 1; pair <= pairs; ++pair) {
     const PlayedPair played = pair_of(matchup, pair, rows);
@@ -65,7 +65,7 @@ std::optional<std::vector<Score>> scores_of(const Tuning& tuning, const TuningIt
   const std::vector<TuningMatchup> matchups =
       matchups_of(tuning, iteration.number, iteration.candidates, iteration.centre);
   for (const TuningMatchup& matchup : matchups) {
-    const PlayedPair played = mean_of(matchup, tuning.pairs, rows);
+    const PlayedPair played = mean_over_pairs(matchup, tuning.pairs, rows);
     if (!played.is_played) return std::nullopt;
     sums[matchup.candidate].add(played.difference, tuning.weight_of(matchup.opponent));
   }

@@ -1,5 +1,5 @@
 // Situations taken from a log.
-#include "experiments/kinds/situations/situation_reader.hpp"
+#include "experiments/scenes/situation_reader.hpp"
 
 #include <gtest/gtest.h>
 

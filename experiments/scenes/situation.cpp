@@ -1,4 +1,4 @@
-#include "experiments/kinds/situations/situation.hpp"
+#include "experiments/scenes/situation.hpp"
 
 #include <fmt/format.h>
 

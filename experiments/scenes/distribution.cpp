@@ -1,4 +1,4 @@
-#include "experiments/kinds/situations/distribution.hpp"
+#include "experiments/scenes/distribution.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>

@@ -4,12 +4,13 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "experiments/kinds/situations/distribution.hpp"
+#include "experiments/scenes/distribution.hpp"
 #include "game/loop/start_scene.hpp"
 #include "soccer/field.hpp"
 #include "soccer/named.hpp"
@@ -68,6 +69,8 @@ struct SituationSetup {
   std::vector<DrawnRobot> defenders;
   game::Scene scene;
 };
+
+using SituationsByName = std::map<std::string, SituationSetup>;
 
 // A numeric value of a robot or of the ball: its key, where it is stored, its range on this field,
 // and its unit.

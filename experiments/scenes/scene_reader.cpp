@@ -1,4 +1,4 @@
-#include "experiments/kinds/situations/scene_reader.hpp"
+#include "experiments/scenes/scene_reader.hpp"
 
 #include <fmt/format.h>
 

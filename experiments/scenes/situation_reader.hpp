@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "experiments/kinds/situations/situation.hpp"
+#include "experiments/scenes/situation.hpp"
 #include "game/settings/settings_reader.hpp"
 #include "game/settings/yaml.hpp"
 #include "soccer/field.hpp"

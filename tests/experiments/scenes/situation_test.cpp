@@ -1,5 +1,5 @@
 // Start states that are drawn.
-#include "experiments/kinds/situations/situation.hpp"
+#include "experiments/scenes/situation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "experiments/kinds/situations/distribution.hpp"
+#include "experiments/scenes/distribution.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
-#include "experiments/kinds/situations/situation_reader.hpp"
+#include "experiments/scenes/situation_reader.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "experiments/kinds/situations/distribution.hpp"
-#include "experiments/kinds/situations/scene_reader.hpp"
 #include "experiments/reading/named_teams_reader.hpp"
+#include "experiments/scenes/distribution.hpp"
+#include "experiments/scenes/scene_reader.hpp"
 #include "game/settings/mapping.hpp"
 #include "io/words.hpp"
 #include "logs/logged_state.hpp"
