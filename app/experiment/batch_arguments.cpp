@@ -8,8 +8,10 @@
 #include "app/shared_options.hpp"
 #include "experiments/kinds/all_kinds.hpp"
 #include "experiments/kinds/scenario_reader.hpp"
+#include "experiments/run/earlier_versions.hpp"
 #include "experiments/run/program_versions.hpp"
 #include "game/settings/assignments.hpp"
+#include "io/build_id.hpp"
 #include "io/errors.hpp"
 #include "io/terminal.hpp"
 #include "io/words.hpp"
@@ -62,6 +64,7 @@ experiments::Scenario read_experiment(const BatchArguments& arguments) {
   override_pairs(arguments.pairs, scenario);
   override_seed(arguments.seed, scenario);
   experiments::note_program_versions(scenario);
+  experiments::take_over_versions(scenario, std::string(io::build_id()));
   return scenario;
 }
 

@@ -82,6 +82,15 @@ std::vector<TeamDifference> team_differences(const std::vector<Group>& matchups,
   return differences;
 }
 
+DifferenceByPair leads_by_pair(const std::vector<Group>& matchups, const std::string& team) {
+  const std::map<std::string, LeadsByOpponent> leads = leads_of(matchups);
+  const auto found = leads.find(team);
+  if (found == leads.end()) return {};
+  std::vector<std::string> opponents;
+  for (const auto& [opponent, its_leads] : found->second) opponents.push_back(opponent);
+  return mean_leads(found->second, opponents);
+}
+
 std::string team_differences_csv(const std::vector<TeamDifference>& differences) {
   std::vector<io::Cells> rows = io::table_rows(team_columns(), differences);
   io::append_columns(rows, difference_columns("mean_diff", "diff_"), paired(differences));

@@ -27,6 +27,10 @@ struct TeamDifference {
 std::vector<TeamDifference> team_differences(const std::vector<Group>& matchups,
                                              const std::vector<std::string>& teams);
 
+// A team's mean goal difference per game over all of its opponents, for the pair numbers in which
+// it completed its games against all of them. Empty if `matchups` do not include the team.
+DifferenceByPair leads_by_pair(const std::vector<Group>& matchups, const std::string& team);
+
 // differences.csv: one row per difference.
 std::string team_differences_csv(const std::vector<TeamDifference>& differences);
 

@@ -160,6 +160,12 @@ void set_pairs(Experiment& experiment, int pairs) {
       fmt::format("a {} has no pairs: {}", experiment.kind().name, experiment.why_no_pairs()));
 }
 
+std::optional<TeamVersions> versions_of(const Experiment& experiment) {
+  const std::unique_ptr<Experiment> copy = experiment.copy();
+  const std::optional<VersionedTeams> teams = copy->versioned_teams();
+  return teams && teams->versions->are_followed() ? std::optional(*teams->versions) : std::nullopt;
+}
+
 void set_master_seed(Experiment& experiment, std::uint64_t seed) {
   for (const Key& key : experiment.keys()) {
     if (key.set_seed) key.set_seed(seed);

@@ -18,6 +18,7 @@
 #include "experiments/results/row_format.hpp"
 #include "experiments/schedule/factor.hpp"
 #include "experiments/schedule/schedule.hpp"
+#include "experiments/schedule/team_versions.hpp"
 
 namespace autoref::experiments {
 
@@ -51,6 +52,9 @@ class Experiment {
   virtual std::vector<Key> keys() = 0;
   // The settings of `base` that vary between the experiment's games.
   virtual std::vector<Factor> varied_settings() const { return {}; }
+
+  // The teams whose ratings can be followed over time. The pointers are into this object.
+  virtual std::optional<VersionedTeams> versioned_teams() { return std::nullopt; }
 
   // The games known in advance, in playing order. Throws std::invalid_argument if the settings
   // contradict each other; if that is a SettingError, it names one of them.
@@ -128,6 +132,9 @@ std::string seed_text(const Experiment& experiment);
 
 // If the experiment cannot have this many pairs, throws std::invalid_argument and changes nothing.
 void set_pairs(Experiment& experiment, int pairs);
+
+// The versions that the experiment rates; nullopt if it has none.
+std::optional<TeamVersions> versions_of(const Experiment& experiment);
 
 // Sets the master seed, which also replaces all named seeds.
 void set_master_seed(Experiment& experiment, std::uint64_t seed);

@@ -12,6 +12,7 @@
 #include "experiments/analysis/groups.hpp"
 #include "experiments/analysis/standings.hpp"
 #include "experiments/analysis/summary.hpp"
+#include "experiments/analysis/version_ratings.hpp"
 #include "experiments/statistics/sequential_test.hpp"
 #include "io/json.hpp"
 #include "io/processes/standings_table.hpp"
@@ -91,6 +92,9 @@ struct ExperimentResults {
   std::vector<Effect> effects;
   // Of the teams or challengers, best team first; empty if there are none.
   std::vector<Standing> standings;
+  // Versions of teams by line and date, then other rated teams; empty unless ratings are followed
+  // over time.
+  std::vector<VersionRating> versions;
   std::vector<TieResult> ties;  // ties of a bracket, round by round; empty if there is none
   std::optional<SearchPath> search;
   std::optional<ComparisonAnswer> comparison;  // of kind compare; otherwise nullopt

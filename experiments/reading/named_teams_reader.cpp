@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "experiments/schedule/team_versions.hpp"
 #include "game/settings/fields.hpp"
 #include "io/errors.hpp"
 
@@ -54,11 +55,25 @@ void NamedTeamsReader::read_team(const game::YamlEntry& entry, const std::string
   game::TeamSettings& team = teams[entry.key] = base.a;
   const std::string path = fmt::format("{}.{}", branch, entry.key);
   locations_[path] = entry.location;
-  const auto list = [&team, &base, prefix = path + "."] {
-    return game::settings_of(team, base.types, prefix);
+  if (!more_) refuse_version(entry, path);
+  const auto list = [&, prefix = path + "."] {
+    std::vector<game::Setting> settings = game::settings_of(team, base.types, prefix);
+    if (!more_) return settings;
+    for (game::Setting& setting : more_(entry.key, prefix)) settings.push_back(std::move(setting));
+    return settings;
   };
   game::SettingsReader(file_, list, base, locations_).read(entry, path);
   assign(path, team, base);
+}
+
+void NamedTeamsReader::refuse_version(const game::YamlEntry& entry, const std::string& path) const {
+  if (!entry.value.IsMap()) return;
+  for (const game::YamlEntry& key : file_.entries(entry, path, {})) {
+    if (key.key != kVersion && key.key != kVersionOf) continue;
+    file_.refuse(key.location, path + "." + key.key,
+                 "only the teams of a roundrobin and the challengers of a gauntlet are rated over "
+                 "time; leave it out");
+  }
 }
 
 void NamedTeamsReader::assign(const std::string& path, game::TeamSettings& team,
@@ -66,6 +81,10 @@ void NamedTeamsReader::assign(const std::string& path, game::TeamSettings& team,
   for (const game::Assignment& assignment : assignments_) {
     const std::string its_path = game::full_path(assignment.path);
     if (!its_path.starts_with(path + ".")) continue;
+    if (more_ && (its_path == path + "." + kVersion || its_path == path + "." + kVersionOf))
+      throw io::InputError(
+          {assignment.flag}, "",
+          fmt::format("{} and {} can only be set in the file", kVersion, kVersionOf));
     game::locate_errors(assignment.flag, [&] {
       game::set_by_path({base, team, path + "."}, its_path, assignment.value);
     });

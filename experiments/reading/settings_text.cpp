@@ -111,10 +111,14 @@ std::string base_text(const game::GameSettings& base, std::string_view elsewhere
   return "base:\n" + text_of(settings, 1);
 }
 
-std::string teams_text(const Teams& teams, std::string_view branch, const game::RobotTypes& types) {
+std::string teams_text(const Teams& teams, std::string_view branch, const game::RobotTypes& types,
+                       const MoreTeamSettings& more) {
   Tree tree(0);
-  for (auto [name, team] : teams)
-    add(game::settings_of(team, types, fmt::format("{}.{}.", branch, name)), tree);
+  for (auto [name, team] : teams) {
+    const std::string prefix = fmt::format("{}.{}.", branch, name);
+    add(game::settings_of(team, types, prefix), tree);
+    if (more) add(more(name, prefix), tree);
+  }
   return tree.text();
 }
 

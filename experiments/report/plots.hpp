@@ -11,8 +11,9 @@
 namespace autoref::experiments {
 
 // Names of all plots that a report may contain.
-inline constexpr std::array kPlotNames = {"scores",  "difference", "effects",      "crosstable",
-                                          "ratings", "histogram",  "running_mean", "tuning_path"};
+inline constexpr std::array kPlotNames = {"scores",     "difference",   "effects",
+                                          "crosstable", "ratings",      "versions",
+                                          "histogram",  "running_mean", "tuning_path"};
 
 // All plots that apply to the experiment, in the order of the report.
 std::vector<Plot> plots_of(const Scenario& scenario, const ExperimentResults& results);
@@ -44,5 +45,10 @@ std::optional<Plot> tuning_path_plot(const ExperimentResults& results);
 
 // Both ratings of each team with their 95 % intervals. Returns nullopt if there are no standings.
 std::optional<Plot> ratings_plot(const ExperimentResults& results);
+
+// Rating of each version over its date with its 95 % interval, a curve per line of versions.
+// Ratings that were taken over with an offset are open circles, and a vertical line marks a change
+// of the build. Returns nullopt if no version has a rating.
+std::optional<Plot> versions_plot(const ExperimentResults& results);
 
 }  // namespace autoref::experiments

@@ -15,11 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool has_known_content(const game::TeamSettings& team) {
-  return team.program.command.empty() || !team.files_hash.empty();
-}
-
-bool has_known_content(const ScheduledGame& game) {
+bool have_known_content(const ScheduledGame& game) {
   return has_known_content(game.settings.a()) && has_known_content(game.settings.b());
 }
 
@@ -60,7 +56,7 @@ ReusableGames reusable_rows(const RowsInFiles& rows, const fs::path& folder,
     const auto game = wanted.find(id);
     if (game == wanted.end() || row.circumstances.build != build) continue;
     if (!is_repeated(row) || !is_row_of(row, *game->second)) continue;
-    if (!has_known_content(*game->second)) {
+    if (!have_known_content(*game->second)) {
       ++unknown;
       continue;
     }
@@ -72,6 +68,10 @@ ReusableGames reusable_rows(const RowsInFiles& rows, const fs::path& folder,
 }
 
 }  // namespace
+
+bool has_known_content(const game::TeamSettings& team) {
+  return team.program.command.empty() || !team.files_hash.empty();
+}
 
 ReusableGames reusable_games(const fs::path& folder, const std::vector<ScheduledGame>& games,
                              const RowFormat& format, const std::string& build) {

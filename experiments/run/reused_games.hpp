@@ -10,6 +10,10 @@
 
 namespace autoref::experiments {
 
+// Whether the settings identify the team: it has no program, or the files of its program are known
+// (note_program_versions()).
+bool has_known_content(const game::TeamSettings& team);
+
 struct ReusableGames {
   std::vector<GameRow> rows;  // at most one per game
   std::string note;           // one line: how many games are taken over, and why not the others

@@ -14,6 +14,7 @@
 #include "experiments/kinds/scenario_reader.hpp"
 #include "experiments/results/game_row.hpp"
 #include "experiments/results/shard.hpp"
+#include "experiments/run/earlier_versions.hpp"
 #include "experiments/run/program_versions.hpp"
 #include "experiments/run/result_folder.hpp"
 #include "experiments/run/reused_games.hpp"
@@ -101,16 +102,23 @@ class ExperimentRun {
   }
 
   ExperimentReport run() {
+    refuse_earlier_folder(scenario_.experiment(), options_.folder);
     io::create_folder(options_.folder / kGamesFolder);
     // Lock the shard before reading the rows, so no other run of this shard can add rows
     // afterwards.
     shard_.emplace(options_.folder / kGamesFolder / options_.shard.file_name(),
                    io::csv_line(format_.names()), options_.patience_s);
     for (const std::string& note : games_.open()) progress_.say(note);
+    if (const std::string note = note_on_taken_over(scenario_.experiment()); !note.empty())
+      progress_.say(note);
     // Write effective.yaml only after the rows have been checked: a row played with other settings
     // would have caused an exception.
     io::replace_file(options_.folder / kEffectiveFile, effective_text(scenario_));
-    if (!options_.reused_folder.empty()) take_over_games();
+    const std::filesystem::path reused =
+        options_.reused_folder.empty()
+            ? reusable_earlier_folder(scenario_.experiment(), options_.build)
+            : options_.reused_folder;
+    if (!reused.empty()) take_over_games(reused);
     progress_.expect(games_.counts());
     ExperimentReport report;
     report.is_interrupted = play_all(report.played) == io::Ending::kInterrupted;
@@ -124,11 +132,10 @@ class ExperimentRun {
  private:
   // Adds the rows of games that were already played in another folder, as if this run had played
   // them.
-  void take_over_games() {
-    ReusableGames reusable =
-        reusable_games(options_.reused_folder, games_to_play(), format_, options_.build);
+  void take_over_games(const std::filesystem::path& folder) {
+    ReusableGames reusable = reusable_games(folder, games_to_play(), format_, options_.build);
     for (GameRow& row : reusable.rows) {
-      copy_program_files(options_.reused_folder, options_.folder, row.game_id);
+      copy_program_files(folder, options_.folder, row.game_id);
       row.circumstances.shard = options_.shard.name();
       shard_->write(format_.line(row));
     }

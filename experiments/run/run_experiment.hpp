@@ -36,8 +36,8 @@ struct ExperimentOptions {
   int workers = 1;
   ShardIndex shard;                // only this shard's games are played
   bool allow_mixed_build = false;  // accept rows of other builds without counting them
-  // Results folder whose games are taken over (reused_games.hpp), which may be missing; empty:
-  // none.
+  // Results folder whose games are taken over (reused_games.hpp), which may be missing. Empty: the
+  // experiment's earlier folder if the same build played it, otherwise none.
   std::filesystem::path reused_folder = {};
   // Plays a game; called in workers.
   std::function<game::GameRecord(const game::GameConfiguration&)> play;

@@ -23,6 +23,7 @@
 #include "tests/experiments/kinds/situations/small_situations.hpp"
 #include "tests/experiments/run/fake_games.hpp"
 #include "tests/experiments/run/fake_tuning.hpp"
+#include "tests/experiments/run/fake_versions.hpp"
 #include "tests/support/written_names.hpp"
 
 namespace autoref {
@@ -213,6 +214,14 @@ std::vector<Artefact> written_csv() {
        [] { return head_with_own_column(experiments::small_situations(), "summary.csv"); }},
       {"differences.csv of a round robin or gauntlet",
        [] { return head_in_folder(robin(), "differences.csv"); }},
+      {"versions.csv",
+       [] {
+         WrittenNames names = head_in_folder(experiments::versioned_robin(), "versions.csv");
+         EXPECT_EQ(names, head_in_folder(experiments::versioned_gauntlet(), "versions.csv"));
+         return names;
+       }},
+      {"version_pairs.csv",
+       [] { return head_in_folder(experiments::versioned_gauntlet(), "version_pairs.csv"); }},
       {"comparison.csv",
        [] { return head_in_folder(experiments::small_comparison(), "comparison.csv"); }},
       {"parts.csv", [] { return head_in_folder(experiments::small_comparison(), "parts.csv"); }},
@@ -257,6 +266,8 @@ std::vector<Artefact> written_plots() {
       {"plots/effects.csv", [] { return plot_columns(factorial(), "effects"); }},
       {"plots/crosstable.csv", [] { return plot_columns(robin(), "crosstable"); }},
       {"plots/ratings.csv", [] { return plot_columns(robin(), "ratings"); }},
+      {"plots/versions.csv",
+       [] { return plot_columns(experiments::versioned_robin(), "versions"); }},
       {"plots/histogram.csv", [] { return plot_columns(robin(), "histogram"); }},
       {"plots/tuning_path.csv",
        [] { return plot_columns(experiments::small_tuning("spsa"), "tuning_path"); }},

@@ -19,6 +19,7 @@
 #include "tests/experiments/kinds/situations/small_situations.hpp"
 #include "tests/experiments/run/fake_games.hpp"
 #include "tests/experiments/run/fake_tuning.hpp"
+#include "tests/experiments/run/fake_versions.hpp"
 #include "tests/support/written_names.hpp"
 
 namespace autoref {
@@ -148,9 +149,11 @@ WrittenNames progress_keys() {
   experiments::Knockout knockout;
   knockout.order = {"zone", "bold"};
   for (const std::string& team : knockout.order) knockout.teams[team] = {};
+  experiments::Scenario versions = experiments::versioned_robin();
+  versions.as<experiments::RoundRobin>()->versions.taken_over = experiments::TakenOver{"1.0", {}};
   Paths paths;
   for (const experiments::Scenario& scenario :
-       {experiments::small_sweep(), experiments::small_roundrobin({6, 5}),
+       {versions, experiments::small_sweep(), experiments::small_roundrobin({6, 5}),
         experiments::small_sprt_match(), experiments::small_comparison(),
         experiments::small_situations(), experiments::small_rules(),
         experiments::small_tuning("spsa"), experiments::Scenario{"A test.", knockout}}) {

@@ -2,6 +2,8 @@
 
 #include "experiments/analysis/saturation.hpp"
 #include "experiments/kinds/results.hpp"
+#include "experiments/kinds/version_keys.hpp"
+#include "experiments/kinds/version_results.hpp"
 #include "experiments/reading/top_reader.hpp"
 #include "experiments/schedule/matchup_schedule.hpp"
 #include "experiments/schedule/schedule.hpp"
@@ -12,7 +14,8 @@ namespace {
 constexpr const char* kChallengers = "challengers";
 
 Key challengers_key(Gauntlet& gauntlet) {
-  Key key = teams_key(kChallengers, "the teams to test", gauntlet.challengers, gauntlet.base, {1});
+  Key key = versioned_teams_key(kChallengers, "the teams to test", gauntlet.challengers,
+                                gauntlet.base, {1}, gauntlet.versions);
   key.read = [&gauntlet, read_teams = key.read](TopReader& top) {
     read_teams(top);
     for (const auto& [name, team] : gauntlet.challengers) {
@@ -54,24 +57,34 @@ constinit const Kind Gauntlet::kKind = {
 
 std::vector<Matchup> matchups_of(const Gauntlet& gauntlet) {
   std::vector<Matchup> matchups;
-  for (const auto& [challenger, its] : gauntlet.challengers) {
+  for (const auto& [challenger, its] : played_teams(gauntlet.challengers, gauntlet.versions)) {
     for (const auto& [team, settings] : gauntlet.teams) matchups.push_back({challenger, team});
   }
   return matchups;
 }
 
 std::vector<Key> Gauntlet::keys() {
-  return {base_key(*this), teams_key(*this, "the field", {1}), challengers_key(*this),
-          pairs_key(pairs, "pairs of legs per matchup"), seed_key(seed)};
+  std::vector<Key> keys = {base_key(*this), teams_key(*this, "the field", {1}),
+                           challengers_key(*this)};
+  for (Key& key : earlier_keys(versions)) keys.push_back(std::move(key));
+  keys.push_back(pairs_key(pairs, "pairs of legs per matchup"));
+  keys.push_back(seed_key(seed));
+  return keys;
+}
+
+std::optional<VersionedTeams> Gauntlet::versioned_teams() {
+  return VersionedTeams{&versions, &challengers, &teams, &base, seed};
 }
 
 std::vector<ScheduledGame> Gauntlet::games() const {
   refuse_too_many(2.0 * pairs * static_cast<double>(teams.size()) *
-                  static_cast<double>(challengers.size()));
+                  static_cast<double>(played_teams(challengers, versions).size()));
   check(base, teams);
   check(base, challengers, kChallengers);
-  return games_of(everyone_in(*this), matchups_of(*this),
-                  combinations_order({challengers.size(), teams.size()}), pairs);
+  check(versions, challengers, kChallengers);
+  const std::vector<Matchup> matchups = matchups_of(*this);
+  return games_of(everyone_in(*this), matchups,
+                  combinations_order({matchups.size() / teams.size(), teams.size()}), pairs);
 }
 
 ExperimentResults Gauntlet::results(const RowsById& rows) const {
@@ -80,6 +93,7 @@ ExperimentResults Gauntlet::results(const RowsById& rows) const {
   ExperimentResults results =
       tournament_results(std::move(groups), std::move(standings), "challenger");
   add_team_differences(results);
+  add_version_ratings(results, versions, rows, RatedAgainst::kField);
   const std::string notes = notes_on_field(*this, results.groups);
   if (!notes.empty()) results.table.emplace_back(notes);
   return results;

@@ -1,6 +1,8 @@
 #include "experiments/kinds/roundrobin/roundrobin.hpp"
 
 #include "experiments/kinds/results.hpp"
+#include "experiments/kinds/version_keys.hpp"
+#include "experiments/kinds/version_results.hpp"
 #include "experiments/schedule/matchup_schedule.hpp"
 #include "experiments/schedule/schedule.hpp"
 
@@ -9,22 +11,34 @@ namespace autoref::experiments {
 constinit const Kind RoundRobin::kKind = {"roundrobin", "Every team against every other.", make};
 
 std::vector<Key> RoundRobin::keys() {
-  return {base_key(*this), teams_key(*this, "each with any setting that a team can have"),
-          pairs_key(pairs, "pairs of legs per matchup"), seed_key(seed)};
+  std::vector<Key> keys = {
+      base_key(*this), versioned_teams_key("teams", "each with any setting that a team can have",
+                                           teams, base, {}, versions)};
+  for (Key& key : earlier_keys(versions)) keys.push_back(std::move(key));
+  keys.push_back(pairs_key(pairs, "pairs of legs per matchup"));
+  keys.push_back(seed_key(seed));
+  return keys;
+}
+
+std::optional<VersionedTeams> RoundRobin::versioned_teams() {
+  return VersionedTeams{&versions, &teams, nullptr, &base, seed};
 }
 
 std::vector<ScheduledGame> RoundRobin::games() const {
-  const auto count = static_cast<double>(teams.size());
+  const Teams played = played_teams(teams, versions);
+  const auto count = static_cast<double>(played.size());
   refuse_too_many(pairs * count * (count - 1));
   check(base, teams);
-  return games_of(*this, matchups_among(teams), round_robin_order(teams.size()), pairs);
+  check(versions, teams, "teams");
+  return games_of(*this, matchups_among(played), round_robin_order(played.size()), pairs);
 }
 
 ExperimentResults RoundRobin::results(const RowsById& rows) const {
-  std::vector<Group> groups = grouped(matchups_among(teams), rows);
+  std::vector<Group> groups = grouped(matchups_among(played_teams(teams, versions)), rows);
   std::vector<Standing> standings = standings_of(groups);
   ExperimentResults results = tournament_results(std::move(groups), std::move(standings), "team");
   add_team_differences(results);
+  add_version_ratings(results, versions, rows, RatedAgainst::kEachOther);
   return results;
 }
 
