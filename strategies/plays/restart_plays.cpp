@@ -120,6 +120,8 @@ void give_goal_and_restart(PlayContext& book, RoleAssignment& assignment) {
   if (predicted.restart_is_ours()) {
     const Waypoint waypoint = taker_position(predicted, default_target_m(predicted));
     assignment.give(assignment.nearest_free(waypoint.position_m), Role::kTaker, waypoint);
+  } else if (predicted.has_no_room_behind_kick()) {
+    assignment.send_nearest(split_wall_position(predicted, 0));
   } else {
     const Vec2 goal_m = predicted.field().goal_centre_m(Side::kWest);
     const Vec2 back = direction_of(goal_m - ball_m, Vec2(-1, 0));
@@ -137,7 +139,12 @@ void await_restart(PlayContext& book, RoleAssignment& assignment) {
   } else {
     const bool is_danger = predicted.position_m().x() < predicted.style().upfield_m;
     const int wall = std::min(left, is_danger ? 2 : 1);
-    defend(book, assignment, wall, left - wall);
+    if (predicted.has_no_room_behind_kick()) {
+      for (int i = 1; i <= wall; ++i) assignment.send_nearest(split_wall_position(predicted, i));
+      defend(book, assignment, 0, left - wall);
+    } else {
+      defend(book, assignment, wall, left - wall);
+    }
   }
   run_for_passes(book, assignment);
 }

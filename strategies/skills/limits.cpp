@@ -16,8 +16,6 @@ namespace {
 // them.
 constexpr double kContact_m = 35_mm;
 
-constexpr double kLimitMargin_m =
-    30_mm;  // added to the distances in the rules to allow for the robots' own errors
 constexpr double kFarMargin_m = 1e-6;  // far above rounding errors
 // The 500 mm from the ball that the Laws require, and a hull.
 constexpr double kWideRunOff_m = 600_mm;
@@ -70,7 +68,7 @@ Vec2 pushed_off_ball(const Field& field, const Vec2& p, const Vec2& ball_m, cons
 Vec2 pushed_into_bounds(const Field& field, Vec2 p, const Limits& limits) {
   if (limits.own_half_only) p.x() = std::min(p.x(), -kRobotRadius_m - kLimitMargin_m);
   if (!limits.may_enter_own_area) {
-    p = pushed_out_of_area(field, Side::kWest, p, kRobotRadius_m + kLimitMargin_m,
+    p = pushed_out_of_area(field, Side::kWest, p, kRobotRadius_m + limits.own_area_margin_m,
                            limits.may_stay_behind_goal);
   }
   if (limits.keep_from_area_m > 0) {

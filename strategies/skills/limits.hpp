@@ -24,13 +24,19 @@ struct Easing {
 void ease_off(const TrackedRobot& robot, const TrackedRobots& opponents, const Easing& easing,
               RobotCommand& command);
 
+// Added to the distances in the rules to allow for the robots' own errors; the second one if a
+// robot stands as near to a limit as it can.
+inline constexpr double kLimitMargin_m = 30_mm;
+inline constexpr double kNarrowMargin_m = 10_mm;
+
 // The limits that currently apply to a robot's position.
 struct Limits {
   bool own_half_only = false;   // whether the robot must stay in its own half, before a kick-off
   double keep_from_ball_m = 0;  // minimum distance from the robot's centre to the ball
   // Minimum distance from the robot's centre to the opponents' defence area.
   double keep_from_area_m = 0;
-  bool may_enter_own_area = false;  // true for the keeper
+  bool may_enter_own_area = false;            // true for the keeper
+  double own_area_margin_m = kLimitMargin_m;  // gap between the hull and the team's own area
   // Whether to keep a position that is behind the goal line, even if it is too near to a
   // quarter-circle area. `basic` relies on this, and the benchmark's games depend on it.
   bool may_stay_behind_goal = false;

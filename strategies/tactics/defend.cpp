@@ -8,7 +8,8 @@
 namespace autoref::strategies {
 namespace {
 
-constexpr int kSteps = 5;  // each at least halves the distance to the area's edge
+constexpr int kHalvings = 12;  // of a quarter turn: to 0.4 mrad
+constexpr int kSteps = 5;      // each at least halves the distance to the area's edge
 
 // The point at distance `off_m` outside the team's own area on the ray from a point in the goal.
 // Found by sphere tracing: each step moves along the ray by the distance still missing.
@@ -38,6 +39,27 @@ Waypoint wall_position(const PredictedState& predicted, int order, int count) {
                            distance_to_defence_area(field, Side::kWest, position_m);
   if (missing_m > 0) position_m += direction * missing_m;
   return facing_ball(predicted, position_m);
+}
+
+Waypoint split_wall_position(const PredictedState& predicted, int order) {
+  const Field& field = predicted.field();
+  const Vec2& ball_m = predicted.position_m();
+  const Vec2 to_goal = direction_of(field.goal_centre_m(Side::kWest) - ball_m, Vec2(-1, 0));
+  const double radius_m = predicted.room_at_ball_m() + kRobotRadius_m + kNarrowMargin_m;
+  const auto at = [&](double angle_rad) {
+    return Vec2(ball_m + radius_m * to_world(to_goal, heading_of(angle_rad)));
+  };
+  const double side = order % 2 == 0 ? 1 : -1;
+  double inside_rad = 0, outside_rad = kPi / 2;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle_rad = (inside_rad + outside_rad) / 2;
+    const bool is_clear = distance_to_defence_area(field, Side::kWest, at(side * middle_rad)) >=
+                          kRobotRadius_m + kNarrowMargin_m;
+    (is_clear ? outside_rad : inside_rad) = middle_rad;
+  }
+  const double next_rad = (2 * kRobotRadius_m + predicted.style().wall_gap_m) / radius_m;
+  const int nearer = order / 2;  // robots of this side that stand nearer to the shot
+  return facing_ball(predicted, at(side * (outside_rad + nearer * next_rad)));
 }
 
 Waypoint mark_position(const PredictedState& predicted, int opponent) {

@@ -13,6 +13,9 @@
 namespace autoref::strategies {
 namespace {
 
+constexpr double kAmple_m = 100;           // more room than any margins need
+constexpr double kPlacedWithin_m = 30_mm;  // error of the ball's placement
+
 // Adds both areas as discs that touch the areas' front lines, each unless the robot or its target
 // is inside that area.
 void add_areas(const PredictedState& predicted, const TrackedRobot& robot, const Vec2& target_m,
@@ -102,9 +105,43 @@ bool PredictedState::restart_is_ours() const {
 double PredictedState::find_room_at_ball_m() const {
   if (now_.play == Play::kRunning) return 0;
   if (now_.ours && is_restart(now_.play)) return 0;
+  return least_room_at_ball_m() + style_.ball_margin_m * share_of_margins();
+}
+
+double PredictedState::least_room_at_ball_m() const {
   const bool is_judged = rules().has(RuleId::kDefenderTooCloseToKickPoint);
   return rules().opponents_to_ball_m + (is_judged ? kBallRadius_m : 0.0) +
-         room_for_error_m(rules()) + style_.ball_margin_m;
+         room_for_error_m(rules());
+}
+
+// A robot between the ball and the area has to keep from both.
+double PredictedState::room_behind_kick_m() const {
+  if (!style_.narrow_wall || !awaits_their_free_kick() ||
+      !rules().has(RuleId::kDefenderTooCloseToKickPoint))
+    return kAmple_m;
+  const double needed_m = least_room_at_ball_m() + 2 * kRobotRadius_m;
+  if (rules().free_kick_to_area_m > needed_m + all_margins_m()) return kAmple_m;
+  const double to_area_m = distance_to_defence_area(field(), Side::kWest, position_m());
+  const bool is_placed = to_area_m > rules().free_kick_to_area_m - kPlacedWithin_m;
+  return is_placed ? to_area_m - needed_m : kAmple_m;
+}
+
+bool PredictedState::awaits_their_free_kick() const {
+  if (restart_is_ours()) return false;
+  if (now_.play != Play::kStop)
+    return now_.play == Play::kDirectFree || now_.play == Play::kIndirectFree;
+  return now_.next == CommandKind::kDirectFree || now_.next == CommandKind::kIndirectFree;
+}
+
+double PredictedState::all_margins_m() const { return style_.ball_margin_m + 2 * kLimitMargin_m; }
+
+double PredictedState::share_of_margins() const {
+  if (has_no_room_behind_kick()) return 0;
+  return std::min(1.0, room_behind_kick_m() / all_margins_m());
+}
+
+bool PredictedState::has_no_room_behind_kick() const {
+  return room_behind_kick_m() < 2 * kNarrowMargin_m;
 }
 
 Limits PredictedState::find_limits() const {
@@ -115,6 +152,7 @@ Limits PredictedState::find_limits() const {
   if (restart_is_ours()) limits.beyond_lines_m = style_.beyond_line_m;
   const double room_m = room_at_ball_m_;
   limits.keep_from_ball_m = room_m > 0 ? room_m + kRobotRadius_m : style_.room_for_taker_m;
+  limits.own_area_margin_m = std::max(kNarrowMargin_m, kLimitMargin_m * share_of_margins());
   limits.keep_from_area_m = rules().attacker_to_area_m + kRobotRadius_m +
                             room_for_error_m(rules()) + style_.area_margin_m;
   return limits;

@@ -64,6 +64,11 @@ class PredictedState {
   // Minimum gap from hull to ball that the team must currently keep; 0 if no gap is required.
   double room_at_ball_m() const { return room_at_ball_m_; }
 
+  // Whether the opponents' free kick is so near to the team's own area that no robot fits between
+  // the ball's circle and the area, as under the Laws of 2014: they place the ball 700 mm from the
+  // area, and opponents keep 500 mm from it.
+  bool has_no_room_behind_kick() const;
+
   // Whether the rules in force allow a field player to touch a ball at `ball_m`.
   bool may_touch_at(const Vec2& ball_m) const;
 
@@ -77,6 +82,14 @@ class PredictedState {
   void settle_possession();
   Vec2 find_threat_m() const;
   double find_room_at_ball_m() const;
+  // The gap between hull and ball that the rules require, without margins.
+  double least_room_at_ball_m() const;
+  bool awaits_their_free_kick() const;
+  // The sum of all margins of a robot between the opponents' free kick and the team's own area, and
+  // the room left for them; the fraction of the margins for which there is room.
+  double all_margins_m() const;
+  double room_behind_kick_m() const;
+  double share_of_margins() const;
   Limits find_limits() const;
 
   TeamContext context_;

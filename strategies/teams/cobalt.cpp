@@ -28,6 +28,7 @@ void avoid_few_fouls(Style& style) {
   style.restart_least_mps = 0;
   style.restart_commit_rad = 0;
   style.clear_of_placement = false;
+  style.narrow_wall = false;
 }
 
 // These values were fitted in games of cobalt against itself, with six robots per team, under the

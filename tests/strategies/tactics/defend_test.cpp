@@ -78,6 +78,63 @@ TEST(WallPosition, FacesTheBall) {
   EXPECT_GT(waypoint.heading.dot((Vec2(0, 1) - waypoint.position_m).normalized()), 0.999);
 }
 
+// The opponents' free kick in front of the team's area, `away_m` from it.
+StagedPrediction free_kick_before_area(const char* book, double away_m, double y_m = 0) {
+  const TeamContext context = team_context_of(book);
+  StagedPrediction stage(Play::kDirectFree, false, context);
+  const double front_m = context.field.defence_area.depth_m + away_m;
+  stage.world.ball({front_m - context.field.half_length_m(), y_m});
+  stage.predicted.update(stage.world.view);
+  return stage;
+}
+
+// Laws of 2014: opponents keep 500 mm from the ball, and no robot is inside the area.
+void expect_lawful(const StagedPrediction& stage, const Vec2& position_m) {
+  const Field& field = stage.predicted.field();
+  const double to_ball_m = (position_m - stage.predicted.position_m()).norm();
+  EXPECT_GE(to_ball_m, 0.5 + kBallRadius_m + kRobotRadius_m);
+  EXPECT_GE(distance_to_defence_area(field, Side::kWest, position_m), kRobotRadius_m);
+}
+
+TEST(SplitWall, StandsOnBothSidesOfAShotThatNoRobotCanBlock) {
+  for (const double y_m : {0.0, 0.1, -0.1}) {
+    const StagedPrediction stage = free_kick_before_area("2014-double", 0.7, y_m);
+    ASSERT_TRUE(stage.predicted.has_no_room_behind_kick());
+    const Vec2 left_m = split_wall_position(stage.predicted, 0).position_m;
+    const Vec2 right_m = split_wall_position(stage.predicted, 1).position_m;
+    const Vec2 next_m = split_wall_position(stage.predicted, 2).position_m;
+    for (const Vec2& position_m : {left_m, right_m, next_m}) expect_lawful(stage, position_m);
+    // The keeper can cover the gap, which is narrower than a robot.
+    EXPECT_LT((left_m - right_m).norm(), 4 * kRobotRadius_m);
+    EXPECT_GE((left_m - next_m).norm(), 2 * kRobotRadius_m);
+    const Vec2 shot_m = stage.predicted.field().goal_centre_m(Side::kWest);
+    const Vec2& ball_m = stage.predicted.position_m();
+    EXPECT_LT(cross(shot_m - ball_m, left_m - ball_m) * cross(shot_m - ball_m, right_m - ball_m),
+              0);
+  }
+}
+
+TEST(WallPosition, IsBehindAFreeKickIfARobotFitsThere) {
+  for (const double away_m : {0.73, 0.76, 0.8, 0.9}) {
+    const StagedPrediction stage = free_kick_before_area("2014-double", away_m);
+    EXPECT_FALSE(stage.predicted.has_no_room_behind_kick());
+    const Vec2& ball_m = stage.predicted.position_m();
+    const Vec2 position_m =
+        permitted_by_all(stage.predicted.field(), wall_position(stage.predicted, 0, 1).position_m,
+                         ball_m, stage.predicted.limits());
+    expect_lawful(stage, position_m);
+    EXPECT_NEAR(position_m.y(), 0, 30_mm) << away_m;
+  }
+}
+
+TEST(WallPosition, KeepsItsMarginsWhereFreeKicksAreFarFromTheArea) {
+  for (const char* book : {"2026-b", "paper"}) {
+    const StagedPrediction stage = free_kick_before_area(book, 0.7);
+    EXPECT_FALSE(stage.predicted.has_no_room_behind_kick());
+    EXPECT_EQ(stage.predicted.limits().own_area_margin_m, kLimitMargin_m);
+  }
+}
+
 TEST(MarkPosition, IsBetweenTheOpponentAndTheGoalOnTheBallsSide) {
   StagedPrediction stage(Play::kRunning);
   const Vec2 opponent_m(-1, 1);
