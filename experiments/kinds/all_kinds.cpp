@@ -14,14 +14,15 @@
 #include "experiments/kinds/sweep/sweep.hpp"
 #include "experiments/kinds/swiss/swiss.hpp"
 #include "experiments/kinds/tune/tuning.hpp"
+#include "experiments/kinds/weakness/weakness.hpp"
 
 namespace autoref::experiments {
 
 std::span<const Kind* const> kinds_of_experiments() {
   static constexpr auto kAll = std::to_array<const Kind*>(
       {&Comparison::kKind, &Sweep::kKind, &RoundRobin::kKind, &Gauntlet::kKind, &SprtMatch::kKind,
-       &Swiss::kKind, &Knockout::kKind, &Situations::kKind, &RulesExperiment::kKind, &Tuning::kKind,
-       &JudgeSchedule::kKind});
+       &Swiss::kKind, &Knockout::kKind, &Situations::kKind, &Weakness::kKind,
+       &RulesExperiment::kKind, &Tuning::kKind, &JudgeSchedule::kKind});
   return kAll;
 }
 

@@ -73,6 +73,9 @@ class Experiment {
   // do not belong to the experiment. Keeps a game even if further rows make it unnecessary. Throws
   // like games().
   virtual Schedule schedule(const RowsById& rows) const;
+  // Whether games of a round may turn out to be unnecessary, so that is_decided() is asked after
+  // each game. If not, games are written to the disk in groups, which is faster.
+  virtual bool may_end_within_a_round() const { return follows_its_rows(); }
   // Whether the result is decided by these rows, so that no more games are needed. Throws like
   // games().
   virtual bool is_decided(const RowsById& rows) const;

@@ -83,6 +83,13 @@ struct ResultFile {
   std::string content;
 };
 
+// A drawing for the report. It is also written as a file.
+struct ResultDrawing {
+  std::string name;  // "midfield-2.svg"
+  std::string caption;
+  std::string svg;  // SVG source
+};
+
 struct ExperimentResults {
   std::vector<Group> groups;             // groups per value or per matchup; empty if there are none
   bool are_compared_with_first = false;  // whether the table compares the groups with the first
@@ -99,6 +106,7 @@ struct ExperimentResults {
   std::optional<SearchPath> search;
   std::optional<ComparisonAnswer> comparison;  // of kind compare; otherwise nullopt
   std::vector<ResultFile> files;
+  std::vector<ResultDrawing> drawings;
   io::TextBlocks table;                  // table for the terminal and the report
   std::vector<io::ProgressTable> shown;  // the tables for the terminal while the experiment runs
   std::shared_ptr<const io::Json> json;  // the results as a JSON object

@@ -17,6 +17,7 @@ bool is_letter_of_names(char c) {
 }
 
 std::string team_count_text(const TeamCount& count) {
+  if (count.most == 1) return "one team";
   if (count.least == 1) return "at least one team";
   if (count.most == SIZE_MAX) return fmt::format("at least {} teams", count.least);
   if (count.least == count.most) return fmt::format("{} teams", count.least);

@@ -66,7 +66,7 @@ struct FoldStart {
 struct FoldEnd {};
 
 using Block = std::variant<Heading, Paragraph, Strong, List, Table, Verbatim, Link, Figure,
-                           CupBracket, FoldStart, FoldEnd>;
+                           ResultDrawing, CupBracket, FoldStart, FoldEnd>;
 
 struct Document {
   std::string title;

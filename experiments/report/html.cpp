@@ -133,6 +133,11 @@ std::string html_of(const Figure& figure) {
       element_of(figure.svg), view::html_text(figure.caption), figure.folder, figure.name);
 }
 
+std::string html_of(const ResultDrawing& drawing) {
+  return fmt::format("<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n",
+                     element_of(drawing.svg), view::html_text(drawing.caption));
+}
+
 std::string html_of(const CupBracket& bracket) { return bracket_html(bracket); }
 
 std::string style_of(const Document& document) {

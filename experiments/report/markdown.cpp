@@ -100,6 +100,10 @@ std::string markdown_of(const Figure& figure) {
                      figure.name, figure.folder, escaped_line(figure.caption));
 }
 
+std::string markdown_of(const ResultDrawing& drawing) {
+  return fmt::format("![{0}]({0})\n\n{1}\n", drawing.name, escaped_line(drawing.caption));
+}
+
 std::string team_markdown(const TieTeam& team) {
   const std::string name = inline_text(team.name);
   return team.has_won ? "**" + name + "**" : name;

@@ -97,7 +97,7 @@ Document document_of(const ResultFolder& folder, const ExperimentResults& result
   Document document{title_of(folder.scenario), {}};
   for (const Section& section :
        {played_section(folder, results), results_section(results), bracket_section(results),
-        plots_section(plots, direction), shares_section(folder, results),
+        drawings_section(results), plots_section(plots, direction), shares_section(folder, results),
         crosstable_section(results), void_section(folder), settings_section(folder, direction),
         commands_section(folder, direction)}) {
     document.blocks.insert(document.blocks.end(), section.begin(), section.end());

@@ -188,6 +188,13 @@ Section bracket_section(const ExperimentResults& results) {
   return {Heading{"Bracket"}, CupBracket{results.ties}};
 }
 
+Section drawings_section(const ExperimentResults& results) {
+  if (results.drawings.empty()) return {};
+  Section section = {Heading{"Drawings"}};
+  for (const ResultDrawing& drawing : results.drawings) section.emplace_back(drawing);
+  return section;
+}
+
 Section shares_section(const ResultFolder& folder, const ExperimentResults& results) {
   if (results.groups.empty()) return {};
   Section section = {Heading{"Won, drawn, lost"},

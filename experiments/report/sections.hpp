@@ -38,6 +38,9 @@ Section crosstable_section(const ExperimentResults& results);
 // The pairings of a knockout, the results so far and the teams that advance.
 Section bracket_section(const ExperimentResults& results);
 
+// The drawings that a kind adds to its results.
+Section drawings_section(const ExperimentResults& results);
+
 // The void games and the reasons why they are void.
 Section void_section(const ResultFolder& folder);
 

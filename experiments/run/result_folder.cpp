@@ -249,6 +249,8 @@ ExperimentResults write_results(const fs::path& folder, const Scenario& scenario
   ExperimentResults results = scenario.experiment().results(rows);
   io::replace_file(folder / kResultsFile, results_csv(format, rows));
   for (const ResultFile& file : results.files) io::replace_file(folder / file.name, file.content);
+  for (const ResultDrawing& drawing : results.drawings)
+    io::replace_file(folder / drawing.name, drawing.svg);
   return results;
 }
 

@@ -247,7 +247,7 @@ class ExperimentRun {
   io::Ending play(const std::vector<std::size_t>& games, int& played_games) {
     const io::WorkerOptions workers{options_.workers, options_.attempts, options_.longest_game_s};
     std::function<bool()> is_enough;
-    if (scenario_.experiment().follows_its_rows())
+    if (scenario_.experiment().may_end_within_a_round())
       is_enough = [this] { return games_.is_decided(); };
     const io::WorkerCalls calls{[this](const io::Job& job) { return played_line(job); },
                                 [&](const io::JobResult& result) {
@@ -310,8 +310,9 @@ class ExperimentRun {
     keep_file();
     shard_->write(line);
     written_.push_back(std::move(*row));
-    // The choice of the next games may depend on this game.
-    if (scenario_.experiment().follows_its_rows() || Clock::now() >= next_sync_) count_written();
+    // No further games may be needed after this one.
+    if (scenario_.experiment().may_end_within_a_round() || Clock::now() >= next_sync_)
+      count_written();
   }
 
   // It is unknown whether the old or the new version of the program played the game.

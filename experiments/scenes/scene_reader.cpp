@@ -11,6 +11,7 @@
 namespace autoref::experiments {
 namespace {
 
+constexpr game::SceneWeights kNothing{0, 0, 0, 0, 0};
 constexpr const char* kLasts = "lasts_s";
 constexpr const char* kScore = "score";
 constexpr const char* kEnds = "ends_on";
@@ -30,10 +31,10 @@ std::vector<std::string> ends_of_scenes() {
 game::SceneWeights weights_in(const game::YamlFile& file, const game::YamlEntry& entry,
                               const std::string& path) {
   const std::vector<std::string> measures = parameter_names<game::SceneWeights>();
-  game::SceneWeights weights{0, 0, 0, 0};
+  game::SceneWeights weights = kNothing;
   if (entry.value.IsMap()) {
     game::Mapping(file, entry, path, measures).parameters(weights);
-    if (weights == game::SceneWeights{0, 0, 0, 0})
+    if (weights == kNothing)
       file.refuse(entry.location, path, "all weights are 0; give at least one");
     return weights;
   }
@@ -43,7 +44,7 @@ game::SceneWeights weights_in(const game::YamlFile& file, const game::YamlEntry&
   game::SceneWeights::visit(weights, [&word](double& weight, const Parameter& about) {
     if (about.name == word) weight = 1;
   });
-  if (weights == game::SceneWeights{0, 0, 0, 0}) {
+  if (weights == kNothing) {
     file.refuse(
         game::value_location(entry), path,
         fmt::format("expected {}, found '{}'{}", expected, word, io::suggestion(word, measures)));

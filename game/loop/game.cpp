@@ -147,7 +147,7 @@ class Game::Impl {
     if (referee_.games_finished() == 0) take_result(record);
     const PerSide<PlayCounts> counts = statistics_.counts();
     record.counts = {counts[a()], counts[opponent_of(a())]};
-    if (scene_) record.scene = scene_->record(record.goals_a, record.goals_b);
+    if (scene_) record.scene = scene_->record(record.goals_a, record.goals_b, counts[a()].xg);
     record.sim_s = time_s();
     record.ball_in_play_s = static_cast<double>(frames_in_play_) / rate_hz();
     record.state_hash = hash_.value();

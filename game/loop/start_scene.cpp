@@ -73,15 +73,16 @@ void SceneFollower::update(const Input& input) {
   }
 }
 
-SceneRecord SceneFollower::record(int goals, int goals_against) const {
+SceneRecord SceneFollower::record(int goals, int goals_against, double xg) const {
   SceneRecord record;
   record.ended_by = ended_by_.value_or(SceneEnd::kStop);
   record.ball_kept = is_kept_;
   record.gained_m = to_m_ - from_m_;
   const SceneWeights& weights = scene_.weights;
-  record.score =
-      weights.goal * (goals > 0 ? 1 : 0) + weights.conceded * (goals_against > 0 ? 1 : 0) +
-      weights.ball_kept * (record.ball_kept ? 1 : 0) + weights.gained_m * record.gained_m;
+  record.score = weights.goal * (goals > 0 ? 1 : 0) +
+                 weights.conceded * (goals_against > 0 ? 1 : 0) +
+                 weights.ball_kept * (record.ball_kept ? 1 : 0) +
+                 weights.gained_m * record.gained_m + weights.xg * xg;
   return record;
 }
 

@@ -53,6 +53,7 @@ struct SceneWeights {
   double conceded = 0;
   double ball_kept = 0;
   double gained_m = 0;
+  double xg = 0;
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, const Visitor& visitor) {
@@ -63,13 +64,14 @@ struct SceneWeights {
             {"ball_kept", kWeights, "the attackers have the ball at the end, 0 or 1"});
     visitor(self.gained_m,
             {"gained_m", kWeights, "how far the ball has come towards the defenders' goal"});
+    visitor(self.xg, {"xg", kWeights, "the attackers' expected goals"});
   }
   bool operator==(const SceneWeights&) const = default;
 
   // Whether every score with these weights is 0 or 1.
   bool is_proportion() const {
-    return *this == SceneWeights{1, 0, 0, 0} || *this == SceneWeights{0, 1, 0, 0} ||
-           *this == SceneWeights{0, 0, 1, 0};
+    return *this == SceneWeights{1, 0, 0, 0, 0} || *this == SceneWeights{0, 1, 0, 0, 0} ||
+           *this == SceneWeights{0, 0, 1, 0, 0};
   }
 };
 
@@ -110,8 +112,9 @@ class SceneFollower {
   bool is_over() const { return ended_by_.has_value(); }
   // Whether play has not begun although the referee's timeouts are over.
   bool is_late(double time_s) const { return !began_s_ && time_s > kLongestWait_s; }
-  // The measures so far, given the numbers of goals scored by attackers and defenders.
-  SceneRecord record(int goals, int goals_against) const;
+  // The measures so far, given the numbers of goals scored by attackers and defenders, and the
+  // attackers' expected goals.
+  SceneRecord record(int goals, int goals_against, double xg) const;
 
  private:
   static constexpr double kLongestWait_s = 120;

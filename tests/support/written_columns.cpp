@@ -12,6 +12,7 @@
 #include "experiments/kinds/sweep/sweep.hpp"
 #include "experiments/kinds/swiss/swiss.hpp"
 #include "experiments/kinds/tune/tuning.hpp"
+#include "experiments/kinds/weakness/weakness_report.hpp"
 #include "experiments/report/plots.hpp"
 #include "game/lab/lab.hpp"
 #include "game/loop/chain_log.hpp"
@@ -233,6 +234,9 @@ std::vector<Artefact> written_csv() {
       {"summary.csv of a tuning",
        [] { return head_in_folder(experiments::small_tuning("spsa"), "summary.csv"); }},
       {"tune.csv", tuning_columns},
+      {"weaknesses.csv",
+       [] { return head_of(experiments::weaknesses_csv(experiments::WeaknessState{})); }},
+      {"search.csv", [] { return head_of(experiments::search_csv(experiments::WeaknessState{})); }},
       {"rounds.csv of a Swiss tournament",
        [] { return head_in_folder(small_swiss(), "rounds.csv"); }},
       {"standings.csv of a round robin",

@@ -17,6 +17,7 @@
 #include "tests/app/answer.hpp"
 #include "tests/experiments/kinds/rules/small_rules.hpp"
 #include "tests/experiments/kinds/situations/small_situations.hpp"
+#include "tests/experiments/kinds/weakness/small_weakness.hpp"
 #include "tests/experiments/run/fake_games.hpp"
 #include "tests/experiments/run/fake_tuning.hpp"
 #include "tests/experiments/run/fake_versions.hpp"
@@ -156,6 +157,8 @@ WrittenNames progress_keys() {
        {versions, experiments::small_sweep(), experiments::small_roundrobin({6, 5}),
         experiments::small_sprt_match(), experiments::small_comparison(),
         experiments::small_situations(), experiments::small_rules(),
+        experiments::read_scenario_text(experiments::weakness_text("searches: 1\niterations: 1\n"),
+                                        "x.yaml"),
         experiments::small_tuning("spsa"), experiments::Scenario{"A test.", knockout}}) {
     paths.merge(paths_in(progress_lines(scenario)));
   }

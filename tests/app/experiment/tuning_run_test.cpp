@@ -62,7 +62,7 @@ TEST_F(TuningRun, IsWhatTheFormerVerbPlays) {
 }
 
 TEST_F(TuningRun, WaitsForOtherShardsByDefault) {
-  EXPECT_TRUE(says(answer_to({"run", "--help"}).out, "Default: 600 for kind tune, otherwise 0."));
+  EXPECT_TRUE(says(answer_to({"run", "--help"}).out, "600 for kind tune, otherwise 0."));
 }
 
 TEST_F(TuningRun, IsReportedWithItsPath) {

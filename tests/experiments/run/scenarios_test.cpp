@@ -12,6 +12,7 @@
 #include "experiments/kinds/scenario_reader.hpp"
 #include "experiments/kinds/sprt/sprt_match.hpp"
 #include "experiments/kinds/tune/tuning.hpp"
+#include "experiments/kinds/weakness/weakness.hpp"
 #include "experiments/run/run_experiment.hpp"
 #include "experiments/schedule/schedule.hpp"
 #include "game/settings/game_settings.hpp"
@@ -48,6 +49,10 @@ void make_few(Tuning& tuning) {
   tuning.iterations = 1;
   tuning.test.min_pairs = tuning.test.max_pairs = 2;
 }
+void make_few(Weakness& weakness) {
+  weakness.searches = weakness.iterations = 1;
+  weakness.test_pairs = weakness.reduction_pairs = 2;
+}
 // The two best and the two worst teams: their games are seldom drawn, and need few shoot-outs and
 // replays.
 void make_few(Knockout& knockout) {
@@ -76,7 +81,7 @@ void shorten(Scenario& scenario) {
     if (key.base != nullptr) shorten(*key.base);
     if (key.pairs != nullptr) *key.pairs = 1;
   }
-  make_few_of<SprtMatch, Tuning, Knockout, JudgeSchedule>(scenario);
+  make_few_of<SprtMatch, Tuning, Weakness, Knockout, JudgeSchedule>(scenario);
 }
 
 // Plays a game as from the checkout, where programs are found.

@@ -48,9 +48,9 @@ game::Scene scene_read_from(const std::string& keys) {
 }
 
 TEST(SituationsReader, ReadsAScoreAsOneMeasureOrAsWeights) {
-  EXPECT_EQ(scene_read_from("score: ball_kept").weights, (game::SceneWeights{0, 0, 1, 0}));
-  EXPECT_EQ(scene_read_from("score: { goal: 1, conceded: -1, gained_m: 0.1 }").weights,
-            (game::SceneWeights{1, -1, 0, 0.1}));
+  EXPECT_EQ(scene_read_from("score: ball_kept").weights, (game::SceneWeights{0, 0, 1, 0, 0}));
+  EXPECT_EQ(scene_read_from("score: { goal: 1, conceded: -1, gained_m: 0.1, xg: 0.5 }").weights,
+            (game::SceneWeights{1, -1, 0, 0.1, 0.5}));
   EXPECT_EQ(scene_read_from("lasts_s: 3").weights, game::SceneWeights{});
 }
 
