@@ -4,6 +4,7 @@
 #   skippable  filter of the tests that may be skipped; each is an entry of its own, so that ctest can name it
 #   left_out   filter of the tests that have an entry elsewhere
 #   only_skippable   whether the others have entries elsewhere, too
+#   longest_test_s   timeout
 # It adds an entry for each suite of the program. Instances of a parameterised suite are one entry.
 if(NOT EXISTS "${program}")
   add_test(${room}.is_not_built "${program}")
@@ -34,7 +35,7 @@ list(REMOVE_DUPLICATES suites)
 foreach(suite IN LISTS suites)
   add_test(${room}.${suite} "${program}" --gtest_brief=1
            "--gtest_filter=${suite}.*:*/${suite}.*-${skippable}:${left_out}")
-  set_tests_properties(${room}.${suite} PROPERTIES LABELS ${room} TIMEOUT 600 FAIL_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
+  set_tests_properties(${room}.${suite} PROPERTIES LABELS ${room} TIMEOUT ${longest_test_s} FAIL_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
 endforeach()
 
 list_tests("${skippable}" lines)
@@ -42,7 +43,7 @@ foreach(line IN LISTS lines)
   if(line MATCHES "^ +([^ ]+)$")
     set(name ${suite}${CMAKE_MATCH_1})
     add_test(${room}.${name} "${program}" --gtest_brief=1 "--gtest_filter=${name}")
-    set_tests_properties(${room}.${name} PROPERTIES LABELS ${room} TIMEOUT 600 SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
+    set_tests_properties(${room}.${name} PROPERTIES LABELS ${room} TIMEOUT ${longest_test_s} SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
   elseif(line MATCHES "^[^ ]+\\.$")
     set(suite ${line})
   endif()

@@ -103,7 +103,8 @@ MutationOutcome outcome_of(const fs::path& log, const std::string& bytes) {
 }
 
 TEST(MutatedLogs, AreRefusedOrJudgedWithFiniteNumbersInTime) {
-  constexpr double kLongestReading_s = 20;  // of processor time; a fiftieth of a second is usual
+  constexpr double kLongestReading_s =
+      AUTOREF_LONGEST_READING_S;  // of processor time; a fiftieth of a second is usual
   const TemporaryFolder folder;
   const std::vector<LogRecord> records = game_records(folder);
   std::map<MutationOutcome, std::uint64_t> outcomes;

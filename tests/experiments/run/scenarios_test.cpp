@@ -41,6 +41,8 @@ constexpr double kShortHalf_s = 5;
 
 void shorten(game::GameSettings& game) {
   game.match.half_s = game.match.rules.extra_half_s = kShortHalf_s;
+  // Rule books of variants keep the halves short.
+  game.given.insert({"match.half_s", "match.extra_half_s"});
 }
 
 // The smallest numbers of games that those kinds allow which have other numbers than pairs.
