@@ -14,10 +14,6 @@ constexpr double kNearlyAll = 0.99;
 
 std::string text_of_colour(Side side) { return std::string(colour_of(side)); }
 
-std::optional<double> seconds_at(std::int64_t frame) {
-  return static_cast<double>(frame) / RecordedPlay::kRate_hz;
-}
-
 // Goals are named after their scorer and do not count.
 int calls_against(const LogRefereeResult& result, Side side) {
   const auto is_against = [side](const Call& call) {
@@ -167,19 +163,8 @@ io::TableColumns<LoggedAction> logged_action_columns() {
 }
 
 io::TableColumns<LoggedShot> logged_shot_columns() {
-  const auto coordinate = [](int axis) {
-    return [axis](const LoggedShot& row) {
-      return std::optional(-goal_sign(row.shot.team) * row.shot.from_m[axis]);
-    };
-  };
-  return {{"log", &LoggedShot::log},
-          {"team", [](const LoggedShot& row) { return text_of_colour(row.shot.team); }},
-          {"time_s", [](const LoggedShot& row) { return seconds_at(row.shot.frame); }},
-          {"x_m", coordinate(0)},
-          {"y_m", coordinate(1)},
-          {"xg", [](const LoggedShot& row) { return std::optional(row.shot.chance); }},
-          {"xgot", [](const LoggedShot& row) { return std::optional(row.shot.chance_on_target); }},
-          {"is_goal", [](const LoggedShot& row) { return row.shot.has_scored ? 1 : 0; }}};
+  return after_log(&LoggedShot::shot,
+                   game::shot_columns(game_of_colours(), RecordedPlay::kRate_hz));
 }
 
 game::EventGame game_of_colours() {

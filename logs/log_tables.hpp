@@ -60,7 +60,7 @@ struct LoggedShot {
   std::string log;
   game::Shot shot;
 };
-// Positions are seen from the team that shoots, as in chains.
+// As those of game::shot_columns().
 io::TableColumns<LoggedShot> logged_shot_columns();
 
 // What game::chain_columns() needs to know: teams are named by their colours.

@@ -13,124 +13,14 @@
 #include "soccer/referee_signal.hpp"
 #include "soccer/robot_shape.hpp"
 #include "view/field_marks.hpp"
+#include "view/svg.hpp"
 
 namespace autoref::view {
 namespace {
 
-// Positions are in metres in the field's frame, y upwards. `look` adds SVG attributes to an
-// element, such as `fill="red"`.
-class Svg {
- public:
-  // The drawing shows everything within `half_size_m` of the field's centre, with a white band of
-  // height `band_m` above it.
-  Svg(const Vec2& half_size_m, double band_m);
-
-  void line(std::span<const Vec2> points_m, std::string_view look);
-  void arc(const MarkArc& arc, std::string_view look);
-  void disc(const Vec2& centre_m, double radius_m, std::string_view look);
-  void box(const Vec2& half_size_m, std::string_view look);
-  // A disc cut off along the chord between the ends of the arc.
-  void cut_disc(const MarkArc& arc, std::string_view look);
-  void text(const Vec2& position_m, std::string_view text, std::string_view look);
-  // Starts a group: all elements until end_group() share the look.
-  void begin_group(std::string_view look);
-  void end_group() { body_ += "</g>\n"; }
-
-  // The text of the whole file.
-  std::string text() const { return body_ + "</svg>\n"; }
-
- private:
-  std::string body_;
-};
-
-constexpr double kSvgWidth_px = 960;
-constexpr double kFullTurn_rad =
-    2 * kPi - 1e-3;  // slightly less than a full turn, since arc ends in league packets are floats
-
-long mm(double metres) { return std::lround(metres * 1000); }
-
-std::string point(const Vec2& position_m) {
-  // SVG's y axis points down. Whole millimetres keep the text short and the same with every
-  // compiler.
-  return fmt::format("{} {}", mm(position_m.x()), mm(-position_m.y()));
-}
-
-// XML does not allow control characters, not even escaped.
-std::string escaped(std::string_view text) {
-  std::string escaped;
-  for (const char letter : text) {
-    if (letter == '<') {
-      escaped += "&lt;";
-    } else if (letter == '>') {
-      escaped += "&gt;";
-    } else if (letter == '&') {
-      escaped += "&amp;";
-    } else {
-      escaped += static_cast<unsigned char>(letter) < 0x20 ? ' ' : letter;
-    }
-  }
-  return escaped;
-}
-
-// The arc as an SVG path, counterclockwise.
-std::string path_of(const MarkArc& arc) {
-  const Vec2 from = arc.centre_m + arc.radius_m * heading_of(arc.from_rad);
-  const Vec2 to = arc.centre_m + arc.radius_m * heading_of(arc.to_rad);
-  return fmt::format("M {} A {} {} 0 {} 0 {}", point(from), mm(arc.radius_m), mm(arc.radius_m),
-                     arc.to_rad - arc.from_rad > kPi ? 1 : 0, point(to));
-}
-
-Svg::Svg(const Vec2& half_size_m, double band_m)
-    : body_(fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{:.0f}\" "
-                        "height=\"{:.0f}\" viewBox=\"{} {} {} {}\">\n",
-                        kSvgWidth_px,
-                        kSvgWidth_px * (2 * half_size_m.y() + band_m) / (2 * half_size_m.x()),
-                        mm(-half_size_m.x()), mm(-half_size_m.y() - band_m),
-                        mm(2 * half_size_m.x()), mm(2 * half_size_m.y() + band_m))) {
-  body_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"#ffffff\"/>\n",
-                       mm(-half_size_m.x()), mm(-half_size_m.y() - band_m), mm(2 * half_size_m.x()),
-                       mm(band_m));
-}
-
-void Svg::line(std::span<const Vec2> points_m, std::string_view look) {
-  std::string path;
-  for (const Vec2& position_m : points_m)
-    path += fmt::format("{}{}", path.empty() ? "M " : " L ", point(position_m));
-  body_ += fmt::format("<path d=\"{}\" {}/>\n", path, look);
-}
-
-void Svg::arc(const MarkArc& arc, std::string_view look) {
-  if (arc.to_rad - arc.from_rad >= kFullTurn_rad) return disc(arc.centre_m, arc.radius_m, look);
-  body_ += fmt::format("<path d=\"{}\" {}/>\n", path_of(arc), look);
-}
-
-void Svg::disc(const Vec2& centre_m, double radius_m, std::string_view look) {
-  body_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" {}/>\n", mm(centre_m.x()),
-                       mm(-centre_m.y()), mm(radius_m), look);
-}
-
-void Svg::box(const Vec2& half_size_m, std::string_view look) {
-  body_ +=
-      fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" {}/>\n", mm(-half_size_m.x()),
-                  mm(-half_size_m.y()), mm(2 * half_size_m.x()), mm(2 * half_size_m.y()), look);
-}
-
-void Svg::cut_disc(const MarkArc& arc, std::string_view look) {
-  body_ += fmt::format("<path d=\"{} Z\" {}/>\n", path_of(arc), look);
-}
-
-void Svg::text(const Vec2& position_m, std::string_view text, std::string_view look) {
-  body_ += fmt::format("<text x=\"{}\" y=\"{}\" {}>{}</text>\n", mm(position_m.x()),
-                       mm(-position_m.y()), look, escaped(text));
-}
-
-void Svg::begin_group(std::string_view look) { body_ += fmt::format("<g {}>\n", look); }
-
 constexpr double kCaption_m = 0.12;  // largest font size
 // Height of the band above the carpet, where no robot is.
 constexpr double kCaptionBand_m = 0.22;
-// Average width of a letter as a fraction of the font size.
-constexpr double kLetterWidth = 0.62;
 constexpr double kShownBallRadius_m = 0.035;  // larger than in reality, to be visible
 constexpr double kFarthestStep_m = 0.4;       // a larger step is a placement, not motion
 constexpr double kShortestStep_m = 0.015;
@@ -207,13 +97,13 @@ void draw_paths(const DrawnGame& game, Svg& svg) {
 }
 
 void draw_field(const Field& field, bool blue_on_positive_half, Svg& svg) {
-  svg.box({field.wall_x_m(), field.wall_y_m()}, R"(fill="#174c36")");
-  svg.box({field.half_length_m(), field.half_width_m()}, R"(fill="#1c5b40")");
+  const Vec2 wall_m(field.wall_x_m(), field.wall_y_m());
+  const Vec2 corner_m(field.half_length_m(), field.half_width_m());
+  svg.box(-wall_m, wall_m, R"(fill="#174c36")");
+  svg.box(-corner_m, corner_m, R"(fill="#1c5b40")");
   svg.begin_group(fmt::format(R"(id="field" fill="none" stroke="#f2f7f4" stroke-width="{:.0f}")",
                               std::max(field.line_width_m, 0.012) * 1000));
-  const Outline lines = field_lines(field);
-  for (const MarkLine& line : lines.lines) svg.line(std::array{line.from_m, line.to_m}, "");
-  for (const MarkArc& arc : lines.arcs) svg.arc(arc, "");
+  svg.outline(field_lines(field));
   for (const Side end : kSides) {
     svg.disc(field.penalty_mark_at(end), 0.01, R"(fill="#f2f7f4")");
     svg.line(goal_walls_m(field, end), fmt::format(R"(stroke="{}" stroke-width="24")",
@@ -287,11 +177,13 @@ void draw_caption(const std::string& text, const Vec2& half_size_m, Svg& svg) {
 std::string drawing_of(const DrawnGame& game) {
   const Field& field = game.field;
   const Vec2 half_size_m(field.wall_x_m(), field.wall_y_m());
-  Svg svg(half_size_m, kCaptionBand_m);
+  const Vec2 top_m = half_size_m + Vec2(0, kCaptionBand_m);
+  Svg svg(-half_size_m, top_m);
+  svg.box({-half_size_m.x(), half_size_m.y()}, top_m, R"(fill="#ffffff")");
   draw_field(field, !game.signal || game.signal->blue_on_positive_half, svg);
   if (game.frames.size() > 1) draw_paths(game, svg);
   const Frame& last = game.frames.back();
-  svg.begin_group(R"(font-family="DejaVu Sans, Helvetica, sans-serif")");
+  svg.begin_group(kSvgFont);
   for (const Side side : kSides)
     for (const RobotObservation& robot : last.robots[side]) draw_robot(side, robot, svg);
   if (last.ball) draw_ball(*last.ball, svg);

@@ -18,7 +18,7 @@ namespace {
 
 struct ExportArguments : FolderArguments {
   std::string sqlite;
-  bool is_without_events = false;
+  bool is_without_replays = false;
   bool replaces = false;  // whether to replace an existing file
   int workers = 0;        // 0: one per processor
 };
@@ -33,11 +33,10 @@ int export_verb(const ExportArguments& arguments) {
                          fmt::format("{} exists; replace it with --force", arguments.sqlite));
   }
   open_output(file, "--sqlite", arguments.sqlite);
-  experiments::ExportOptions options;
-  options.has_events = !arguments.is_without_events;
-  options.workers = worker_count(arguments.workers);
-  options.progress = stderr;
-  const std::string database = experiments::exported(folder, options);
+  std::optional<experiments::ReplayOptions> replays;
+  if (!arguments.is_without_replays)
+    replays = {worker_count(arguments.workers), stderr, ", or leave it out with --no-events"};
+  const std::string database = experiments::exported(folder, replays);
   file->commit(database);
   fmt::print("{}   {} games, {:.1f} MB\n", arguments.sqlite, folder.completed_games.done.size(),
              static_cast<double>(database.size()) / 1e6);
@@ -48,14 +47,15 @@ int export_verb(const ExportArguments& arguments) {
 
 void add_export_verb(CLI::App& app, Chosen& chosen) {
   CLI::App* verb = app.add_subcommand(
-      "export", "Write the games, settings and events of a results folder into a database.");
+      "export", "Write the games of a results folder, and what happened in them, into a database.");
   auto arguments = std::make_shared<ExportArguments>();
   add_folder_options(*verb, *arguments);
   verb->add_option("--sqlite", arguments->sqlite, "The database, a SQLite file.")
       ->type_name("FILE")
       ->required();
-  verb->add_flag("--no-events", arguments->is_without_events,
-                 "Leave out the table of events, which requires playing every game again.");
+  verb->add_flag("--no-events", arguments->is_without_replays,
+                 "Write only games and settings. The other tables (events, chains, actions, shots) "
+                 "require playing every game again.");
   verb->add_flag("--force", arguments->replaces, "Replace an existing file.");
   add_workers_option(*verb, arguments->workers);
   verb->footer(

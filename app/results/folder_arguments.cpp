@@ -5,7 +5,7 @@
 namespace autoref::app {
 
 void add_folder_options(CLI::App& verb, FolderArguments& arguments) {
-  verb.add_option("DIR", arguments.folder, "Results folder of autoref run or autoref judge.")
+  verb.add_option("DIR", arguments.folder, "Results folder, as written by run, compare or judge.")
       ->required();
   verb.add_option("--build", arguments.build,
                   "Count only this build's games, if the folder holds games of several.")

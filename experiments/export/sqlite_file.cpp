@@ -1,5 +1,6 @@
 #include "experiments/export/sqlite_file.hpp"
 
+#include <fmt/format.h>
 #include <sqlite3.h>
 
 #include <stdexcept>
@@ -43,6 +44,20 @@ struct Binding {
   }
 };
 
+SqliteValue value_at(sqlite3_stmt* statement, int column) {
+  switch (sqlite3_column_type(statement, column)) {
+    case SQLITE_NULL:
+      return {};
+    case SQLITE_INTEGER:
+      return std::int64_t{sqlite3_column_int64(statement, column)};
+    case SQLITE_FLOAT:
+      return sqlite3_column_double(statement, column);
+    default:
+      return std::string(reinterpret_cast<const char*>(sqlite3_column_text(statement, column)),
+                         static_cast<std::size_t>(sqlite3_column_bytes(statement, column)));
+  }
+}
+
 }  // namespace
 
 SqliteFile::SqliteFile() {
@@ -59,11 +74,29 @@ void SqliteFile::execute(const std::string& sql) {
   if (code != SQLITE_OK) fail(database_, code);
 }
 
-void SqliteFile::add_rows(std::string_view table, const std::string& file) {
-  const std::string name = quoted_name(table);
+void SqliteFile::add_rows(const std::vector<std::string>& tables, const std::string& file) {
   execute("ATTACH " + in_quotes(file, '\'') + " AS other");
-  execute("INSERT INTO main." + name + " SELECT * FROM other." + name);
+  for (const std::string& table : tables) {
+    const std::string name = quoted_name(table);
+    execute(fmt::format("INSERT INTO main.{0} SELECT * FROM other.{0}", name));
+  }
   execute("DETACH other");
+}
+
+void SqliteFile::each_row(const std::string& query,
+                          const std::function<void(const SqliteRow&)>& use) const {
+  sqlite3_stmt* prepared = nullptr;
+  int code = sqlite3_prepare_v2(database_, query.c_str(), -1, &prepared, nullptr);
+  if (code != SQLITE_OK) fail(database_, code);
+  const std::unique_ptr<sqlite3_stmt, decltype(&sqlite3_finalize)> statement(prepared,
+                                                                             &sqlite3_finalize);
+  const int columns = sqlite3_column_count(prepared);
+  SqliteRow row(static_cast<std::size_t>(columns));
+  while ((code = sqlite3_step(prepared)) == SQLITE_ROW) {
+    for (int i = 0; i < columns; ++i) row[static_cast<std::size_t>(i)] = value_at(prepared, i);
+    use(row);
+  }
+  if (code != SQLITE_DONE) fail(database_, code);
 }
 
 std::string SqliteFile::bytes() const {
@@ -93,7 +126,7 @@ SqliteTable::SqliteTable(SqliteFile& file, std::string_view name,
 
 SqliteTable::~SqliteTable() { sqlite3_finalize(insertion_); }
 
-void SqliteTable::add(const std::vector<SqliteValue>& row) {
+void SqliteTable::add(const SqliteRow& row) {
   if (row.size() != columns_) throw std::logic_error("a row of the wrong size");
   int index = 0;
   for (const SqliteValue& value : row) {

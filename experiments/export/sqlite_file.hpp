@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -15,6 +16,7 @@ namespace autoref::experiments {
 
 // NULL, an integer, a real number or a text.
 using SqliteValue = std::variant<std::monostate, std::int64_t, double, std::string>;
+using SqliteRow = std::vector<SqliteValue>;
 
 class SqliteFile {
  public:
@@ -27,9 +29,12 @@ class SqliteFile {
   // InputOutputError if memory runs out. All functions below throw like this.
   void execute(const std::string& sql);
 
-  // Adds to `table` the rows of the same table in a database file. Must not be called within a
-  // transaction. Also throws InputOutputError if the file cannot be read.
-  void add_rows(std::string_view table, const std::string& file);
+  // Adds to each of the tables the rows of the same table in a database file. Must not be called
+  // within a transaction. Also throws InputOutputError if the file cannot be read.
+  void add_rows(const std::vector<std::string>& tables, const std::string& file);
+
+  // Calls `use` for each row of a query's answer.
+  void each_row(const std::string& query, const std::function<void(const SqliteRow&)>& use) const;
 
   // The content of the database file. The same sequence of calls gives the same bytes.
   std::string bytes() const;
@@ -54,7 +59,7 @@ class SqliteTable {
   SqliteTable& operator=(const SqliteTable&) = delete;
 
   // Adds a row, with one value per column.
-  void add(const std::vector<SqliteValue>& row);
+  void add(const SqliteRow& row);
 
  private:
   SqliteFile& file_;

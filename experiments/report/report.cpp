@@ -92,14 +92,20 @@ Section plots_section(const std::vector<DrawnPlot>& plots, const std::string& di
   return section;
 }
 
+// The path from a report to its results folder.
+std::string direction_from(const fs::path& into, const ResultFolder& folder) {
+  return into == folder.path ? "." : "..";
+}
+
 Document document_of(const ResultFolder& folder, const ExperimentResults& results,
-                     const std::vector<DrawnPlot>& plots, const std::string& direction) {
+                     const std::vector<DrawnPlot>& plots, const fs::path& into) {
+  const std::string direction = direction_from(into, folder);
   Document document{title_of(folder.scenario), {}};
   for (const Section& section :
        {played_section(folder, results), results_section(results), bracket_section(results),
-        drawings_section(results), plots_section(plots, direction), shares_section(folder, results),
-        crosstable_section(results), void_section(folder), settings_section(folder, direction),
-        commands_section(folder, direction)}) {
+        drawings_section(folder, results, into), plots_section(plots, direction),
+        shares_section(folder, results), crosstable_section(results), void_section(folder),
+        settings_section(folder, direction), commands_section(folder, direction)}) {
     document.blocks.insert(document.blocks.end(), section.begin(), section.end());
   }
   return document;
@@ -113,10 +119,10 @@ std::string title_of(const Scenario& scenario) {
 
 WrittenReport write_report(const ResultFolder& folder, const ExperimentResults& results,
                            const fs::path& into) {
-  const std::string direction = into == folder.path ? "." : "..";
+  const std::string direction = direction_from(into, folder);
   const std::vector<DrawnPlot> plots = drawn(plots_of(folder.scenario, results));
   write_plots(into / kPlotsFolder, plots);
-  const Document document = document_of(folder, results, plots, direction);
+  const Document document = document_of(folder, results, plots, into);
   io::replace_file(into / kMarkdownReport, markdown_of(document));
   io::replace_file(into / kHtmlReport, html_of(document));
   WrittenReport written{0, troubles_of(plots, direction)};

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
+#include "experiments/export/play_drawings.hpp"
 #include "experiments/report/group_names.hpp"
 #include "experiments/report/standings_plots.hpp"
-#include "io/checksum.hpp"
 #include "io/words.hpp"
 
 namespace autoref::experiments {
@@ -137,10 +139,6 @@ std::string games_text(const ResultFolder& folder) {
   return fmt::format("{} of {}", folder.completed_games.done.size(), folder.needed);
 }
 
-std::string rows_checksum(const ResultFolder& folder) {
-  return io::crc_text(results_csv(folder.format, folder.completed_games.done));
-}
-
 Section played_section(const ResultFolder& folder, const ExperimentResults& results) {
   Table table{{{"experiment", ""},
                {"kind", kind_text(folder.scenario)},
@@ -188,10 +186,14 @@ Section bracket_section(const ExperimentResults& results) {
   return {Heading{"Bracket"}, CupBracket{results.ties}};
 }
 
-Section drawings_section(const ExperimentResults& results) {
-  if (results.drawings.empty()) return {};
+Section drawings_section(const ResultFolder& folder, const ExperimentResults& results,
+                         const std::filesystem::path& into) {
+  std::vector<ResultDrawing> drawings = results.drawings;
+  for (ResultDrawing& drawing : stored_play_drawings(folder, into))
+    drawings.push_back(std::move(drawing));
+  if (drawings.empty()) return {};
   Section section = {Heading{"Drawings"}};
-  for (const ResultDrawing& drawing : results.drawings) section.emplace_back(drawing);
+  for (const ResultDrawing& drawing : drawings) section.emplace_back(drawing);
   return section;
 }
 

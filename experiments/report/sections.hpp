@@ -1,6 +1,7 @@
 // The sections of a report.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,7 @@ using Section = std::vector<Block>;  // empty if there is nothing to report
 inline constexpr const char* kBuildRow = "build";
 inline constexpr const char* kGamesRow = "games";
 inline constexpr const char* kChecksumRow = "checksum of the rows";
-std::string games_text(const ResultFolder& folder);     // "12 of 24"
-std::string rows_checksum(const ResultFolder& folder);  // CRC-32 of results.csv
+std::string games_text(const ResultFolder& folder);  // "12 of 24"
 
 // The numbers of games planned and played, and the build that played them. If games are missing,
 // warns that the intervals are provisional.
@@ -38,8 +38,10 @@ Section crosstable_section(const ExperimentResults& results);
 // The pairings of a knockout, the results so far and the teams that advance.
 Section bracket_section(const ExperimentResults& results);
 
-// The drawings that a kind adds to its results.
-Section drawings_section(const ExperimentResults& results);
+// The drawings that a kind adds to its results, and those over all games that are stored in `into`
+// (play_drawings.hpp).
+Section drawings_section(const ResultFolder& folder, const ExperimentResults& results,
+                         const std::filesystem::path& into);
 
 // The void games and the reasons why they are void.
 Section void_section(const ResultFolder& folder);

@@ -11,6 +11,7 @@
 #include "experiments/kinds/scenario_reader.hpp"
 #include "experiments/results/game_row.hpp"
 #include "experiments/results/shard.hpp"
+#include "io/checksum.hpp"
 #include "io/csv.hpp"
 #include "io/errors.hpp"
 #include "io/files.hpp"
@@ -166,6 +167,16 @@ int ResultFolder::killed_games() const {
                                         [](const auto& entry) { return is_killed(entry.second); }));
 }
 
+std::vector<std::size_t> ResultFolder::good_games() const {
+  std::vector<std::size_t> good;
+  for (std::size_t i = 0; i < games.size(); ++i) {
+    const auto row = completed_games.done.find(games[i].id);
+    if (row != completed_games.done.end() && row->second.record.status == game::Status::kOk)
+      good.push_back(i);
+  }
+  return good;
+}
+
 int ResultFolder::void_games() const {
   return static_cast<int>(
       std::count_if(completed_games.done.begin(), completed_games.done.end(),
@@ -242,6 +253,10 @@ std::string results_csv(const RowFormat& format, const RowsById& rows) {
   std::string csv = io::csv_line(format.reproducible_names()) + "\n";
   for (const auto& [id, row] : rows) csv += io::csv_line(format.reproducible(row)) + "\n";
   return csv;
+}
+
+std::string rows_checksum(const ResultFolder& folder) {
+  return io::crc_text(results_csv(folder.format, folder.completed_games.done));
 }
 
 ExperimentResults write_results(const fs::path& folder, const Scenario& scenario,

@@ -30,6 +30,8 @@ struct ResultFolder {
   std::vector<std::string> lost;
   std::map<std::string, int> by_shard;  // number of games played by each shard, such as "0/1"
 
+  // Positions in `games` of those with rows that are neither void nor forfeited.
+  std::vector<std::size_t> good_games() const;
   int void_games() const;
   int killed_games() const;  // number of void games that the next run replays
   // The faults of the stored rows, one line for each; empty if there are none.
@@ -58,6 +60,9 @@ std::vector<std::string> files_of_results(const std::filesystem::path& path);
 // results.csv: the rows that count, sorted by game id, without columns that may differ from run to
 // run.
 std::string results_csv(const RowFormat& format, const RowsById& rows);
+
+// CRC-32 of results.csv.
+std::string rows_checksum(const ResultFolder& folder);
 
 // Writes results.csv and the files of Experiment::results(). The same rows give the same files,
 // byte for byte.

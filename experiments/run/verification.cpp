@@ -13,17 +13,6 @@
 namespace autoref::experiments {
 namespace {
 
-// Indices of the scheduled games with rows that are neither void nor forfeited.
-std::vector<std::size_t> good_games(const ResultFolder& folder) {
-  std::vector<std::size_t> good;
-  for (std::size_t i = 0; i < folder.games.size(); ++i) {
-    const auto row = folder.completed_games.done.find(folder.games[i].id);
-    if (row != folder.completed_games.done.end() && row->second.record.status == game::Status::kOk)
-      good.push_back(i);
-  }
-  return good;
-}
-
 // Systematic sampling: a fixed step through the list, which selects the same games every time.
 std::vector<std::size_t> spread_evenly(const std::vector<std::size_t>& all, int count) {
   const std::size_t wanted = std::min(all.size(), static_cast<std::size_t>(count));
@@ -49,7 +38,7 @@ std::optional<ColumnDifference> difference_from(const ResultFolder& folder,
 Verification verify(const ResultFolder& folder, int sample, int workers,
                     const std::function<void(const game::GameConfiguration&, GameRow&)>& play,
                     std::FILE* progress) {
-  const std::vector<std::size_t> games = spread_evenly(good_games(folder), sample);
+  const std::vector<std::size_t> games = spread_evenly(folder.good_games(), sample);
   if (games.empty()) {
     throw io::InputError({folder.path.string()}, "",
                          "holds no games that ended normally, so there is nothing to verify");

@@ -1,5 +1,5 @@
-// Possession chains and the actions in them as CSV files: one row per chain or action, in the order
-// in which they ended.
+// Possession chains, the actions in them and their shots as tables: one row per chain, action or
+// shot, in the order in which they ended.
 #pragma once
 
 #include "game/loop/event_log.hpp"
@@ -14,9 +14,10 @@ struct ChainRow {
   PossessionChain chain;
 };
 
-// The columns. Positions are seen from the team of the chain or action, as strategies see them: its
-// own goal is at -x, and y points to its left. `game` names the teams.
+// The columns. Positions are seen from the row's team, as strategies see them: its own goal is at
+// -x, and y points to its left. `game` names the teams.
 io::TableColumns<ChainRow> chain_columns(const EventGame& game, double frame_rate_hz);
 io::TableColumns<BallAction> action_columns(const EventGame& game, double frame_rate_hz);
+io::TableColumns<Shot> shot_columns(const EventGame& game, double frame_rate_hz);
 
 }  // namespace autoref::game

@@ -256,7 +256,10 @@ std::vector<Artefact> written_csv() {
        }},
       {"experiment lab --csv", lab_columns},
       {"Table settings", experiments::settings_columns},
-      {"Table events", experiments::events_columns},
+      {"Table events", [] { return experiments::game_table_columns("events"); }},
+      {"Table chains", [] { return experiments::game_table_columns("chains"); }},
+      {"Table actions", [] { return experiments::game_table_columns("actions"); }},
+      {"Table shots", [] { return experiments::game_table_columns("shots"); }},
   };
 }
 

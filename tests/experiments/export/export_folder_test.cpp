@@ -142,6 +142,51 @@ TEST_F(Export, HasTheValuesOfTheEventLog) {
   }
 }
 
+// The first cells of a CSV file's rows, joined with '|'.
+std::vector<std::string> first_cells_of(const std::filesystem::path& file, std::size_t count) {
+  const std::string text = content_of(file);
+  std::vector<std::string> rows;
+  for (const std::string_view line : io::complete_lines(text)) {
+    const io::Cells cells = io::csv_cells(line).value();
+    rows.push_back(fmt::format(
+        "{}", fmt::join(cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(count), "|")));
+  }
+  rows.erase(rows.begin());
+  return rows;
+}
+
+TEST_F(Export, HasTheChainsAndActionsOfTheFilesOfAReplay) {
+  const std::string id = "b.robots=6-p0001-1";
+  app::answer_to({"results", "export", results_.c_str(), "--sqlite", database_.c_str()});
+  const std::string chains = (folder_ / "chains.csv").string();
+  const std::string actions = (folder_ / "actions.csv").string();
+  app::answer_to({"results", "replay", results_.c_str(), id.c_str(), "--chains", chains.c_str(),
+                  "--actions", actions.c_str()});
+  const auto rows = [&](const std::string& columns, const std::string& table) {
+    return rows_of(database_, fmt::format("SELECT {} FROM {} WHERE game_id = '{}' ORDER BY rowid",
+                                          columns, table, id));
+  };
+  const std::vector<std::string> stored = rows("number, team, start, end", "chains");
+  EXPECT_GT(stored.size(), 3U);
+  EXPECT_EQ(stored, first_cells_of(chains, 4));
+  EXPECT_EQ(rows("team, robot, action, printf('%.4f', start_s)", "actions"),
+            first_cells_of(actions, 4));
+}
+
+TEST_F(Export, HasTheShotsOfTheChainsAndRows) {
+  app::answer_to({"results", "export", results_.c_str(), "--sqlite", database_.c_str()});
+  const std::vector<std::string> shots = rows_of(database_, "SELECT count(*) FROM shots");
+  EXPECT_NE(shots, std::vector<std::string>{"0"});
+  EXPECT_EQ(rows_of(database_, "SELECT sum(shots) FROM chains"), shots);
+  EXPECT_EQ(rows_of(database_, "SELECT sum(shots_a + shots_b) FROM games"), shots);
+  EXPECT_EQ(rows_of(database_,
+                    "SELECT game_id, team, printf('%.6f', sum(xg)) FROM shots "
+                    "GROUP BY 1, 2"),
+            rows_of(database_,
+                    "SELECT game_id, team, printf('%.6f', sum(xg)) FROM chains "
+                    "GROUP BY 1, 2 HAVING sum(shots) > 0"));
+}
+
 TEST_F(Export, RepeatsByteForByte) {
   const std::string again = (folder_ / "again.sqlite").string();
   app::answer_to({"results", "export", results_.c_str(), "--sqlite", database_.c_str(), "-j", "2"});
@@ -191,12 +236,12 @@ TEST(SqliteFile, AddsTheRowsOfAnotherFile) {
   write_content(folder / "it's.sqlite", other.bytes());
   SqliteFile file;
   SqliteTable(file, "t", {{"x", "REAL"}}).add({std::monostate()});
-  file.add_rows("t", (folder / "it's.sqlite").string());
-  file.add_rows("t", (folder / "it's.sqlite").string());
+  file.add_rows({"t"}, (folder / "it's.sqlite").string());
+  file.add_rows({"t"}, (folder / "it's.sqlite").string());
   write_content(folder / "both.sqlite", file.bytes());
   EXPECT_EQ(rows_of(folder / "both.sqlite", "SELECT x FROM t"),
             (std::vector<std::string>{"", "0.5", "0.5"}));
-  EXPECT_THROW(file.add_rows("t", (folder / "nowhere/t.sqlite").string()), io::InputOutputError);
+  EXPECT_THROW(file.add_rows({"t"}, (folder / "nowhere/t.sqlite").string()), io::InputOutputError);
 }
 
 TEST(SqliteFile, KeepsNamesAndTextsWithQuotes) {
