@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <sstream>
 #include <vector>
@@ -94,13 +95,35 @@ class TeamFile {
 
 bool is_executable(const fs::path& file) { return access(file.c_str(), X_OK) == 0; }
 
+// Whether one of the folders in PATH has the program.
+bool is_in_search_path(const std::string& program) {
+  const char* const path = std::getenv("PATH");
+  if (path == nullptr) return true;  // the system then searches folders of its own
+  std::istringstream folders(path);
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (is_executable(fs::path(folder) / program)) return true;
+  return false;
+}
+
+// The text, which is a command with arguments; empty if it is a single word.
+std::string command_with_arguments(const std::string& text, const std::string& place) {
+  std::vector<std::string> words;
+  game::locate_errors(place, [&] { words = game::words_of_command(text); });
+  if (text.find(' ') == std::string::npos) return {};
+  // A program with a folder may be relative to the setting `directory`.
+  const bool is_name = words.front().find('/') == std::string::npos;
+  if (!is_name || is_in_search_path(words.front())) return text;
+  throw io::InputError(
+      {place}, "",
+      fmt::format("cannot find the program '{}' of the command '{}' in the folders "
+                  "of PATH",
+                  words.front(), text));
+}
+
 // The command that plays a team that is a program; empty if the text names none.
 std::string command_in(const std::string& text, const std::string& place) {
   std::error_code none;
-  if (!fs::is_regular_file(text, none)) {
-    game::locate_errors(place, [&text] { game::words_of_command(text); });
-    return text.find(' ') == std::string::npos ? "" : text;
-  }
+  if (!fs::is_regular_file(text, none)) return command_with_arguments(text, place);
   const std::string file = text.find('/') == std::string::npos ? "./" + text : text;
   if (is_executable(file)) return game::text_of_command({file});
   if (text.ends_with(".py")) return game::text_of_command({"python3", file});

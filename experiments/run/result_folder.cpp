@@ -249,6 +249,19 @@ std::vector<std::string> files_of_results(const fs::path& path) {
   return files;
 }
 
+void refuse_files_without_rows(const fs::path& path) {
+  std::error_code none;
+  if (fs::exists(path / kGamesFolder, none)) return;
+  for (const char* name : {kEffectiveFile, kResultsFile}) {
+    if (!fs::exists(path / name, none)) continue;
+    throw io::InputError(
+        {path.string()}, "",
+        fmt::format("has {}, but no folder {} with rows of games: the results would overwrite "
+                    "the file; choose another folder with -o, or move the file",
+                    name, kGamesFolder));
+  }
+}
+
 std::string results_csv(const RowFormat& format, const RowsById& rows) {
   std::string csv = io::csv_line(format.reproducible_names()) + "\n";
   for (const auto& [id, row] : rows) csv += io::csv_line(format.reproducible(row)) + "\n";

@@ -57,6 +57,10 @@ ResultFolder open_results(const std::filesystem::path& path, const std::string& 
 // results.
 std::vector<std::string> files_of_results(const std::filesystem::path& path);
 
+// Throws InputError if results would overwrite files that are not the folder's own: it has
+// effective.yaml or results.csv, but no subfolder with rows.
+void refuse_files_without_rows(const std::filesystem::path& path);
+
 // results.csv: the rows that count, sorted by game id, without columns that may differ from run to
 // run.
 std::string results_csv(const RowFormat& format, const RowsById& rows);

@@ -103,6 +103,7 @@ class ExperimentRun {
 
   ExperimentReport run() {
     refuse_earlier_folder(scenario_.experiment(), options_.folder);
+    refuse_files_without_rows(options_.folder);
     io::create_folder(options_.folder / kGamesFolder);
     // Lock the shard before reading the rows, so no other run of this shard can add rows
     // afterwards.

@@ -86,7 +86,10 @@ ComparedTeams compared_teams(const Comparison& comparison, const RowsById& rows)
   std::vector<double> differences;
   std::vector<int> numbers;  // the pair numbers of the differences
   int last = 0;
-  while (last < comparison.test.max_pairs && has_all_rows(matchups, last + 1, rows)) {
+  const auto is_at_end = [&] {
+    return last == comparison.test.max_pairs || (numbers.empty() && last == kMostVoidPairsAtFirst);
+  };
+  while (!is_at_end() && has_all_rows(matchups, last + 1, rows)) {
     const std::optional<double> difference = mean_difference(compared.opponents, ++last);
     if (!difference) continue;
     differences.push_back(*difference);
@@ -96,7 +99,7 @@ ComparedTeams compared_teams(const Comparison& comparison, const RowsById& rows)
   compared.last_pair = last;
   if (compared.test.verdict != ThreeWayVerdict::kGoOn) {
     compared.last_pair = numbers[static_cast<std::size_t>(compared.test.pairs - 1)];
-  } else if (last == comparison.test.max_pairs) {  // void legs left fewer than max_pairs
+  } else if (is_at_end()) {  // void legs left fewer than max_pairs
     compared.test.verdict = ThreeWayVerdict::kUndecided;
   }
   numbers.resize(static_cast<std::size_t>(compared.test.pairs));

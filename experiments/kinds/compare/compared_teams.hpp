@@ -27,13 +27,18 @@ struct ComparedOpponent {
 
 struct ComparedTeams {
   std::vector<ComparedOpponent> opponents;  // kOldTeam first
-  // The test of the mean difference over all opponents. kUndecided after max_pairs.
+  // The test of the mean difference over all opponents. kUndecided after max_pairs, and after
+  // kMostVoidPairsAtFirst.
   ComparisonState test;
   std::vector<int> pairs;   // the pair numbers that the test considered, ascending
   int last_pair = 0;        // number of the last pair considered
   int void_pairs = 0;       // number of pair numbers up to last_pair with a void leg
   bool is_decided = false;  // whether no further pairs are needed
 };
+
+// A comparison ends undecided if each of its first pair numbers, this many, has a void leg: a team
+// whose program does not work would not work in the other games either.
+inline constexpr int kMostVoidPairsAtFirst = 10;
 
 // Considers pair numbers in ascending order until one lacks a row or decides the comparison. The
 // verdict therefore depends neither on the number of workers nor on games played after the deciding

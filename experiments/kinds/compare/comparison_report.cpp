@@ -268,7 +268,10 @@ std::string answer(const Comparison& comparison, const ComparedTeams& compared) 
           "games",
           kNewTeam, kOldTeam, comparison.test.least, difference, games);
     case ThreeWayVerdict::kUndecided:
-      if (test.pairs == 0) return "undecided, since every pair has a void game";
+      if (test.pairs == 0) {
+        return fmt::format("undecided: ended after {} pairs, each with a void game",
+                           compared.void_pairs);
+      }
       return fmt::format("undecided after {} games whether {} is better than {}: {}{}", games,
                          kNewTeam, kOldTeam, difference, more_games_text(comparison, compared));
     case ThreeWayVerdict::kGoOn:

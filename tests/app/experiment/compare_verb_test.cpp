@@ -43,10 +43,14 @@ TEST(TeamArgument, IsTheNameOfATeam) {
 }
 
 TEST(TeamArgument, IsACommand) {
-  const TeamArgument team = team_argument("python3 teams/my-team.py --fast x", "OLD");
-  EXPECT_EQ(setting_of(team, "command"), "python3 teams/my-team.py --fast x");
-  EXPECT_EQ(team_argument("python3 teams/my-team.py --fast", "OLD").name, "my_team");
-  EXPECT_FALSE(fault_of("python3 'my_team.py").empty());
+  const TeamArgument team = team_argument("sh teams/my-team.sh --fast x", "OLD");
+  EXPECT_EQ(setting_of(team, "command"), "sh teams/my-team.sh --fast x");
+  EXPECT_EQ(team_argument("sh teams/my-team.sh --fast", "OLD").name, "my_team");
+  EXPECT_FALSE(fault_of("sh 'my_team.sh").empty());
+  EXPECT_EQ(setting_of(team_argument("./missing --fast", "OLD"), "command"), "./missing --fast");
+  EXPECT_TRUE(has(fault_of("piton3 my_team.py"),
+                  "OLD: cannot find the program 'piton3' of the command 'piton3 my_team.py' in"))
+      << fault_of("piton3 my_team.py");
 }
 
 TEST(TeamArgument, IsAProgramThatCanBeExecutedOrAPythonFile) {
@@ -106,7 +110,7 @@ TEST(CompareScenario, IsTheOneThatIsPlayed) {
   arguments.sets = {"new.params.kick_caution=0.7", "old.robots=5", "match.half_s=60",
                     "new.players.2.speed_factor=0.5"};
   expect_same_scenario(arguments);
-  arguments.new_team = "python3 'my team.py'";
+  arguments.new_team = "sh 'my team.sh'";
   arguments.sets = {};
   arguments.against = {"cobalt, counter", "cobalt"};
   arguments.camera = "realistic";
@@ -193,7 +197,7 @@ TEST(CompareScenario, HasOpponentsWithNamesOfTheirOwn) {
   CompareArguments arguments;
   arguments.old_team = "basic";
   arguments.new_team = "counter";
-  arguments.against = {"cobalt, cobalt", "node new.js --list '1,2'", "node all.js"};
+  arguments.against = {"cobalt, cobalt", "sh new.js --list '1,2'", "sh all.js"};
   const experiments::Scenario scenario = comparison_in(arguments);
   std::vector<std::string> names;
   for (const auto& [name, team] : scenario.get<experiments::Comparison>().against)

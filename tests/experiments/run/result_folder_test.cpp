@@ -54,6 +54,23 @@ TEST(ResultFolder, IsRewrittenIdentically) {
   EXPECT_EQ(content_of(filled.folder / "results.csv"), before);
 }
 
+TEST(ResultFolder, DoesNotOverwriteFilesOfOthers) {
+  for (const char* name : {"results.csv", "effective.yaml"}) {
+    const TemporaryFolder folder;
+    write_content(folder / name, "mine");
+    try {
+      run_experiment(small_sweep(), fake_options(folder.path()));
+      ADD_FAILURE() << "no error";
+    } catch (const io::InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(std::string("has ") + name + ", but no"),
+                std::string::npos)
+          << error.what();
+    }
+    EXPECT_EQ(content_of(folder / name), "mine");
+    EXPECT_FALSE(std::filesystem::exists(folder / "games"));
+  }
+}
+
 TEST(ResultFolder, RefusesAFolderWithoutResults) {
   const TemporaryFolder folder;
   EXPECT_NE(refusal(folder.path()).find("holds no results: expected effective.yaml"),

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "experiments/kinds/compare/comparison_report.hpp"
 #include "experiments/kinds/scenario_reader.hpp"
@@ -167,6 +168,41 @@ TEST(ComparisonRun, LeavesPairNumbersWithAVoidGameOut) {
                   json["opponents"][0]["goals_against_new"].get<double>(),
               json["mean_diff"].get<double>(), 1e-9);
   EXPECT_NE(table_of(report).find("Pairs left out because of a void game: 1."), std::string::npos);
+}
+
+// The games of pair numbers up to `void_pairs` are void.
+ExperimentReport played_with_void_pairs(int void_pairs, const Scenario& scenario,
+                                        const fs::path& folder) {
+  std::set<std::uint64_t> void_seeds;
+  for (const ScheduledGame& game : scenario.experiment().games())
+    if (game.pair <= void_pairs) void_seeds.insert(game.settings.combined().seed);
+  ExperimentOptions options = fake_options(folder);
+  options.play = [&void_seeds](const game::GameConfiguration& game) -> game::GameRecord {
+    if (void_seeds.contains(game.seed)) throw std::runtime_error("no");
+    return game_with(3, game);
+  };
+  return run_experiment(scenario, options);
+}
+
+TEST(ComparisonRun, EndsIfAllOfTheFirstPairsAreVoid) {
+  for (const auto& scenario : {small_comparison(), comparison_against({4})}) {
+    const TemporaryFolder folder;
+    const ExperimentReport report = played_with_void_pairs(12, scenario, folder.path());
+    const std::size_t matchups = matchups_of(scenario.get<Comparison>()).size();
+    EXPECT_TRUE(report.is_complete);
+    EXPECT_EQ(report.games, 2 * 10 * static_cast<int>(matchups));
+    EXPECT_EQ(report.void_games, report.games);
+    EXPECT_EQ(report.results.comparison->sentence,
+              "undecided: ended after 10 pairs, each with a void game");
+  }
+}
+
+TEST(ComparisonRun, GoesOnIfOneOfTheFirstPairsIsNotVoid) {
+  const TemporaryFolder folder;
+  const ExperimentReport report = played_with_void_pairs(9, small_comparison(), folder.path());
+  EXPECT_TRUE(report.is_complete);
+  EXPECT_EQ(report.results.comparison->verdict, ThreeWayVerdict::kBetter);
+  EXPECT_EQ(report.void_games, 18);
 }
 
 TEST(ComparisonRun, ContinuesAfterAnInterruptAndWithMorePairs) {
