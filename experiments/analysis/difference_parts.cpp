@@ -90,14 +90,19 @@ DifferencePart part_of(const PartDefinition& definition,
 
 }  // namespace
 
-const DifferencePart* DifferenceParts::most_certain() const {
+const DifferencePart* DifferenceParts::strongest_candidate() const {
   const DifferencePart* best = nullptr;
   for (const auto* parts : {&by_start, &by_passes, &others}) {
     for (const DifferencePart& part : *parts) {
-      if (part.p_holm <= kSignificant && (best == nullptr || part.p < best->p)) best = &part;
+      if (best == nullptr || part.p < best->p) best = &part;
     }
   }
   return best;
+}
+
+const DifferencePart* DifferenceParts::most_certain() const {
+  const DifferencePart* part = strongest_candidate();
+  return part != nullptr && part->p_holm <= kSignificant ? part : nullptr;
 }
 
 DifferenceParts difference_parts(const std::vector<PairedOpponent>& opponents,

@@ -47,7 +47,9 @@ struct DifferenceParts {
   std::vector<DifferencePart> others;     // finishing, saves, own goals
   DifferencePart goals;                   // chances + others: the difference in goals
 
-  // The part with the smallest p, if its p_holm is at most 0.05; otherwise nullptr.
+  // The part with the smallest p, other than the sums; nullptr without parts.
+  const DifferencePart* strongest_candidate() const;
+  // The same part if its p_holm is at most kSignificant; otherwise nullptr.
   const DifferencePart* most_certain() const;
 };
 

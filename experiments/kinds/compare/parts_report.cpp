@@ -93,10 +93,16 @@ std::string goals_with_interval(double mean, const std::optional<Interval>& inte
 }
 
 std::string most_certain_text(const DifferenceParts& parts) {
-  const DifferencePart* part = parts.most_certain();
-  if (part == nullptr) return "No single part of the difference is certain.";
-  return fmt::format("Most certain part of the difference: {}, {}.", part->name,
-                     goals_with_interval(part->mean, part->interval));
+  const DifferencePart* part = parts.strongest_candidate();
+  const char* const uncertain = "No single part of the difference is certain.";
+  if (part == nullptr || part->p > kSignificant) return uncertain;
+  const std::string named =
+      fmt::format("{}, {}", part->name, goals_with_interval(part->mean, part->interval));
+  if (part == parts.most_certain())
+    return fmt::format("Most certain part of the difference: {}.", named);
+  return fmt::format(
+      "{} The strongest candidate: {}; p = {:.2g}, corrected for the number of parts.", uncertain,
+      named, part->p_holm);
 }
 
 io::TextBlocks parts_table(const DifferenceParts& parts, bool has_opponents) {

@@ -20,7 +20,8 @@ std::string mean_with_interval(double mean, const std::optional<Interval>& inter
 std::string goals_with_interval(double mean, const std::optional<Interval>& interval);
 
 // "Most certain part of the difference: chances from corner kicks, -0.16 goals per game [-0.22,
-// -0.10]."
+// -0.10]." If only the correction for the number of parts makes that part uncertain: "No single
+// part of the difference is certain. The strongest candidate: ...".
 std::string most_certain_text(const DifferenceParts& parts);
 
 // The parts that are not zero, and their sums. `has_opponents`: whether there are common

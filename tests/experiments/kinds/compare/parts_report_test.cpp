@@ -47,8 +47,21 @@ TEST(PartsReport, NamesTheMostCertainPart) {
 
 TEST(PartsReport, SaysThatNoPartIsCertain) {
   DifferenceParts parts = some_parts();
-  parts.by_start[0].p_holm = 0.2;
+  parts.by_start[0].p = 0.06;
+  parts.by_start[0].p_holm = 0.9;
   EXPECT_EQ(most_certain_text(parts), "No single part of the difference is certain.");
+  EXPECT_EQ(most_certain_text({}), "No single part of the difference is certain.");
+}
+
+TEST(PartsReport, NamesAPartThatOnlyTheCorrectionMakesUncertain) {
+  DifferenceParts parts = some_parts();
+  parts.by_start[0].p = 0.0133;
+  parts.by_start[0].p_holm = 0.2;
+  EXPECT_EQ(
+      most_certain_text(parts),
+      "No single part of the difference is certain. The strongest candidate: chances from corner "
+      "kicks, -0.16 goals per game [-0.22, -0.10]; p = 0.2, corrected for the number of "
+      "parts.");
 }
 
 TEST(PartsReport, MarksCertainPartsButNotSums) {
