@@ -52,17 +52,19 @@ const sim::RobotState* nearest_to(const Vec2& point_m, const auto& robots) {
 
 constexpr ChanceModel kModels[] = {
 #define AUTOREF_CHANCES(...) {__VA_ARGS__},
-#define AUTOREF_COEFFICIENTS(...) \
-  { __VA_ARGS__ }
+#define AUTOREF_CHANCE_MODEL(upper_limit, ...) \
+  {                                            \
+    upper_limit, { __VA_ARGS__ }               \
+  }
 #include "game/play_counts/chances.def"
-#undef AUTOREF_COEFFICIENTS
+#undef AUTOREF_CHANCE_MODEL
 #undef AUTOREF_CHANCES
 };
 
 }  // namespace
 
-GoalOpening goal_opening(RobotId robot, const Vec2& ball_m, const sim::WorldState& now,
-                         const Field& field) {
+double widest_opening_rad(RobotId robot, const Vec2& ball_m, const sim::WorldState& now,
+                          const Field& field) {
   const Vec2 centre_m = field.goal_centre_m(opponent_of(robot.side));
   const double half_m = field.half_goal_m() - kBallRadius_m;
   // In the order in which the shooter sees them, so that the sums are the same for both teams.
@@ -70,7 +72,7 @@ GoalOpening goal_opening(RobotId robot, const Vec2& ball_m, const sim::WorldStat
   const auto seen_m = [&](double share) {
     return Vec2(centre_m + Vec2(0, signed_half_m * share) - ball_m);
   };
-  GoalOpening opening;
+  double widest_rad = 0;
   double run_rad = 0;
   for (int i = 0; i < kGoalParts; ++i) {
     const double share = (2.0 * i + 1) / kGoalParts - 1;  // the middle of the part
@@ -83,10 +85,9 @@ GoalOpening goal_opening(RobotId robot, const Vec2& ball_m, const sim::WorldStat
     const double part_rad =
         std::abs(angle_between(seen_m(share - half_part), seen_m(share + half_part)));
     run_rad = is_covered ? 0 : run_rad + part_rad;
-    opening.open_rad += is_covered ? 0 : part_rad;
-    opening.widest_rad = std::max(opening.widest_rad, run_rad);
+    widest_rad = std::max(widest_rad, run_rad);
   }
-  return opening;
+  return widest_rad;
 }
 
 ShotSituation shot_situation(const sim::Touch& kick, const ShotPath& path,
@@ -98,7 +99,7 @@ ShotSituation shot_situation(const sim::Touch& kick, const ShotPath& path,
   situation.distance_m = (goal_m - kick.ball_m).norm();
   situation.time_s = situation.distance_m / std::max(kick.ball_mps.norm(), 1e-3);
   situation.is_chip = kick.vertical_mps > 0;
-  situation.opening = goal_opening(kick.robot, kick.ball_m, now, field);
+  situation.opening_rad = widest_opening_rad(kick.robot, kick.ball_m, now, field);
   const sim::RobotState* keeper = nearest_to(goal_m, now.robots[defenders]);
   if (keeper != nullptr) {
     situation.keeper_m = distance_to_segment(keeper->position_m, kick.ball_m, goal_m);
@@ -120,8 +121,7 @@ ShotSituation shot_situation(const sim::Touch& kick, const ShotPath& path,
 
 std::array<double, kChanceFeatures> chance_features(const ShotSituation& situation) {
   return {1,
-          std::sqrt(situation.opening.widest_rad),
-          situation.opening.open_rad,
+          std::sqrt(situation.opening_rad),
           std::min(situation.distance_m / kLongest_m, 1.0),
           std::min(situation.time_s, kLongest_s),
           std::min(situation.keeper_m, kKeeperAside_m),
@@ -150,12 +150,11 @@ std::array<double, kTargetFeatures> target_features(const ShotSituation& situati
 }
 
 double ChanceModel::chance(const ShotSituation& situation) const {
-  return probability(coefficients, chance_features(situation));
+  return without_path.probability(chance_features(situation));
 }
 
 double ChanceModel::chance_on_target(const ShotSituation& situation) const {
-  return situation.path.is_on_target ? probability(target_coefficients, target_features(situation))
-                                     : 0;
+  return situation.path.is_on_target ? with_path.probability(target_features(situation)) : 0;
 }
 
 std::span<const ChanceModel> chance_models() { return kModels; }

@@ -6,9 +6,10 @@
 // goals on target), so their difference measures the aim, and the difference between goals and xGOT
 // measures the defence.
 //
-// Both are logistic models. scripts/fit-chances fitted their coefficients (chances.def) to shots in
-// simulated games, separately for each rule book. results/reference/chances shows how well they
-// hold for a team whose games were left out.
+// Both are logistic models with an upper limit, because even the best shot may miss or hit a robot.
+// scripts/fit-chances fitted the limits and coefficients (chances.def) to shots in simulated games,
+// separately for each rule book. results/reference/chances shows how well they hold for teams whose
+// games were left out.
 #pragma once
 
 #include <array>
@@ -34,19 +35,16 @@ struct ShotPath {
 // Distances to opponents are at most this, also if there are none.
 inline constexpr double kNoOpponent_m = 5.0;
 
-// How much of the opponents' goal a robot sees from the ball.
-struct GoalOpening {
-  double open_rad = 0;    // the angle of the goal that no other robot covers
-  double widest_rad = 0;  // the widest connected part of it
-};
-GoalOpening goal_opening(RobotId robot, const Vec2& ball_m, const sim::WorldState& now,
-                         const Field& field);
+// The angle in rad, seen from the ball, of the widest part of the opponents' goal that no robot
+// covers. `robot`, the shooter, does not count.
+double widest_opening_rad(RobotId robot, const Vec2& ball_m, const sim::WorldState& now,
+                          const Field& field);
 
 // What is known about a shot when it is taken. The keeper is the opponent nearest to the centre of
 // its goal. Distances are measured to robots' centres.
 struct ShotSituation {
-  double distance_m = 0;  // from the ball to the centre of the opponents' goal
-  GoalOpening opening;
+  double distance_m = 0;                // from the ball to the centre of the opponents' goal
+  double opening_rad = 0;               // widest_opening_rad() from the kicker
   double time_s = 0;                    // distance_m divided by the speed of the kick
   double keeper_m = kNoOpponent_m;      // from the keeper to the segment from ball to goal centre
   double keeper_out_m = kNoOpponent_m;  // from the keeper to its goal's centre
@@ -63,12 +61,12 @@ ShotSituation shot_situation(const sim::Touch& kick, const ShotPath& path,
                              const sim::WorldState& now, const Field& field);
 
 // The features of the two models; the first one of each is always 1.
-inline constexpr std::size_t kChanceFeatures = 10;
+inline constexpr std::size_t kChanceFeatures = 9;
 inline constexpr std::size_t kTargetFeatures = 12;
 std::array<double, kChanceFeatures> chance_features(const ShotSituation& situation);
 std::array<double, kTargetFeatures> target_features(const ShotSituation& situation);
 
-// The logistic model's probability.
+// A logistic model's probability.
 template <std::size_t kCount>
 double probability(const std::array<double, kCount>& coefficients,
                    const std::array<double, kCount>& features) {
@@ -77,11 +75,22 @@ double probability(const std::array<double, kCount>& coefficients,
   return 1 / (1 + exponential(-score));
 }
 
+// A logistic model whose probability is multiplied by an upper limit.
+template <std::size_t kCount>
+struct LimitedModel {
+  double upper_limit = 1;  // from 0 to 1
+  std::array<double, kCount> coefficients{};
+
+  double probability(const std::array<double, kCount>& features) const {
+    return upper_limit * game::probability(coefficients, features);
+  }
+};
+
 // The models for one rule book.
 struct ChanceModel {
-  std::string_view rules;  // name of the rule book
-  std::array<double, kChanceFeatures> coefficients{};
-  std::array<double, kTargetFeatures> target_coefficients{};
+  std::string_view rules;                      // name of the rule book
+  LimitedModel<kChanceFeatures> without_path;  // of the features of all shots
+  LimitedModel<kTargetFeatures> with_path;     // of those of shots on target
 
   // The probability, from 0 to 1, that the shot scores: xG.
   double chance(const ShotSituation& situation) const;

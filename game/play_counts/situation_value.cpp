@@ -55,7 +55,7 @@ std::array<double, kValueFeatures> value_features(const BallOwner& owner,
   const Vec2 ball_m = now.ball.position_m;
   const double forward = -goal_sign(owner.team);
   const NearestRobot own = nearest_robot(now, owner.team);
-  const GoalOpening opening = goal_opening({owner.team, own.number}, ball_m, now, field);
+  const double opening_rad = widest_opening_rad({owner.team, own.number}, ball_m, now, field);
   const double goal_m = (field.goal_centre_m(opponents) - ball_m).norm();
   const double forward_mps = forward * now.ball.velocity_mps.x();
   return {1,
@@ -63,7 +63,7 @@ std::array<double, kValueFeatures> value_features(const BallOwner& owner,
           0,
           0,
           exponential(-goal_m / kNearGoal_m),
-          std::sqrt(opening.widest_rad),
+          std::sqrt(opening_rad),
           closeness(nearest_robot(now, opponents).distance_m),
           closeness(own.distance_m),
           std::clamp(forward_mps / kFastBall_mps, -1.0, 1.0),

@@ -39,7 +39,7 @@ inline constexpr std::size_t kValueFeatures = 10;
 //   1 for a restart, otherwise 0
 //   1 for a penalty kick, otherwise 0
 //   closeness of the ball to the opponents' goal, from 0 to 1 (exponential, scale 2 m) *
-//   root of the widest open angle of the goal from the ball, in rad (GoalOpening) *
+//   root of the widest open angle of the goal from the ball, in rad (widest_opening_rad()) *
 //   closeness of the nearest opponent to the ball (exponential, scale 0.3 m) *
 //   closeness of the owner's nearest robot to the ball (likewise) *
 //   the ball's forward speed divided by 4 m/s, at most 1 in size *

@@ -1,119 +1,116 @@
 // Fits the chances of shots (game/play_counts/chance.hpp) to shots in simulated games.
 //
-//   chance_fit SHOTS FOLDER
+//   chance_fit SHOTS KEPT FOLDER
 //
-// For each rule book, plays games without the team that is left out (fitted_games.hpp) until SHOTS
-// shots have been taken, and prints game/play_counts/chances.def with the coefficients fitted to
-// them. Then plays games of the team left out, until it has taken a fifth as many shots, and writes
-// to FOLDER how well the chances of these shots hold: chances.csv has one row per rule book and
-// model, and reliability.csv one row per range of predicted chances.
+// For each rule book, reads SHOTS shots from the folder KEPT, or plays games and keeps their shots
+// there (kept_shots.hpp), and prints game/play_counts/chances.def with what is fitted to them. The
+// models are tested on a fifth as many shots by the team that is left out: FOLDER/chances.csv has
+// one row per rule book and model, and reliability.csv one row per range of predicted chances. Then
+// each other team is left out in turn: the models are fitted to the games without it and tested on
+// its shots. teams.csv has one row per rule book, model and team.
 #include <fmt/format.h>
 
-#include <array>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
-#include <sstream>
+#include <set>
 #include <stdexcept>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 #include "game/play_counts/chance.hpp"
 #include "tools/fitting/fitted_games.hpp"
+#include "tools/fitting/kept_shots.hpp"
 #include "tools/fitting/logistic_fit.hpp"
 #include "tools/fitting/scores.hpp"
 
 namespace autoref::tools {
 namespace {
 
-constexpr std::size_t kMostBatches = 1000;
 constexpr int kTestShare = 5;
 
-// Of the two models, the second only for shots on target.
-struct FittedShots {
+// The samples of the two models; the second one is only about shots on target.
+struct Samples {
   std::vector<LogisticSample<game::kChanceFeatures>> all;
   std::vector<LogisticSample<game::kTargetFeatures>> on_target;
 };
 
-// The shots of a game, one per line.
-class ShotLines final : public GameText {
- public:
-  // `team`: the only one whose shots count; empty: both teams.
-  ShotLines(const game::GameConfiguration& game, std::string team)
-      : game_(game), team_(std::move(team)) {}
-
-  void on_shot(const game::Shot& shot) override {
-    if (!shot.situation) return;
-    if (!team_.empty() && game::team_on(game_, shot.team).strategy != team_) return;
-    text_ += fmt::format("{:d} {:d} {} {}\n", shot.has_scored, shot.situation->path.is_on_target,
-                         fmt::join(game::chance_features(*shot.situation), " "),
-                         fmt::join(game::target_features(*shot.situation), " "));
+Samples samples_of(const std::vector<KeptShot>& shots, auto&& is_counted) {
+  Samples samples;
+  for (const KeptShot& shot : shots) {
+    if (!is_counted(shot)) continue;
+    samples.all.push_back({game::chance_features(shot.situation), shot.has_scored});
+    if (shot.situation.path.is_on_target)
+      samples.on_target.push_back({game::target_features(shot.situation), shot.has_scored});
   }
-  std::string text(const game::GameRecord& /*record*/) const override { return text_ + "\n"; }
+  return samples;
+}
 
- private:
-  const game::GameConfiguration& game_;
-  std::string team_;
-  std::string text_;
-};
+// Fits both models, and adds how well they hold for the tests.
+game::ChanceModel fit(std::string_view rules, const std::string& left_out, const Samples& samples,
+                      const Samples& tests, Scores& scores) try {
+  const game::ChanceModel models = {rules, fit_limited_logistic(samples.all),
+                                    fit_limited_logistic(samples.on_target)};
+  const std::string book(rules);
+  add_scores({book, "xg", left_out}, predictions_of(models.without_path, samples.all),
+             predictions_of(models.without_path, tests.all), scores);
+  add_scores({book, "xgot", left_out}, predictions_of(models.with_path, samples.on_target),
+             predictions_of(models.with_path, tests.on_target), scores);
+  return models;
+} catch (const std::runtime_error& error) {
+  throw std::runtime_error(fmt::format("{} without {}: {}", rules, left_out, error.what()));
+}
 
-// Adds the shots of a game until there are enough.
-void add_shots(const std::string& text, std::size_t enough, FittedShots& shots) {
-  std::istringstream lines(text);
-  LogisticSample<game::kChanceFeatures> shot;
-  LogisticSample<game::kTargetFeatures> on_target;
-  for (bool is_on_target = false;
-       shots.all.size() < enough && lines >> shot.has_happened >> is_on_target;) {
-    for (double& feature : shot.features) lines >> feature;
-    for (double& feature : on_target.features) lines >> feature;
-    on_target.has_happened = shot.has_happened;
-    shots.all.push_back(shot);
-    if (is_on_target) shots.on_target.push_back(on_target);
+// Adds how well models hold for each team if they are fitted without it.
+void add_teams(std::string_view rules, const std::vector<KeptShot>& shots, Scores& scores) {
+  std::set<std::string> teams;
+  for (const KeptShot& shot : shots) teams.insert(shot.team);
+  for (const std::string& team : teams) {
+    const auto is_without_team = [&](const KeptShot& shot) {
+      return shot.team != team && shot.opponent != team;
+    };
+    const auto is_by_team = [&](const KeptShot& shot) { return shot.team == team; };
+    fit(rules, team, samples_of(shots, is_without_team), samples_of(shots, is_by_team), scores);
   }
 }
 
-FittedShots shots_of_games(const std::string& rules, Purpose purpose, std::size_t enough) {
-  const std::string team = purpose == Purpose::kTest ? kLeftOut : "";
-  const auto make = [&team](const game::GameConfiguration& game) {
-    return std::make_unique<ShotLines>(game, team);
-  };
-  FittedShots shots;
-  for (std::size_t batch = 0; shots.all.size() < enough && batch < kMostBatches; ++batch) {
-    for (const std::string& text : texts_of_batch(rules, purpose, batch, make))
-      add_shots(text, enough, shots);
-  }
-  if (shots.all.size() < enough) throw std::runtime_error("too few shots under the rules " + rules);
-  return shots;
+std::string text_of(const auto& model) {
+  return fmt::format("AUTOREF_CHANCE_MODEL({:.2f}, {:.3f})", model.upper_limit,
+                     fmt::join(model.coefficients, ", "));
 }
 
-void fit(const std::string& rules, std::size_t enough, Scores& scores) {
-  const FittedShots shots = shots_of_games(rules, Purpose::kFit, enough);
-  const FittedShots tests = shots_of_games(rules, Purpose::kTest, enough / kTestShare);
-  const auto chances = fit_logistic(shots.all);
-  const auto on_target = fit_logistic(shots.on_target);
-  add_scores(rules, "xg", predictions_of(chances, shots.all), predictions_of(chances, tests.all),
-             scores);
-  add_scores(rules, "xgot", predictions_of(on_target, shots.on_target),
-             predictions_of(on_target, tests.on_target), scores);
-  fmt::print(
-      "AUTOREF_CHANCES(\"{}\",\n    AUTOREF_COEFFICIENTS({:.3f}),\n"
-      "    AUTOREF_COEFFICIENTS({:.3f}))\n",
-      rules, fmt::join(chances, ", "), fmt::join(on_target, ", "));
+void print(const game::ChanceModel& models) {
+  fmt::print("AUTOREF_CHANCES(\"{}\",\n    {},\n    {})\n", models.rules,
+             text_of(models.without_path), text_of(models.with_path));
   std::fflush(stdout);
 }
 
-int main_of(std::size_t shots, const std::filesystem::path& folder) {
+int main_of(std::size_t count, const std::filesystem::path& kept,
+            const std::filesystem::path& folder) {
   fmt::print(
-      "// How good a chance a shot is under each rule book: coefficients of the features in\n"
-      "// chance.hpp, without and with knowledge of the shot's path. Written by "
-      "scripts/fit-chances\n"
-      "// from {} shots per rule book by all teams except {}.\n",
-      shots, teams_left_out());
+      "// How good a chance a shot is under each rule book: upper limit of the chance, and\n"
+      "// coefficients of the features in chance.hpp; first without, then with knowledge of the\n"
+      "// shot's path. Written by scripts/fit-chances from {} shots per rule book by all teams\n"
+      "// except {}.\n",
+      count, teams_left_out());
   Scores scores;
-  for (const game::ChanceModel& model : game::chance_models())
-    fit(std::string(model.rules), shots, scores);
-  write_scores(scores, {"shots", "goals"}, folder, "chances");
+  Scores of_teams;
+  const auto is_any = [](const KeptShot&) { return true; };
+  for (const game::ChanceModel& model : game::chance_models()) {
+    const std::string rules(model.rules);
+    const std::vector<KeptShot> shots = shots_under(rules, Purpose::kFit, count, kept);
+    const std::vector<KeptShot> tests =
+        shots_under(rules, Purpose::kTest, count / kTestShare, kept);
+    print(fit(model.rules, kLeftOut, samples_of(shots, is_any), samples_of(tests, is_any), scores));
+    add_teams(model.rules, shots, of_teams);
+  }
+  const PredictedThings things = {"shots", "goals"};
+  write_models(scores, things, folder / "chances.csv");
+  write_reliability(scores, things, folder / "reliability.csv");
+  write_models(of_teams, things, folder / "teams.csv");
   return 0;
 }
 
@@ -121,9 +118,12 @@ int main_of(std::size_t shots, const std::filesystem::path& folder) {
 }  // namespace autoref::tools
 
 int main(int argc, char** argv) try {
-  const int shots = argc == 3 ? std::atoi(argv[1]) : 0;
-  if (shots < 1) return 2;
-  return autoref::tools::main_of(static_cast<std::size_t>(shots), argv[2]);
+  const int shots = argc == 4 ? std::atoi(argv[1]) : 0;
+  if (shots < 1) {
+    std::fprintf(stderr, "usage: chance_fit SHOTS KEPT FOLDER\n");
+    return 2;
+  }
+  return autoref::tools::main_of(static_cast<std::size_t>(shots), argv[2], argv[3]);
 } catch (const std::exception& error) {
   std::fprintf(stderr, "chance_fit: %s\n", error.what());
   return 1;

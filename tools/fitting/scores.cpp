@@ -36,23 +36,18 @@ ReliabilityRow row_of_range(double from, double to, const Predictions& tested) {
   return row;
 }
 
-std::string csv_of(const auto& columns, const auto& rows) {
-  return io::csv_text(io::table_rows(columns, rows));
-}
-
 }  // namespace
 
-void add_scores(const std::string& rules, const std::string& model, const Predictions& fitted,
-                const Predictions& tested, Scores& scores) {
+void add_scores(const ModelName& name, const Predictions& fitted, const Predictions& tested,
+                Scores& scores) {
   double rate = 0;
   for (const Prediction& one : fitted)
     rate += as_number(one.has_happened) / static_cast<double>(fitted.size());
   ScoredModel row;
-  row.rules = rules;
-  row.model = model;
+  row.name = name;
   row.fitted = static_cast<int>(fitted.size());
   row.tested = static_cast<int>(tested.size());
-  row.expected = row.brier = row.brier_of_rate = 0;
+  if (!tested.empty()) row.expected = row.brier = row.brier_of_rate = 0;
   for (const Prediction& one : tested) {
     const double happened = as_number(one.has_happened);
     row.happened += one.has_happened ? 1 : 0;
@@ -63,36 +58,39 @@ void add_scores(const std::string& rules, const std::string& model, const Predic
   scores.models.push_back(row);
   for (std::size_t i = 0; i + 1 < kBounds.size(); ++i) {
     ReliabilityRow range = row_of_range(kBounds[i], kBounds[i + 1], tested);
-    range.rules = rules;
-    range.model = model;
+    range.name = name;
     scores.reliability.push_back(range);
   }
 }
 
-void write_scores(const Scores& scores, const PredictedThings& things,
-                  const std::filesystem::path& folder, const std::string& name) {
-  io::PendingFile(folder / (name + ".csv"))
-      .commit(csv_of(
-          io::TableColumns<ScoredModel>{{"rules", &ScoredModel::rules},
-                                        {"model", &ScoredModel::model},
-                                        {"fitted_" + things.cases, &ScoredModel::fitted},
-                                        {"tested_" + things.cases, &ScoredModel::tested},
-                                        {things.happened, &ScoredModel::happened},
-                                        {"expected_" + things.happened, &ScoredModel::expected},
-                                        {"brier", &ScoredModel::brier},
-                                        {"brier_of_rate", &ScoredModel::brier_of_rate}},
-          scores.models));
-  io::PendingFile(folder / "reliability.csv")
-      .commit(csv_of(io::TableColumns<ReliabilityRow>{{"rules", &ReliabilityRow::rules},
-                                                      {"model", &ReliabilityRow::model},
-                                                      {"from", &ReliabilityRow::from},
-                                                      {"to", &ReliabilityRow::to},
-                                                      {things.cases, &ReliabilityRow::cases},
-                                                      {"predicted", &ReliabilityRow::predicted},
-                                                      {"happened", &ReliabilityRow::happened},
-                                                      {"low95", &ReliabilityRow::low},
-                                                      {"high95", &ReliabilityRow::high}},
-                     scores.reliability));
+void write_models(const Scores& scores, const PredictedThings& things,
+                  const std::filesystem::path& file) {
+  const io::TableColumns<ScoredModel> columns = {
+      {"rules", [](const ScoredModel& row) { return row.name.rules; }},
+      {"model", [](const ScoredModel& row) { return row.name.model; }},
+      {"left_out", [](const ScoredModel& row) { return row.name.left_out; }},
+      {"fitted_" + things.cases, &ScoredModel::fitted},
+      {"tested_" + things.cases, &ScoredModel::tested},
+      {things.happened, &ScoredModel::happened},
+      {"expected_" + things.happened, &ScoredModel::expected},
+      {"brier", &ScoredModel::brier},
+      {"brier_of_rate", &ScoredModel::brier_of_rate}};
+  io::PendingFile(file).commit(io::csv_text(io::table_rows(columns, scores.models)));
+}
+
+void write_reliability(const Scores& scores, const PredictedThings& things,
+                       const std::filesystem::path& file) {
+  const io::TableColumns<ReliabilityRow> columns = {
+      {"rules", [](const ReliabilityRow& row) { return row.name.rules; }},
+      {"model", [](const ReliabilityRow& row) { return row.name.model; }},
+      {"from", &ReliabilityRow::from},
+      {"to", &ReliabilityRow::to},
+      {things.cases, &ReliabilityRow::cases},
+      {"predicted", &ReliabilityRow::predicted},
+      {"happened", &ReliabilityRow::happened},
+      {"low95", &ReliabilityRow::low},
+      {"high95", &ReliabilityRow::high}};
+  io::PendingFile(file).commit(io::csv_text(io::table_rows(columns, scores.reliability)));
 }
 
 }  // namespace autoref::tools

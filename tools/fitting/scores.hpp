@@ -21,9 +21,15 @@ struct PredictedThings {
   std::string happened;  // "goals"
 };
 
-struct ScoredModel {
+// Which model is scored.
+struct ModelName {
   std::string rules;
   std::string model;
+  std::string left_out;  // the team left out of the fit; its games test the model
+};
+
+struct ScoredModel {
+  ModelName name;
   int fitted = 0;  // number of cases
   int tested = 0;
   int happened = 0;                     // number of tested cases in which it happened
@@ -34,8 +40,7 @@ struct ScoredModel {
 
 // The tested cases in a range of predicted probabilities.
 struct ReliabilityRow {
-  std::string rules;
-  std::string model;
+  ModelName name;
   std::optional<double> from;
   std::optional<double> to;
   int cases = 0;
@@ -52,11 +57,15 @@ struct Scores {
 
 // Adds a row about the model, and a row for each range of probabilities; the ranges are narrower
 // near 0.
-void add_scores(const std::string& rules, const std::string& model, const Predictions& fitted,
-                const Predictions& tested, Scores& scores);
+void add_scores(const ModelName& name, const Predictions& fitted, const Predictions& tested,
+                Scores& scores);
 
-// Writes FOLDER/NAME.csv and FOLDER/reliability.csv.
-void write_scores(const Scores& scores, const PredictedThings& things,
-                  const std::filesystem::path& folder, const std::string& name);
+// Writes one row per model.
+void write_models(const Scores& scores, const PredictedThings& things,
+                  const std::filesystem::path& file);
+
+// Writes one row per model and range of probabilities, without the team left out.
+void write_reliability(const Scores& scores, const PredictedThings& things,
+                       const std::filesystem::path& file);
 
 }  // namespace autoref::tools

@@ -45,7 +45,7 @@ game::ValueModel fit_values(const std::string& rules, const std::vector<SpellSam
     scores.push_back({spell.ball.features, spell.has_scored});
     concedes.push_back({spell.ball.features, spell.has_conceded});
   }
-  return {rules, fit_logistic(scores), fit_logistic(concedes)};
+  return {rules, fit_logistic(scores).coefficients, fit_logistic(concedes).coefficients};
 }
 
 Predictions value_predictions(const game::ValueModel& values,
@@ -140,7 +140,8 @@ FittedText fit(const std::string& rules, std::size_t batches, Scores& scores) {
   const auto add_value_scores = [&](const std::string& model,
                                     double game::SituationValue::*predicted,
                                     bool SpellSample::*has_happened) {
-    add_scores(rules, model, value_predictions(values, samples.spells, predicted, has_happened),
+    add_scores({rules, model, kLeftOut},
+               value_predictions(values, samples.spells, predicted, has_happened),
                value_predictions(values, tests.spells, predicted, has_happened), scores);
   };
   add_value_scores("scores", &game::SituationValue::scores, &SpellSample::has_scored);
@@ -151,7 +152,7 @@ FittedText fit(const std::string& rules, std::size_t batches, Scores& scores) {
   const auto add_result_scores = [&](const std::string& name,
                                      double game::WinProbability::*predicted, int result) {
     for (int quarter = 1; quarter < kQuarters; ++quarter) {
-      add_scores(rules, fmt::format("{}_after_{}", name, quarter),
+      add_scores({rules, fmt::format("{}_after_{}", name, quarter), kLeftOut},
                  result_predictions(win, samples.played, quarter, predicted, result),
                  result_predictions(win, tests.played, quarter, predicted, result), scores);
     }
@@ -186,7 +187,9 @@ int main_of(std::size_t batches, const std::filesystem::path& folder) {
   }
   io::PendingFile(folder / "situation_values.def").commit(text.values);
   io::PendingFile(folder / "win_models.def").commit(text.wins);
-  write_scores(scores, {"cases", "happened"}, folder, "win-probability");
+  const PredictedThings things = {"cases", "happened"};
+  write_models(scores, things, folder / "win-probability.csv");
+  write_reliability(scores, things, folder / "reliability.csv");
   return 0;
 }
 

@@ -37,8 +37,7 @@ TEST(ShotSituation, MeasuresAnOpenGoal) {
   // The goal is 0.7 m wide, less the ball's diameter: 2 atan(0.3285 / 2).
   const double goal_rad = 2 * std::atan(0.3285 / 2);
   EXPECT_DOUBLE_EQ(shot.distance_m, 2);
-  EXPECT_NEAR(shot.opening.open_rad, goal_rad, 1e-6);
-  EXPECT_NEAR(shot.opening.widest_rad, goal_rad, 1e-6);
+  EXPECT_NEAR(shot.opening_rad, goal_rad, 1e-6);
   EXPECT_NEAR(shot.time_s, 2 / std::hypot(4, 0.2), 1e-9);
   EXPECT_EQ(shot.keeper_m, kNoOpponent_m);
   EXPECT_EQ(shot.opponent_m, kNoOpponent_m);
@@ -51,15 +50,24 @@ TEST(ShotSituation, SubtractsWhatRobotsCover) {
   scene.put({Side::kEast, 1}, {2.025, 0});
   const ShotSituation shot = scene.situation();
   const double side_rad = std::atan(0.3285 / 2) - std::asin(0.1115);
-  EXPECT_NEAR(shot.opening.open_rad, 2 * side_rad, 0.01);
-  EXPECT_NEAR(shot.opening.widest_rad, side_rad, 0.01);
+  EXPECT_NEAR(shot.opening_rad, side_rad, 0.01);
   EXPECT_NEAR(shot.opponent_m, 1, 1e-9);
+}
+
+TEST(ShotSituation, FindsTheWidestPartOfTheGoal) {
+  for (const double aside_m : {-0.1, 0.1}) {
+    ShotScene scene;
+    scene.put({Side::kEast, 1}, {2.025, aside_m});
+    const double wide_rad =
+        std::atan(0.3285 / 2) + std::atan(0.1) - std::asin(0.1115 / std::hypot(1, 0.1));
+    EXPECT_NEAR(scene.situation().opening_rad, wide_rad, 0.01);
+  }
 }
 
 TEST(ShotSituation, IsCoveredByTheShootersMatesAsWell) {
   ShotScene scene;
   scene.put({Side::kWest, 2}, {1.225, 0});
-  EXPECT_EQ(scene.situation().opening.open_rad, 0);
+  EXPECT_EQ(scene.situation().opening_rad, 0);
 }
 
 TEST(ShotSituation, MeasuresTheKeeper) {
@@ -84,8 +92,7 @@ TEST(ShotSituation, KnowsChips) {
 TEST(ShotFeatures, AreLimitedMeasurements) {
   ShotSituation shot;
   shot.distance_m = 2.5;
-  shot.opening.open_rad = 0.3;
-  shot.opening.widest_rad = 0.25;
+  shot.opening_rad = 0.25;
   shot.time_s = 0.5;
   shot.keeper_m = 0.2;
   shot.keeper_out_m = 0.4;
@@ -94,8 +101,8 @@ TEST(ShotFeatures, AreLimitedMeasurements) {
   shot.path.time_s = 0.6;
   shot.keeper_to_path_m = 0.1;
   shot.others_to_path_m = 0.25;
-  const std::array<double, kChanceFeatures> chance = {1,   0.5, 0.3, 0.5,          0.5,
-                                                      0.2, 0.4, 1,   std::exp(-2), 0};
+  const std::array<double, kChanceFeatures> chance = {1,   0.5, 0.5,          0.5, 0.2,
+                                                      0.4, 1,   std::exp(-2), 0};
   const std::array<double, kTargetFeatures> target = {1,    0.1, 0.25, 0.6, 0.36,         0.06,
                                                       0.15, 1,   0,    1,   std::exp(-2), 0};
   for (std::size_t i = 0; i < chance.size(); ++i)

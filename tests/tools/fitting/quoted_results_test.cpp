@@ -3,7 +3,10 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
+#include <regex>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -63,6 +66,37 @@ TEST(QuotedResults, OfChancesAreThoseOfTheFit) {
                    row.at("goals"), rounded(row.at("expected_goals"), 0),
                    rounded(row.at("brier"), 3), rounded(row.at("brier_of_rate"), 3)});
   }
+}
+
+// The rows of the teams left out, with expected goals in percent of the goals, in their order.
+std::vector<std::pair<int, CsvRow>> shares_of_goals(const std::string& model) {
+  std::vector<std::pair<int, CsvRow>> shares;
+  for (const CsvRow& row : rows_of_reference("chances/teams.csv")) {
+    if (row.at("model") != model) continue;
+    shares.emplace_back(static_cast<int>(std::lround(100 * std::stod(row.at("expected_goals")) /
+                                                     std::stod(row.at("goals")))),
+                        row);
+  }
+  std::sort(shares.begin(), shares.end());
+  return shares;
+}
+
+TEST(QuotedResults, OfTeamsLeftOutAreThoseOfTheFit) {
+  const std::string page =
+      std::regex_replace(content_of(in_checkout("results/README.md")), std::regex("\n"), " ");
+  const auto xg = shares_of_goals("xg");
+  const auto xgot = shares_of_goals("xgot");
+  ASSERT_EQ(xg.size(), 35U);
+  ASSERT_EQ(xgot.size(), 35U);
+  const auto expect_text = [&](const std::string& text) { EXPECT_TRUE(has(page, text)) << text; };
+  expect_text(
+      fmt::format("For 33 of 35 teams and rule books, xG is between {} and {} % of the goals.",
+                  xg[1].first, xg[33].first));
+  expect_text(fmt::format("{} % for `{}` and {} % for `{}`, both under the rules of {}",
+                          xg[0].first, xg[0].second.at("left_out"), xg[34].first,
+                          xg[34].second.at("left_out"), xg[0].second.at("rules")));
+  EXPECT_EQ(xg[0].second.at("rules"), xg[34].second.at("rules"));
+  expect_text(fmt::format("between {} and {} % in 32 of 35", xgot[1].first, xgot[32].first));
 }
 
 TEST(QuotedResults, OfSituationsAreThoseOfTheFit) {
