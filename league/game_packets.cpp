@@ -1,6 +1,7 @@
 #include "league/game_packets.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -27,7 +28,12 @@ GamePackets::GamePackets(const Field& field, std::vector<CameraPosition> cameras
     : cameras_(std::move(cameras)),
       teams_(std::move(teams)),
       times_(times),
-      packets_(cameras_.size()) {
+      packets_(cameras_.size()),
+      in_order_(cameras_.size()) {
+  std::iota(in_order_.begin(), in_order_.end(), std::size_t{0});
+  std::stable_sort(in_order_.begin(), in_order_.end(), [this](std::size_t a, std::size_t b) {
+    return cameras_[a].age_s > cameras_[b].age_s;
+  });
   fill_geometry(field, cameras_, *geometry_.mutable_geometry());
   geometry_.set_source(kOtherSource);
 }
@@ -69,7 +75,8 @@ void GamePackets::add_vision(const Frame& frame, const OtherDetections& others,
   Frame seen = published(frame, blue_on_positive_half);
   seen.time_s += times_.start_s;
   fill_detections(seen, cameras_, packets_, published(others, blue_on_positive_half));
-  for (const VisionPacket& packet : packets_) sink.on_vision(frame.time_s, packet);
+  for (const std::size_t camera : in_order_)
+    sink.on_vision(std::max(0.0, frame.time_s - cameras_[camera].age_s), packets_[camera]);
 }
 
 void GamePackets::add_referee(const RefereeSignal& signal, double time_s, PacketSink& sink) {

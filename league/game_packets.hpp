@@ -20,8 +20,8 @@
 
 namespace autoref::league {
 
-// Receives the packets of a game. `time_s` is the time of the frame; references are valid only
-// during the call.
+// Receives the packets of a game. `time_s` is the time of a vision packet's capture, or of the
+// frame; references are valid only during the call.
 class PacketSink {
  public:
   virtual ~PacketSink() = default;
@@ -36,7 +36,8 @@ struct PacketTimes {
   double start_s = 0;  // time that the packets give for the game's first frame
 };
 
-// Every camera sends one packet per frame, in addition to the geometry; the referee sends packets
+// Every camera sends one packet per frame, in the order of their captures, in addition to the
+// geometry; the referee sends packets
 // regularly and whenever its signal changes. Referee packets contain the game events since play was
 // last on, or only the newest ones if all of them would exceed kLongestPacket. All packets show
 // each team at its current end (soccer/referee_signal.hpp).
@@ -81,6 +82,7 @@ class GamePackets {
   PacketTimes times_;
   VisionPacket geometry_;
   std::vector<VisionPacket> packets_;  // one per camera
+  std::vector<std::size_t> in_order_;  // the cameras, by the times of their captures
   RefereePacket referee_;              // the last packet sent
   std::vector<Command> sent_;          // commands sent during the current frame
   std::vector<GameEvent> events_;      // events since play was last on

@@ -57,10 +57,10 @@ void fill_ball(const BallObservation& seen, float confidence, DetectionBall& bal
   ball.set_pixel_y(0);
 }
 
-void start(const Frame& frame, std::uint32_t camera, DetectionFrame& detection) {
+void start(const Frame& frame, std::uint32_t camera, double age_s, DetectionFrame& detection) {
   detection.Clear();
   detection.set_frame_number(static_cast<std::uint32_t>(frame.number));
-  detection.set_t_capture(frame.time_s);
+  detection.set_t_capture(frame.time_s - age_s);
   detection.set_t_sent(frame.time_s);
   detection.set_camera_id(camera);
 }
@@ -123,7 +123,7 @@ void fill_detections(const Frame& frame, std::span<const CameraPosition> cameras
                      std::span<VisionPacket> packets, const OtherDetections& others) {
   for (std::size_t i = 0; i < packets.size(); ++i) {
     packets[i].set_source(kOtherSource);
-    start(frame, static_cast<std::uint32_t>(i), *packets[i].mutable_detection());
+    start(frame, static_cast<std::uint32_t>(i), cameras[i].age_s, *packets[i].mutable_detection());
   }
   fill_robots(frame.robots, kSure, cameras, packets);
   fill_robots(others.robots, kUnsure, cameras, packets);

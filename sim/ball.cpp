@@ -81,7 +81,7 @@ void Ball::hold(double duration_s) {
 // One step of Coulomb friction. Friction slows the ball by `lost` and spins it up by inertia *
 // lost, so sliding removes (1 + inertia) * lost from the slip. If the slip is smaller than that, it
 // vanishes within the step and the ball rolls.
-Vec2 Ball::slowed(const Vec2& velocity_mps, double duration_s) {
+Vec2 Ball::slowed(const Vec2& velocity_mps, double duration_s, double rest_mps) {
   if (is_in_air()) return velocity_mps;
   const double lost_mps = parameters_.slide_mps2 * duration_s;
   const Vec2 slip_mps = velocity_mps - spin_mps_;
@@ -98,7 +98,7 @@ Vec2 Ball::slowed(const Vec2& velocity_mps, double duration_s) {
   const double speed = rolling_mps.norm();
   const double slowing_mps2 = parameters_.roll_mps2 + parameters_.roll_per_s * speed;
   const double left = speed - slowing_mps2 * duration_s;
-  spin_mps_ = left < parameters_.rest_mps ? Vec2(0.0, 0.0) : Vec2(rolling_mps * (left / speed));
+  spin_mps_ = left < rest_mps ? Vec2(0.0, 0.0) : Vec2(rolling_mps * (left / speed));
   return spin_mps_;
 }
 

@@ -35,8 +35,9 @@ class Ball {
   // or bounces.
   void hold(double duration_s);
 
-  // Returns the velocity after `duration_s` on the carpet; unchanged in the air.
-  Vec2 slowed(const Vec2& velocity_mps, double duration_s);
+  // Returns the velocity after `duration_s` on the carpet; unchanged in the air. A rolling ball
+  // that is slower than `rest_mps` comes to rest.
+  Vec2 slowed(const Vec2& velocity_mps, double duration_s, double rest_mps);
   // Returns the velocity after `duration_s` of flight, including landings; unchanged on the carpet.
   Vec2 flown(const Vec2& velocity_mps, double duration_s);
   // Applies a collision that changed the velocity by `change_mps`, so that contact friction changes

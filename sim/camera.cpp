@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "soccer/robot_shape.hpp"
 #include "soccer/trigonometry.hpp"
@@ -49,6 +50,21 @@ bool is_hidden(const WorldState& world, const CameraPosition& camera) {
 constexpr double kNearestFalseBall_m = 0.12;
 constexpr double kFarthestFalseBall_m = 0.14;
 
+// A ball that moves farther between two frames was placed elsewhere: at 8 m/s, the maximum, it
+// moves by 0.27 m at 30 frames per second.
+constexpr double kFarthestInFrame_m = 0.3;
+
+// The square of the distance from the ball to the centre of the nearest robot.
+double nearest_robot_m2(const WorldState& world) {
+  double nearest_m2 = std::numeric_limits<double>::infinity();
+  for (const Side side : kSides) {
+    for (const RobotState& robot : world.robots[side]) {
+      nearest_m2 = std::min(nearest_m2, (robot.position_m - world.ball.position_m).squaredNorm());
+    }
+  }
+  return nearest_m2;
+}
+
 }  // namespace
 
 CameraErrors::CameraErrors(const VisionParameters& parameters, const Field& field,
@@ -89,6 +105,30 @@ CameraPositions camera_positions(const Field& field, int cameras, double height_
           CameraPosition{{x, -y}, height_m}, CameraPosition{{x, y}, height_m}};
 }
 
+void draw_capture_ages(const VisionParameters& parameters, double frame_rate_hz, std::uint64_t seed,
+                       std::span<CameraPosition> cameras) {
+  if (!parameters.cameras_run_freely) return;
+  const double period_s = 1.0 / frame_rate_hz;
+  auto chance = RandomStream::of(seed, RandomPurpose::kCameraPhases);
+  std::array<double, CameraPositions::static_capacity> phases_s{};
+  for (std::size_t i = 0; i < cameras.size(); ++i) phases_s[i] = chance.uniform() * period_s;
+  // The age of one camera's capture at another's next capture.
+  const auto age_s = [&](std::size_t camera, std::size_t at) {
+    const double since_s = phases_s[at] - phases_s[camera];
+    return since_s < 0.0 ? since_s + period_s : since_s;
+  };
+  const auto oldest_s = [&](std::size_t at) {
+    double most_s = 0.0;
+    for (std::size_t i = 0; i < cameras.size(); ++i) most_s = std::max(most_s, age_s(i, at));
+    return most_s;
+  };
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < cameras.size(); ++i) {
+    if (oldest_s(i) < oldest_s(last)) last = i;
+  }
+  for (std::size_t i = 0; i < cameras.size(); ++i) cameras[i].age_s = age_s(i, last);
+}
+
 bool hides_ball(const RobotState& robot, const Vec2& ball_m, double height_m,
                 const CameraPosition& camera) {
   const double middle_m = height_m + kBallRadius_m;
@@ -108,8 +148,12 @@ Camera::Camera(const VisionParameters& parameters, const Field& field, double fr
                      field.half_width_m() / 2.0 + parameters.camera_overlap_m),
       frame_rate_hz_(frame_rate_hz),
       false_balls_(parameters.false_balls_per_s / frame_rate_hz),
+      robot_gaps_(parameters.robot_gaps /
+                  ((1.0 - parameters.robot_gaps) * parameters.robot_gap_s * frame_rate_hz)),
       chance_(RandomStream::of(seed, RandomPurpose::kCamera)),
-      errors_(parameters, field, chance_) {}
+      errors_(parameters, field, chance_) {
+  draw_capture_ages(parameters, frame_rate_hz, seed, {cameras_.data(), cameras_.size()});
+}
 
 void Camera::look(const WorldState& world, Frame& frame) {
   frame.number = world.frame;
@@ -118,6 +162,8 @@ void Camera::look(const WorldState& world, Frame& frame) {
   look_at_robots(world, frame);
   look_at_ball(world, frame);
   if (false_balls_ > 0.0) look_for_false_balls(world, frame);
+  if (parameters_.cameras_run_freely) former_ball_ = world.ball;
+  ++looks_;
 }
 
 void Camera::look_at_robots(const WorldState& world, Frame& frame) {
@@ -125,7 +171,7 @@ void Camera::look_at_robots(const WorldState& world, Frame& frame) {
     frame.robots[side].clear();
     SeenRobots misread;
     for (const RobotState& robot : world.robots[side]) {
-      if (happens(parameters_.robot_misses)) continue;
+      if (is_missed(side, robot)) continue;
       SeenRobots& seen = happens(parameters_.misread_numbers) ? misread : frame.robots[side];
       seen.push_back(observed(robot));
     }
@@ -135,6 +181,18 @@ void Camera::look_at_robots(const WorldState& world, Frame& frame) {
       add_misread(side, robot, frame);
     }
   }
+}
+
+// A gap lasts between one frame and twice the mean, with equal probability.
+bool Camera::is_missed(Side side, const RobotState& robot) {
+  const bool is_missed = happens(parameters_.robot_misses);
+  if (robot_gaps_ <= 0.0) return is_missed;
+  std::int64_t& gap_end = gap_ends_[side][static_cast<std::size_t>(robot.number)];
+  if (looks_ < gap_end) return true;
+  if (!happens(robot_gaps_)) return is_missed;
+  const double longest = 2.0 * parameters_.robot_gap_s * frame_rate_hz_ - 1.0;
+  gap_end = looks_ + 1 + static_cast<std::int64_t>(chance_.uniform() * std::max(1.0, longest));
+  return true;
 }
 
 // The number of another robot in the team; `number` if there is no other robot.
@@ -149,10 +207,12 @@ RobotObservation Camera::observed(const RobotState& robot) {
   Vec2 position_m = with_noise(robot.position_m, parameters_.robot_noise_m);
   double noise_rad =
       parameters_.robot_noise_rad > 0.0 ? parameters_.robot_noise_rad * chance_.normal() : 0.0;
-  if (!errors_.are_zero()) {
+  if (!errors_.are_zero() || parameters_.cameras_run_freely) {
     const int camera = nearest_camera(robot.position_m);
-    position_m += errors_.position_m(camera, robot.position_m);
-    noise_rad += errors_.heading_rad(camera, robot.position_m);
+    const double age_s = cameras_[static_cast<std::size_t>(camera)].age_s;
+    position_m += errors_.position_m(camera, robot.position_m) - age_s * robot.velocity_mps;
+    noise_rad +=
+        errors_.heading_rad(camera, robot.position_m) - age_s * robot.angular_velocity_radps;
   }
   return {robot.number, rounded(position_m), rounded_heading(robot.heading, noise_rad)};
 }
@@ -174,10 +234,10 @@ void Camera::add_misread(Side side, const RobotObservation& robot, Frame& frame)
 
 void Camera::look_at_ball(const WorldState& world, Frame& frame) {
   frame.ball.reset();
-  if (happens(parameters_.ball_misses)) return;
+  if (happens(ball_misses(world))) return;
   const CameraPosition* camera = find_view(world);
   if (camera == nullptr) return;
-  const BallState& ball = world.ball;
+  const BallState ball = captured_ball(world.ball, *camera);
   frame.ball.emplace();
   frame.ball->seen_from = *camera;
   Vec2 position_m = ball.position_m;
@@ -190,6 +250,28 @@ void Camera::look_at_ball(const WorldState& world, Frame& frame) {
     position_m += errors_.position_m(static_cast<int>(camera - cameras_.data()), position_m);
   }
   frame.ball->position_m = rounded(with_noise(position_m, parameters_.ball_noise_m));
+}
+
+// A ball above the robots is seen as well as one that is far from them.
+double Camera::ball_misses(const WorldState& world) const {
+  const double near = parameters_.ball_misses_near_robots;
+  if (near <= 0.0 || world.ball.height_m > kRobotHeight_m) return parameters_.ball_misses;
+  const double gap_m = std::sqrt(nearest_robot_m2(world)) - kRobotRadius_m;
+  const double share = near * exponential(-std::max(0.0, gap_m) / parameters_.near_robots_m);
+  return 1.0 - (1.0 - parameters_.ball_misses) * (1.0 - share);
+}
+
+// A kick may have changed the ball's velocity since the camera's capture, so the ball is where it
+// was on the straight line between two frames.
+BallState Camera::captured_ball(const BallState& ball, const CameraPosition& camera) const {
+  if (camera.age_s <= 0.0 || !former_ball_) return ball;
+  const Vec2 moved_m = ball.position_m - former_ball_->position_m;
+  if (moved_m.norm() > kFarthestInFrame_m) return ball;
+  const double share = camera.age_s * frame_rate_hz_;
+  BallState captured = ball;
+  captured.position_m -= share * moved_m;
+  captured.height_m -= share * (ball.height_m - former_ball_->height_m);
+  return captured;
 }
 
 void Camera::look_for_false_balls(const WorldState& world, Frame& frame) {

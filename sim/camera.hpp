@@ -1,6 +1,7 @@
 // Converts ground truth to the detections that vision reports, including calibration errors.
 #pragma once
 
+#include <array>
 #include <boost/container/static_vector.hpp>
 #include <cstdint>
 #include <optional>
@@ -46,6 +47,12 @@ using CameraPositions = boost::container::static_vector<CameraPosition, 4>;
 // of its halves (2) or of the field (1).
 CameraPositions camera_positions(const Field& field, int cameras, double height_m);
 
+// Sets the ages of the cameras' captures, if cameras run freely: each captures once per frame, at a
+// phase that is drawn for the game with this seed. A frame begins after the longest pause between
+// two captures and has the time of its last capture.
+void draw_capture_ages(const VisionParameters& parameters, double frame_rate_hz, std::uint64_t seed,
+                       std::span<CameraPosition> cameras);
+
 // Whether the robot hides the centre of a ball, whose lowest point is at `height_m`, from the
 // camera's view. A robot has its full height everywhere within its outline.
 bool hides_ball(const RobotState& robot, const Vec2& ball_m, double height_m,
@@ -73,10 +80,13 @@ class Camera {
   void look_at_robots(const WorldState& world, Frame& frame);
   void add_misread(Side side, const RobotObservation& robot, Frame& frame);
   int misread_number(int number, std::span<const RobotState> team);
+  bool is_missed(Side side, const RobotState& robot);
   RobotObservation observed(const RobotState& robot);
   void look_at_ball(const WorldState& world, Frame& frame);
   void look_for_false_balls(const WorldState& world, Frame& frame);
   void add_ball(BallObservation ball, Frame& frame);
+  double ball_misses(const WorldState& world) const;
+  BallState captured_ball(const BallState& ball, const CameraPosition& camera) const;
   const CameraPosition* find_view(const WorldState& world) const;
   int nearest_camera(const Vec2& position_m) const;
   bool covers(const CameraPosition& camera, const BallState& ball) const;
@@ -88,10 +98,16 @@ class Camera {
   Vec2 sees_beside_m_;  // half extents of a camera's view along x and y
   double frame_rate_hz_;
   double false_balls_;  // proportion of frames, per robot
+  double robot_gaps_;   // proportion of frames in which a gap begins, per robot
   RandomStream chance_;
   CameraErrors errors_;
   OtherDetections others_;
   std::optional<Vec2> last_ball_m_;  // stored only if there are false balls
+  // The ball in the world's previous frame, stored only if cameras run freely.
+  std::optional<BallState> former_ball_;
+  std::int64_t looks_ = 0;
+  // The look with which each robot's last gap ends, by number.
+  PerSide<std::array<std::int64_t, kMaxRobots>> gap_ends_{};
 };
 
 }  // namespace autoref::sim

@@ -27,16 +27,36 @@ bool is_in_dribbler_zone(const Robot& robot, const Vec2& ball_m, double height_m
          std::abs(local_m.y()) <= kDribblerZoneWidth_m / 2.0;
 }
 
-// The force in newtons, in field coordinates, of a running dribbler on a ball in its dribbler zone
-// during the next `duration_s`; zero if the ball is out of reach. Its magnitude is at most force_n.
-//
 // An ordinary dribbler pulls the ball towards the plate's centre and damps its motion relative to
-// the plate, so hard turns and sideways jerks lose it. A holding dribbler immediately cancels all
-// relative motion and centres the ball at up to centring_mps, so the ball is never faster than the
-// plate by more than that.
-Vec2 dribbler_force_n(const DribblerParameters& parameters, const BodyState& robot,
-                      const BodyState& ball, double ball_mass_kg, double ball_height_m,
-                      double duration_s);
+// the plate, so hard turns and sideways jerks lose it. Its maximum force is drawn each time it gets
+// hold of the ball. A holding dribbler immediately cancels all relative motion and centres the ball
+// at up to centring_mps, so the ball is never faster than the plate by more than that.
+class Dribbler {
+ public:
+  // `substeps_per_s` is the rate at which sub-steps are counted.
+  Dribbler(const DribblerParameters& parameters, double ball_mass_kg, double substeps_per_s);
+
+  // The force in newtons, in field coordinates, of the running dribbler on the ball during the next
+  // `duration_s`; zero if the ball is out of reach. Draws a random number only if there is noise
+  // and the dribbler has not pulled for a tenth of a second.
+  Vec2 force_n(const BodyState& robot, const BodyState& ball, double ball_height_m,
+               double duration_s, std::int64_t substep, RandomStream& noise);
+
+  bool holds() const { return parameters_.holds; }
+
+  // The maximum force in the current hold.
+  double limit_n() const { return limit_n_; }
+
+ private:
+  Vec2 pull_n(const BodyState& robot, const BodyState& ball) const;
+  Vec2 hold_n(const BodyState& robot, const BodyState& ball, double duration_s) const;
+
+  DribblerParameters parameters_;
+  double ball_mass_kg_;
+  std::int64_t pause_substeps_;   // a shorter pause does not end a hold
+  double limit_n_;                // maximum force in this hold
+  std::int64_t grips_until_ = 0;  // sub-step at which the hold ends
+};
 
 // The ball's velocity over ground after a kick. Along the heading, it is the kick's velocity.
 // Across the heading, the ball keeps its own velocity, since the plate only pushes it forwards.

@@ -167,6 +167,7 @@ struct KickerParameters {
 // whose effective mass is one and a half times its actual mass.
 struct DribblerParameters {
   double force_n = 0.45;
+  double force_noise = 0.0;  // drawn each time the dribbler gets hold of the ball
   double reach_m = 10_mm;
   bool holds = false;  // cancels all motion of the ball relative to the plate
   double stiffness_npm = 90.0;
@@ -176,6 +177,10 @@ struct DribblerParameters {
   template <typename Self, typename Visitor>
   static void visit(Self& self, const Visitor& visitor) {
     visitor(self.force_n, {"force_n", {0, 100}, "maximum pulling force"});
+    visitor(self.force_noise,
+            {"force_noise",
+             {0, 1},
+             "standard deviation of that force as a fraction, from one hold to the next"});
     visitor(self.reach_m, {"reach_m", {0, 0.1}, "maximum gap between plate and ball"});
     visitor(self.holds, {"holds", "holds the ball however the robot moves"});
     visitor(self.stiffness_npm,
@@ -214,7 +219,13 @@ struct VisionParameters {
   double robot_noise_m = 0.0;
   double robot_noise_rad = 0.0;
   double ball_misses = 0.0;
+  // The fraction of frames that miss a ball at the hull of the nearest robot, kRobotRadius_m from
+  // its centre, and the distance over which this fraction falls to 1/e. Both come on top of hiding.
+  double ball_misses_near_robots = 0.0;
+  double near_robots_m = 120_mm;
   double robot_misses = 0.0;
+  double robot_gaps = 0.0;
+  double robot_gap_s = 100_ms;
   bool reports_height = true;
   bool robots_hide_ball = false;
   // Laws 2014, section on vision: four cameras at a height of 4 m.
@@ -225,6 +236,7 @@ struct VisionParameters {
   // smooth warp. Neighbouring cameras have opposite errors, so they disagree by twice this value.
   double camera_error_m = 0.0;
   double camera_error_rad = 0.0;
+  bool cameras_run_freely = false;
   double false_balls_per_s = 0.0;  // each false ball appears in a single frame
   double misread_numbers = 0.0;
 
@@ -235,7 +247,17 @@ struct VisionParameters {
     visitor(self.robot_noise_rad,
             {"robot_noise_rad", {0, 0.5}, "standard deviation of the heading"});
     visitor(self.ball_misses, {"ball_misses", {0, 0.9}, "fraction of frames without the ball"});
-    visitor(self.robot_misses, {"robot_misses", {0, 0.9}, "fraction of frames without a robot"});
+    visitor(self.ball_misses_near_robots,
+            {"ball_misses_near_robots",
+             {0, 1},
+             "fraction of frames without a ball that is at a robot's hull, in addition"});
+    visitor(self.near_robots_m,
+            {"near_robots_m", positive(1), "distance over which that fraction falls to 1/e"});
+    visitor(self.robot_misses,
+            {"robot_misses", {0, 0.9}, "fraction of frames without a robot, each on its own"});
+    visitor(self.robot_gaps,
+            {"robot_gaps", {0, 0.9}, "fraction of frames without a robot, in longer gaps"});
+    visitor(self.robot_gap_s, {"robot_gap_s", {0.01, 10}, "mean duration of such a gap"});
     visitor(
         self.reports_height,
         {"reports_height", "report the ball's height; otherwise the ball appears on the ground"});
@@ -254,6 +276,9 @@ struct VisionParameters {
              "systematic error of each camera's positions, drawn for each game"});
     visitor(self.camera_error_rad,
             {"camera_error_rad", {0, 0.5}, "systematic error of each camera's headings"});
+    visitor(self.cameras_run_freely,
+            {"cameras_run_freely",
+             "cameras do not capture at the same time, but at phases drawn for each game"});
     visitor(self.false_balls_per_s,
             {"false_balls_per_s", {0, 10}, "rate of false balls ahead of each robot"});
     visitor(

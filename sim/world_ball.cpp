@@ -13,6 +13,9 @@ namespace {
 // Changes of the ball's velocity that are smaller than this are rounding errors, not collisions.
 constexpr double kCollision_mps = 0.01;
 
+// The least fraction of a step's pull that friction leaves to a ball that starts to roll.
+constexpr double kKeptOfPull = 0.5;
+
 }  // namespace
 
 // Moves the carried ball by setting its velocity along the path rather than its position.
@@ -38,8 +41,19 @@ void World::Impl::hold_ball() {
 
 void World::Impl::move_ball(int substep) {
   const std::optional<Vec2> kick_mps = kicked(substep);
-  const Vec2 ball_mps = kick_mps ? *kick_mps : dribbled(bodies_.ball().velocity_mps);
-  bodies_.set_ball_velocity(held_by_net(ball_.slowed(ball_mps, step_s_)));
+  const Pulls all = kick_mps ? Pulls{} : pulls();
+  const Vec2 ball_mps = kick_mps ? *kick_mps : dribbled(bodies_.ball().velocity_mps, all);
+  bodies_.set_ball_velocity(held_by_net(ball_.slowed(ball_mps, step_s_, rests_below_mps(all))));
+}
+
+// The speed below which the ball comes to rest; 0 while a dribbler pulls it that cannot move it
+// from rest within a step.
+double World::Impl::rests_below_mps(const Pulls& pulls) const {
+  const double rest_mps = configuration_.ball.rest_mps;
+  const auto is_weak = [&](const Pull& pull) {
+    return kKeptOfPull * pull.limit_n * step_s_ < rest_mps * configuration_.ball.mass_kg;
+  };
+  return std::any_of(pulls.begin(), pulls.end(), is_weak) ? 0.0 : rest_mps;
 }
 
 // The ball's velocity after a kick, if there was one. Simultaneous kicks add up, so their order
@@ -79,20 +93,19 @@ std::optional<Vec2> World::Impl::kicked(int substep) {
 World::Impl::Pulls World::Impl::pulls() {
   Pulls pulls;
   const BodyState& ball = bodies_.ball();
-  for_each_near_ball([&](RobotId, const Robot& robot, int index) {
-    const bool holds = robot.dribbler.holds;
+  for_each_near_ball([&](RobotId id, Robot& robot, int index) {
+    const bool holds = robot.dribbler.holds();
     if (!robot.aim.dribble || (holds && robot.kicker.is_recharging(substeps_))) return;
-    const Vec2 force_n = dribbler_force_n(robot.dribbler, bodies_.robot(index), ball,
-                                          configuration_.ball.mass_kg, ball_.height_m(), step_s_);
-    if (!force_n.isZero(0.0)) pulls.push_back({index, holds, force_n});
+    const Vec2 force_n = robot.dribbler.force_n(bodies_.robot(index), ball, ball_.height_m(),
+                                                step_s_, substeps_, team(id.side).dribblers);
+    if (!force_n.isZero(0.0)) pulls.push_back({index, holds, force_n, robot.dribbler.limit_n()});
   });
   return pulls;
 }
 
 // The ball's velocity after the pull of all dribblers. Holding dribblers share the force, because
 // otherwise two of them would make the ball oscillate.
-Vec2 World::Impl::dribbled(Vec2 ball_mps) {
-  const Pulls all = pulls();
+Vec2 World::Impl::dribbled(Vec2 ball_mps, const Pulls& all) {
   const auto holders = std::count_if(all.begin(), all.end(), [](const Pull& p) { return p.holds; });
   for (const Pull& pull : all) {
     const Vec2 force_n =

@@ -51,11 +51,13 @@ World::Impl::Team World::Impl::make_team(Side side, const TeamSpec& spec,
             {},
             RandomStream::of(seed, RandomPurpose::kMotors, side),
             RandomStream::of(seed, RandomPurpose::kKicker, side),
+            RandomStream::of(seed, RandomPurpose::kDribbler, side),
             RandomStream::of(seed, RandomPurpose::kRadio, side)};
   const double substeps_per_s = configuration_.frame_rate_hz * configuration_.substeps;
   for (const RobotSpec& robot : spec.robots) {
-    made.robots.push_back(
-        {Drive(robot), Kicker(robot.kicker, substeps_per_s), robot.dribbler, RobotCommand{}, 0});
+    made.robots.push_back({Drive(robot), Kicker(robot.kicker, substeps_per_s),
+                           Dribbler(robot.dribbler, configuration_.ball.mass_kg, substeps_per_s),
+                           RobotCommand{}, 0});
   }
   return made;
 }

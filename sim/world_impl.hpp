@@ -37,7 +37,7 @@ class World::Impl {
   struct Robot {
     Drive drive;
     Kicker kicker;
-    DribblerParameters dribbler;
+    Dribbler dribbler;
     RobotCommand aim;        // command in force, limited to what the robot can do
     int unheard_frames = 0;  // frames since the last command was received
   };
@@ -47,6 +47,7 @@ class World::Impl {
     boost::container::static_vector<Robot, kMaxRobots> robots;
     RandomStream motors;
     RandomStream kicks;
+    RandomStream dribblers;
     RandomStream radio;
   };
   // The force of a robot's dribbler on the ball.
@@ -54,6 +55,7 @@ class World::Impl {
     int index;  // index of the robot in the bridge
     bool holds;
     Vec2 force_n;
+    double limit_n;  // the dribbler's maximum force
   };
   using Pulls = boost::container::static_vector<Pull, 2 * kMaxRobots>;
   // Whether the ball is free or held by ball placement. Ball placement first stops the ball, then
@@ -76,7 +78,8 @@ class World::Impl {
   void move_ball(int substep);
   std::optional<Vec2> kicked(int substep);
   Pulls pulls();
-  Vec2 dribbled(Vec2 ball_mps);
+  double rests_below_mps(const Pulls& pulls) const;
+  Vec2 dribbled(Vec2 ball_mps, const Pulls& pulls);
   Vec2 held_by_net(Vec2 ball_mps) const;
   void follow_ball(const BodyState& former);
   void bounce_off_bar_and_tops(const BodyState& former, double former_height_m);

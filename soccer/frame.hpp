@@ -16,10 +16,11 @@ struct RobotObservation {
   Vec2 heading{1, 0};  // unit vector towards the robot's front
 };
 
-// Where a camera is mounted.
+// Where a camera is mounted, and how old its part of a frame is.
 struct CameraPosition {
   Vec2 position_m{0, 0};
   double height_m = 4;  // above the carpet (Laws 2014, section on vision: 4 m)
+  double age_s = 0;     // of its capture at the frame's time
 };
 
 // The ball as vision reports it. Without a height, `position_m` is the point on the carpet where

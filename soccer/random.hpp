@@ -29,7 +29,9 @@ enum class RandomPurpose : std::uint8_t {
   kMotors = 3,
   kKicker = 4,
   kStrategy = 5,
-  kLatency = 6
+  kLatency = 6,
+  kDribbler = 7,
+  kCameraPhases = 8
 };
 
 class RandomStream {

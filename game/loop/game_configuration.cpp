@@ -130,7 +130,9 @@ std::vector<CameraPosition> logged_cameras(const GameConfiguration& game) {
     cameras = game.field.length_m >= kDivisionA_m ? 2 : 1;
     height_m = kHeightIn2026_m;
   }
-  const sim::CameraPositions positions = sim::camera_positions(game.field, cameras, height_m);
+  sim::CameraPositions positions = sim::camera_positions(game.field, cameras, height_m);
+  sim::draw_capture_ages(vision, game.sim.frame_rate_hz, game.seed,
+                         {positions.data(), positions.size()});
   return {positions.begin(), positions.end()};
 }
 
