@@ -46,6 +46,9 @@ class CameraClocks {
   // added.
   bool has_room_for(std::uint32_t camera) const;
 
+  // The number of cameras heard so far.
+  std::size_t cameras() const { return clocks_.size(); }
+
   // The usual time between two packets of a camera; 0 while unknown.
   double interval_s(std::uint32_t camera) const { return clocks_.at(camera).interval_s; }
 

@@ -14,7 +14,9 @@ constexpr double kLongestFrame_s = 0.1;
 
 constexpr float kFarthest_mm = 1e5F;
 constexpr float kWidest_rad = 100;
-constexpr double kLongestShare = 0.9;    // fraction of a camera's interval; cameras may take turns
+// Fractions of a camera's interval: the longest frame, and a tolerance for times that vary.
+constexpr double kLongestShare = 0.9;
+constexpr double kShareTolerance = 0.05;
 constexpr std::size_t kMostBalls = 256;  // largest number of balls in one frame
 constexpr double kForgetRobot_s = 0.5;   // a robot unseen for this long may be anywhere
 constexpr float kClearlyBetter = 0.3F;   // difference of confidences
@@ -85,8 +87,9 @@ void DetectionMerger::read_geometry(const Geometry& geometry) {
 }
 
 bool DetectionMerger::begins_frame(std::uint32_t camera, double time_s) const {
+  const double share = 1.0 - 1.0 / static_cast<double>(clocks_.cameras()) + kShareTolerance;
   return in_frame_.contains(camera) || time_s - time_s_ > kLongestFrame_s ||
-         (interval_s_ > 0 && time_s - begun_s_ > kLongestShare * interval_s_);
+         (interval_s_ > 0 && time_s - begun_s_ > std::min(share, kLongestShare) * interval_s_);
 }
 
 void DetectionMerger::collect(const DetectionFrame& detection, double time_s) {

@@ -18,10 +18,11 @@
 namespace autoref::league {
 
 // A frame consists of one packet per camera, and its time is that of the latest packet. The next
-// frame begins when a camera that is already in the frame sends another packet. It also begins nine
-// tenths of a camera's interval after the frame's first packet, so that a lost packet does not
-// affect later frames, or after a gap of 0.1 s. Clocks that differ or restart are corrected
-// (camera_clocks.hpp).
+// frame begins when a camera that is already in the frame sends another packet. It also begins when
+// the frame is older than the captures of freely running cameras can be (a share of 1 - 1/n of the
+// interval of n cameras, if it begins after their longest pause), so that neither a lost packet nor
+// the first one decides which captures go together; or after a gap of 0.1 s. Clocks that differ or
+// restart are corrected (camera_clocks.hpp).
 //
 // For a robot seen by several cameras, one camera is used, and a change to another causes no jump
 // (followed_body.hpp). If a robot appears twice, the detection nearest to its expected position is

@@ -35,8 +35,8 @@ void write_mutated_game(const fs::path& log) {
   const std::string path = log.string();
   const app::Answer answer = app::answer_to(
       {"play", game.c_str(), "--log", path.c_str(), "--set", "match.rules=2026-b", "--set",
-       "match.half_s=15", "--seed", "95", "--set", "match.halves=1", "--set", "sim.camera=rc2026-b",
-       "--set", "a.strategy=rowdy", "--set", "b.strategy=cobalt1"});
+       "match.half_s=15", "--seed", "263", "--set", "match.halves=1", "--set",
+       "sim.camera=rc2026-b", "--set", "a.strategy=rowdy", "--set", "b.strategy=cobalt1"});
   ASSERT_EQ(answer.code, io::kDone) << answer.err;
 }
 
