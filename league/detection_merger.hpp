@@ -18,10 +18,11 @@
 namespace autoref::league {
 
 // A frame consists of one packet per camera, and its time is that of the latest packet. The next
-// frame begins when a camera that is already in the frame sends another packet. It also begins when
-// the frame is older than the captures of freely running cameras can be (a share of 1 - 1/n of the
-// interval of n cameras, if it begins after their longest pause), so that neither a lost packet nor
-// the first one decides which captures go together; or after a gap of 0.1 s. Clocks that differ or
+// frame begins when a camera that is already in the frame sends another packet, or after a gap of
+// 0.1 s. It also begins when the frame is older than the captures of n freely running cameras are
+// if it begins after their longest pause, which is at most a share of 1 - 1/n of their interval.
+// So a lost packet affects no later frames, and two cameras are merged alike from any packet on,
+// unless they are within a twentieth of their interval of taking turns. Clocks that differ or
 // restart are corrected (camera_clocks.hpp).
 //
 // For a robot seen by several cameras, one camera is used, and a change to another causes no jump

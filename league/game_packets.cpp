@@ -29,9 +29,9 @@ GamePackets::GamePackets(const Field& field, std::vector<CameraPosition> cameras
       teams_(std::move(teams)),
       times_(times),
       packets_(cameras_.size()),
-      in_order_(cameras_.size()) {
-  std::iota(in_order_.begin(), in_order_.end(), std::size_t{0});
-  std::stable_sort(in_order_.begin(), in_order_.end(), [this](std::size_t a, std::size_t b) {
+      by_capture_(cameras_.size()) {
+  std::iota(by_capture_.begin(), by_capture_.end(), std::size_t{0});
+  std::stable_sort(by_capture_.begin(), by_capture_.end(), [this](std::size_t a, std::size_t b) {
     return cameras_[a].age_s > cameras_[b].age_s;
   });
   fill_geometry(field, cameras_, *geometry_.mutable_geometry());
@@ -69,13 +69,13 @@ void GamePackets::add(const Frame& frame, const RefereeSignal& signal, PacketSin
 void GamePackets::add_vision(const Frame& frame, const OtherDetections& others,
                              bool blue_on_positive_half, PacketSink& sink) {
   if (frame.time_s >= geometry_due_s_) {
-    sink.on_vision(frame.time_s, geometry_);
+    sink.on_vision(std::max(0.0, frame.time_s - cameras_[by_capture_.front()].age_s), geometry_);
     geometry_due_s_ = frame.time_s + times_.geometry_every_s;
   }
   Frame seen = published(frame, blue_on_positive_half);
   seen.time_s += times_.start_s;
   fill_detections(seen, cameras_, packets_, published(others, blue_on_positive_half));
-  for (const std::size_t camera : in_order_)
+  for (const std::size_t camera : by_capture_)
     sink.on_vision(std::max(0.0, frame.time_s - cameras_[camera].age_s), packets_[camera]);
 }
 

@@ -37,10 +37,9 @@ struct PacketTimes {
 };
 
 // Every camera sends one packet per frame, in the order of their captures, in addition to the
-// geometry; the referee sends packets
-// regularly and whenever its signal changes. Referee packets contain the game events since play was
-// last on, or only the newest ones if all of them would exceed kLongestPacket. All packets show
-// each team at its current end (soccer/referee_signal.hpp).
+// geometry; the referee sends packets regularly and whenever its signal changes. Referee packets
+// contain the game events since play was last on, or only the newest ones if all of them would
+// exceed kLongestPacket. All packets show each team at its current end (soccer/referee_signal.hpp).
 class GamePackets {
  public:
   GamePackets(const Field& field, std::vector<CameraPosition> cameras, PerSide<LoggedTeam> teams,
@@ -81,11 +80,11 @@ class GamePackets {
   PerSide<LoggedTeam> teams_;
   PacketTimes times_;
   VisionPacket geometry_;
-  std::vector<VisionPacket> packets_;  // one per camera
-  std::vector<std::size_t> in_order_;  // the cameras, by the times of their captures
-  RefereePacket referee_;              // the last packet sent
-  std::vector<Command> sent_;          // commands sent during the current frame
-  std::vector<GameEvent> events_;      // events since play was last on
+  std::vector<VisionPacket> packets_;    // one per camera
+  std::vector<std::size_t> by_capture_;  // the cameras, by the times of their captures
+  RefereePacket referee_;                // the last packet sent
+  std::vector<Command> sent_;            // commands sent during the current frame
+  std::vector<GameEvent> events_;        // events since play was last on
   int noted_events_ = 0;
   bool has_new_events_ = false;
   OtherDetections others_;  // other detections in the current frame

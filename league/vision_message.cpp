@@ -61,7 +61,7 @@ void start(const Frame& frame, std::uint32_t camera, double age_s, DetectionFram
   detection.Clear();
   detection.set_frame_number(static_cast<std::uint32_t>(frame.number));
   detection.set_t_capture(frame.time_s - age_s);
-  detection.set_t_sent(frame.time_s);
+  detection.set_t_sent(frame.time_s - age_s);
   detection.set_camera_id(camera);
 }
 

@@ -107,7 +107,7 @@ CameraPositions camera_positions(const Field& field, int cameras, double height_
 
 void draw_capture_ages(const VisionParameters& parameters, double frame_rate_hz, std::uint64_t seed,
                        std::span<CameraPosition> cameras) {
-  if (!parameters.cameras_run_freely) return;
+  if (!parameters.cameras_run_freely || parameters.reports_height) return;
   const double period_s = 1.0 / frame_rate_hz;
   auto chance = RandomStream::of(seed, RandomPurpose::kCameraPhases);
   std::array<double, CameraPositions::static_capacity> phases_s{};
@@ -148,8 +148,8 @@ Camera::Camera(const VisionParameters& parameters, const Field& field, double fr
                      field.half_width_m() / 2.0 + parameters.camera_overlap_m),
       frame_rate_hz_(frame_rate_hz),
       false_balls_(parameters.false_balls_per_s / frame_rate_hz),
-      robot_gaps_(parameters.robot_gaps /
-                  ((1.0 - parameters.robot_gaps) * parameters.robot_gap_s * frame_rate_hz)),
+      robot_gaps_(parameters.robot_gaps / ((1.0 - parameters.robot_gaps) *
+                                           std::max(1.0, parameters.robot_gap_s * frame_rate_hz))),
       chance_(RandomStream::of(seed, RandomPurpose::kCamera)),
       errors_(parameters, field, chance_) {
   draw_capture_ages(parameters, frame_rate_hz, seed, {cameras_.data(), cameras_.size()});
@@ -190,8 +190,8 @@ bool Camera::is_missed(Side side, const RobotState& robot) {
   std::int64_t& gap_end = gap_ends_[side][static_cast<std::size_t>(robot.number)];
   if (looks_ < gap_end) return true;
   if (!happens(robot_gaps_)) return is_missed;
-  const double longest = 2.0 * parameters_.robot_gap_s * frame_rate_hz_ - 1.0;
-  gap_end = looks_ + 1 + static_cast<std::int64_t>(chance_.uniform() * std::max(1.0, longest));
+  const double mean = std::max(1.0, parameters_.robot_gap_s * frame_rate_hz_);
+  gap_end = looks_ + 1 + static_cast<std::int64_t>(chance_.uniform() * (2.0 * mean - 1.0));
   return true;
 }
 

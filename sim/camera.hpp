@@ -47,9 +47,9 @@ using CameraPositions = boost::container::static_vector<CameraPosition, 4>;
 // of its halves (2) or of the field (1).
 CameraPositions camera_positions(const Field& field, int cameras, double height_m);
 
-// Sets the ages of the cameras' captures, if cameras run freely: each captures once per frame, at a
-// phase that is drawn for the game with this seed. A frame begins after the longest pause between
-// two captures and has the time of its last capture.
+// Sets the ages of the cameras' captures, if cameras run freely and do not report heights: each
+// captures once per frame, at a phase that is drawn for the game with this seed. A frame begins
+// after the longest pause between two captures and has the time of its last capture.
 void draw_capture_ages(const VisionParameters& parameters, double frame_rate_hz, std::uint64_t seed,
                        std::span<CameraPosition> cameras);
 
@@ -98,7 +98,7 @@ class Camera {
   Vec2 sees_beside_m_;  // half extents of a camera's view along x and y
   double frame_rate_hz_;
   double false_balls_;  // proportion of frames, per robot
-  double robot_gaps_;   // proportion of frames in which a gap begins, per robot
+  double robot_gaps_;   // probability that a gap begins in a frame, per robot
   RandomStream chance_;
   CameraErrors errors_;
   OtherDetections others_;

@@ -13,10 +13,10 @@ namespace {
 // Fraction of the distance to the centre that a held ball is moved per sub-step.
 constexpr double kCentringShare = 0.25;
 
-// A dribbler that gets the ball back this soon continues its hold.
-constexpr double kPauseInHold_s = 100_ms;
+// A dribbler that gets the ball back this soon continues its grip.
+constexpr double kPauseInGrip_s = 100_ms;
 
-// A hold has at least this fraction of the maximum force.
+// A grip has at least this fraction of the maximum force.
 constexpr double kLeastGrip = 0.1;
 
 // The vector from the ball to its resting position at the plate's centre.
@@ -34,7 +34,7 @@ std::int64_t substeps_in(double duration_s, double substeps_per_s) {
 Dribbler::Dribbler(const DribblerParameters& parameters, double ball_mass_kg, double substeps_per_s)
     : parameters_(parameters),
       ball_mass_kg_(ball_mass_kg),
-      pause_substeps_(substeps_in(kPauseInHold_s, substeps_per_s)),
+      pause_substeps_(substeps_in(kPauseInGrip_s, substeps_per_s)),
       limit_n_(parameters.force_n) {}
 
 Vec2 Dribbler::force_n(const BodyState& robot, const BodyState& ball, double ball_height_m,

@@ -44,7 +44,7 @@ class Dribbler {
 
   bool holds() const { return parameters_.holds; }
 
-  // The maximum force in the current hold.
+  // The maximum force in the current grip.
   double limit_n() const { return limit_n_; }
 
  private:
@@ -53,9 +53,9 @@ class Dribbler {
 
   DribblerParameters parameters_;
   double ball_mass_kg_;
-  std::int64_t pause_substeps_;   // a shorter pause does not end a hold
-  double limit_n_;                // maximum force in this hold
-  std::int64_t grips_until_ = 0;  // sub-step at which the hold ends
+  std::int64_t pause_substeps_;   // a shorter pause does not end a grip
+  double limit_n_;                // maximum force in this grip
+  std::int64_t grips_until_ = 0;  // sub-step at which the grip ends
 };
 
 // The ball's velocity over ground after a kick. Along the heading, it is the kick's velocity.

@@ -47,13 +47,13 @@ struct CameraPreset {
   double frame_rate_hz = 60.0;
 };
 
-// The vision of the older presets: standard deviations of ball, robot and heading, and fractions of
-// frames without the ball or a robot.
+// Standard deviations.
 struct Noise {
   double ball_m = 0.0;
   double robot_m = 0.0;
   double robot_rad = 0.0;
 };
+// Fractions of frames.
 struct Misses {
   double ball = 0.0;
   double robot = 0.0;
@@ -79,8 +79,8 @@ constexpr VisionParameters ideal_vision(bool reports_height) {
 
 // Ten games of 2026 in both divisions, six at the German Open and four at RoboCup, 3.2 million
 // frames, measured by the team Immortals. There were 0.0015 to 0.06 false balls per robot and
-// second, depending on the game. Whole robots were missing in 0.7 % of frames, one frame at a time,
-// and in 1.2 % with longer gaps; how long these were is not known. Misses near robots are fitted to
+// second, depending on the game. Whole robots were missing in 1.2 % of frames: in 0.7 % for a
+// single frame, in the rest in longer gaps, of unknown duration. Misses near robots are fitted to
 // the measured ones in games of two teams here, where robots also hide the ball
 // (tests/game/loop/vision_of_2026_test.cpp). Interruptions of several minutes are not simulated.
 // Radio packet loss was not measured.

@@ -13,9 +13,6 @@ namespace {
 // Changes of the ball's velocity that are smaller than this are rounding errors, not collisions.
 constexpr double kCollision_mps = 0.01;
 
-// The least fraction of a step's pull that friction leaves to a ball that starts to roll.
-constexpr double kKeptOfPull = 0.5;
-
 }  // namespace
 
 // Moves the carried ball by setting its velocity along the path rather than its position.
@@ -43,17 +40,19 @@ void World::Impl::move_ball(int substep) {
   const std::optional<Vec2> kick_mps = kicked(substep);
   const Pulls all = kick_mps ? Pulls{} : pulls();
   const Vec2 ball_mps = kick_mps ? *kick_mps : dribbled(bodies_.ball().velocity_mps, all);
-  bodies_.set_ball_velocity(held_by_net(ball_.slowed(ball_mps, step_s_, rests_below_mps(all))));
+  bodies_.set_ball_velocity(held_by_net(ball_.slowed(ball_mps, step_s_, rest_speed_mps(all))));
 }
 
-// The speed below which the ball comes to rest; 0 while a dribbler pulls it that cannot move it
-// from rest within a step.
-double World::Impl::rests_below_mps(const Pulls& pulls) const {
-  const double rest_mps = configuration_.ball.rest_mps;
+// The speed below which the ball comes to rest; 0 while a dribbler pulls it that cannot give a ball
+// at rest this speed within a step.
+double World::Impl::rest_speed_mps(const Pulls& pulls) const {
+  const BallParameters& ball = configuration_.ball;
   const auto is_weak = [&](const Pull& pull) {
-    return kKeptOfPull * pull.limit_n * step_s_ < rest_mps * configuration_.ball.mass_kg;
+    // What the carpet leaves of the pull on a ball that starts to roll.
+    const double gain_mps2 = ball.switch_ratio * pull.limit_n / ball.mass_kg - ball.roll_mps2;
+    return gain_mps2 * step_s_ < ball.rest_mps;
   };
-  return std::any_of(pulls.begin(), pulls.end(), is_weak) ? 0.0 : rest_mps;
+  return std::any_of(pulls.begin(), pulls.end(), is_weak) ? 0.0 : ball.rest_mps;
 }
 
 // The ball's velocity after a kick, if there was one. Simultaneous kicks add up, so their order

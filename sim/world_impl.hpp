@@ -78,7 +78,7 @@ class World::Impl {
   void move_ball(int substep);
   std::optional<Vec2> kicked(int substep);
   Pulls pulls();
-  double rests_below_mps(const Pulls& pulls) const;
+  double rest_speed_mps(const Pulls& pulls) const;
   Vec2 dribbled(Vec2 ball_mps, const Pulls& pulls);
   Vec2 held_by_net(Vec2 ball_mps) const;
   void follow_ball(const BodyState& former);

@@ -20,7 +20,7 @@ struct RobotObservation {
 struct CameraPosition {
   Vec2 position_m{0, 0};
   double height_m = 4;  // above the carpet (Laws 2014, section on vision: 4 m)
-  double age_s = 0;     // of its capture at the frame's time
+  double age_s = 0;     // of its capture at the frame's time; 0 if read from a log
 };
 
 // The ball as vision reports it. Without a height, `position_m` is the point on the carpet where

@@ -306,24 +306,31 @@ TEST(CameraClocks, AnImpossibleTimeCostsItsPacketOnly) {
   }
 }
 
-// Camera 1 captures 4 ms before camera 0.
-TEST(FreeRunningCameras, AreInAFrameTogetherWhicheverPacketComesFirst) {
+// The times of the frames of two cameras, of which camera 1 captures `age_s` before camera 0. The
+// stream begins with packet `first` of them.
+std::vector<double> freely_merged_s(double period_s, double age_s, int first) {
+  DetectionMerger merger;
+  std::vector<double> times_s;
+  for (int i = first; i < 200; ++i) {
+    const std::uint32_t camera = i % 2 == 0 ? 1 : 0;
+    const double capture_s = kBegin_s + i / 2 * period_s - (camera == 1 ? age_s : 0.0);
+    const Frame* frame = merger.add(captured_packet(camera, capture_s), capture_s - kBegin_s);
+    if (frame != nullptr) times_s.push_back(frame->time_s + *merger.clocks().start_capture_s());
+  }
+  return times_s;
+}
+
+TEST(FreelyRunningCameras, AreMergedAlikeWhicheverPacketComesFirst) {
   constexpr double kPeriod_s = 0.015;
-  constexpr double kAge_s = 0.004;
-  for (const int first : {0, 1}) {
-    DetectionMerger merger;
-    std::vector<double> times_s;
-    for (int i = first; i < 200; ++i) {
-      const std::uint32_t camera = i % 2 == 0 ? 1 : 0;
-      const double capture_s = kBegin_s + i / 2 * kPeriod_s - (camera == 1 ? kAge_s : 0.0);
-      const Frame* frame = merger.add(captured_packet(camera, capture_s), capture_s - kBegin_s);
-      if (frame != nullptr) times_s.push_back(frame->time_s + *merger.clocks().start_capture_s());
-    }
-    ASSERT_GT(times_s.size(), 90U);
-    for (std::size_t i = 5; i < times_s.size(); ++i) {
-      const double periods = (times_s[i] - kBegin_s) / kPeriod_s;
-      ASSERT_NEAR(periods, std::round(periods), 1e-3) << "not the time of camera 0";
-      ASSERT_NEAR(times_s[i] - times_s[i - 1], kPeriod_s, 1e-6);
+  for (const double share : {0.1, 0.3, 0.44}) {
+    for (const int first : {0, 1}) {
+      const std::vector<double> times_s = freely_merged_s(kPeriod_s, share * kPeriod_s, first);
+      ASSERT_GT(times_s.size(), 90U);
+      for (std::size_t i = 5; i < times_s.size(); ++i) {
+        const double periods = (times_s[i] - kBegin_s) / kPeriod_s;
+        ASSERT_NEAR(periods, std::round(periods), 1e-3) << share << ": not the time of camera 0";
+        ASSERT_NEAR(times_s[i] - times_s[i - 1], kPeriod_s, 1e-6) << share;
+      }
     }
   }
 }

@@ -214,6 +214,29 @@ TEST(FreeRunningCameras, SeeAKickedBallBetweenItsPositionsInTwoFrames) {
   EXPECT_LT((frame.ball->position_m - world.ball.position_m).norm(), 1e-5) << "placed elsewhere";
 }
 
+double ball_missed_at(double from_robot_m) {
+  VisionParameters vision = steady("rc2026-b");
+  vision.ball_misses_near_robots = 0.2;
+  vision.near_robots_m = 0.1;
+  Camera camera(vision, field_of("2026-b"), 73.2, 1);
+  const WorldState world = world_with_robot_at({1, 1}, {1, 1 + from_robot_m});
+  constexpr int kFrames = 40000;
+  Frame frame;
+  int missed = 0;
+  for (int i = 0; i < kFrames; ++i) {
+    camera.look(world, frame);
+    missed += frame.ball ? 0 : 1;
+  }
+  return static_cast<double>(missed) / kFrames;
+}
+
+// The tolerance is five standard deviations.
+TEST(MissesNearRobots, FallExponentiallyWithTheDistanceFromTheHull) {
+  EXPECT_NEAR(ball_missed_at(0.09), 0.2, 0.01);
+  EXPECT_NEAR(ball_missed_at(0.19), 0.2 / std::exp(1.0), 0.0065);
+  EXPECT_LT(ball_missed_at(1.09), 0.0005);
+}
+
 // Published: whole robots were missing in 1.2 % of frames, in 0.7 % for a single frame.
 TEST(RobotGaps, AddTheMeasuredFramesToTheSingleOnes) {
   VisionParameters vision = steady("rc2026-b");

@@ -261,7 +261,7 @@ TEST(DribblerForce, LosesTheBallAtAccelerationsAsScatteredAsMeasured) {
   EXPECT_NEAR(kept_share_at(3.0 + 1.05), 0.159, 0.073);
 }
 
-TEST(DribblerForce, MovesABallFromRestHoweverWeak) {
+TEST(DribblerForce, MovesABallFromRestIfItIsStrongerThanRollingFriction) {
   Configuration configuration = quiet();
   apply_ball_preset("rc2026", configuration.ball);
   RobotSpec robot = quiet_robot();
