@@ -17,11 +17,13 @@ constexpr const char* kAboutFiles =
     "All keys of each kind of scenario. Every file also has `schema: 1` and its `kind`, and can "
     "have `about`, a sentence that reports show. The keys of `teams`, `match`, `field`, `sim` and "
     "`base` are [settings](settings.md); [scenarios](../scenarios.md) and "
-    "[experiments](../experiments.md) explain them with examples. Robot types and lab scenes have "
-    "[their own files](other-files.md).\n\n";
+    "[experiments](../experiments.md) explain them with examples. Robot types, measured presets "
+    "and lab scenes have [their own files](other-files.md).\n\n";
 
 const std::vector<experiments::KeyRow> kGameRows = {
     {"`types`", "robot types by name", "types that `type` can name instead of a file"},
+    {"`measured`", "`ball` and `camera`",
+     "presets by name, which `sim.ball` and `sim.camera` can name instead of a file"},
     {"`teams`", "`a` and `b`", "the two teams"},
     {"`match`", "settings", "rule book, halves, who commands"},
     {"`field`", "settings", "sizes of the field"},

@@ -9,7 +9,7 @@
 #include "app/scenario_argument.hpp"
 #include "app/verbs.hpp"
 #include "game/lab/lab.hpp"
-#include "game/settings/robot_types.hpp"
+#include "game/settings/named_files.hpp"
 #include "io/errors.hpp"
 
 namespace autoref::app {
@@ -22,7 +22,7 @@ struct LabArguments {
 
 int lab_verb(const LabArguments& arguments) {
   const game::LabScene scene = game::read_lab_scene(arguments.file);
-  std::vector<std::string> inputs = game::type_files_in(arguments.file);
+  std::vector<std::string> inputs = game::settings_files_in(arguments.file);
   inputs.push_back(arguments.file);
   check_outputs({{"--csv", arguments.csv}}, inputs);
   std::optional<io::PendingFile> csv;

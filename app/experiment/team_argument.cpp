@@ -11,7 +11,7 @@
 
 #include "game/settings/command_text.hpp"
 #include "game/settings/fields.hpp"
-#include "game/settings/robot_types.hpp"
+#include "game/settings/named_files.hpp"
 #include "game/settings/yaml.hpp"
 #include "io/errors.hpp"
 #include "io/files.hpp"
@@ -83,7 +83,7 @@ class TeamFile {
     }
     std::string value = entry.value.IsSequence() ? game::text_of_command(file_.words(entry, path))
                                                  : file_.scalar(entry, path, "a value", false);
-    if (path.ends_with("type") && game::is_type_file(value) && fs::path(value).is_relative())
+    if (path.ends_with("type") && game::is_settings_file(value) && fs::path(value).is_relative())
       value = fs::absolute(file_.folder() / value).string();
     settings_.push_back({fmt::format("{}:{}", name_, entry.location.line), path, value});
   }

@@ -7,7 +7,7 @@
 #include "experiments/kinds/scenario.hpp"
 #include "experiments/kinds/scenario_reader.hpp"
 #include "game/settings/fields.hpp"
-#include "game/settings/robot_types.hpp"
+#include "game/settings/named_files.hpp"
 #include "io/errors.hpp"
 
 namespace autoref::app {
@@ -30,12 +30,12 @@ std::vector<std::string> inputs_of(const std::string& file, const std::string& c
                                    const game::Assignments& assignments) {
   std::vector<std::string> inputs;
   if (!file.empty()) {
-    inputs = game::type_files_in(file);
+    inputs = game::settings_files_in(file);
     inputs.push_back(file);
   }
   if (!commands.empty()) inputs.push_back(commands);
   for (const game::Assignment& assignment : assignments) {
-    if (game::is_type_file(assignment.value)) inputs.push_back(assignment.value);
+    if (game::is_settings_file(assignment.value)) inputs.push_back(assignment.value);
   }
   return inputs;
 }

@@ -97,7 +97,8 @@ TextByPath values_of(const std::vector<game::Setting>& settings) {
 }
 
 Key base_key(game::GameSettings& base, std::function<std::vector<Factor>()> factors) {
-  Key key{"base", "settings", "shared by every game: `teams`, `match`, `field`, `sim`, `types`"};
+  Key key{"base", "settings",
+          "shared by every game: `teams`, `match`, `field`, `sim`, `types`, `measured`"};
   key.read = [&base](TopReader& top) { top.read_base(base); };
   key.text = [&base, factors = std::move(factors)] {
     return base_text(base, "", set_by_values(base, factors()));

@@ -56,6 +56,10 @@ class ScenarioReader {
       top_.file().refuse(game::value_location(kind), "kind",
                          "this is a robot type; name it in a scenario as a team's type");
     }
+    if (text == "measured") {
+      top_.file().refuse(game::value_location(kind), "kind",
+                         "this is a preset; name it in a scenario as sim.ball or sim.camera");
+    }
   }
 
   void read_schema() const {
@@ -74,6 +78,9 @@ class ScenarioReader {
     read_settings(top_.entries(), settings);
     top_.check([&game] { game::check_game(game); });
     top_.assign_all(game);
+    // The game has the presets' values; only the factors of experiments need their names.
+    game.measured_balls.clear();
+    game.measured_cameras.clear();
     return game;
   }
 

@@ -31,7 +31,9 @@ std::vector<Factor> FactorReader::read(const game::YamlEntry& factors, game::Gam
   }
   const std::vector<game::Setting> settings = game::settings_of(base);
   for (const Factor& factor : all) {
-    const game::Setting* setting = game::find_setting(settings, game::full_path(factor.path));
+    const std::string path = game::full_path(factor.path);
+    const game::Setting* setting = game::find_setting(settings, path);
+    if (setting == nullptr) setting = game::preset_of_branch(settings, path);
     if (setting != nullptr && game::is_preset(*setting))
       game::set_value_at(base, factor.path, factor.values.front());
   }
@@ -74,7 +76,9 @@ game::SettingValue FactorReader::value(const game::YamlLocation& location, const
   } catch (const std::invalid_argument& error) {
     file_.refuse(location, path, error.what());
   }
-  base.types.insert(game.types.begin(), game.types.end());
+  base.types.merge(game.types);
+  base.measured_balls.merge(game.measured_balls);
+  base.measured_cameras.merge(game.measured_cameras);
   return value;
 }
 

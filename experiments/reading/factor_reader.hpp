@@ -24,18 +24,18 @@ class FactorReader {
   FactorReader(const game::YamlFile& file, game::SettingLocations& locations)
       : file_(file), locations_(locations) {}
 
-  // Reads the factors. Adds the robot types that they name to `base`, and applies the first value
-  // of each factor that is a preset of the whole game, since every game replaces what the base has
-  // there, and effective.yaml leaves it out. Throws InputError.
+  // Reads the factors. Adds the robot types and presets that they give as files to `base`, and
+  // applies the first value of each factor that is a preset of the whole game, since every game
+  // replaces what the base has there, and effective.yaml leaves it out. Throws InputError.
   std::vector<Factor> read(const game::YamlEntry& factors, game::GameSettings& base);
 
-  // Reads a list of distinct values of the setting at `path`. Adds the robot types named by these
-  // values to `base`. Throws InputError.
+  // Reads a list of distinct values of the setting at `path`. Adds the robot types and presets from
+  // files among them to `base`. Throws InputError.
   std::vector<game::SettingValue> values(const game::YamlEntry& list, const std::string& path,
                                          game::GameSettings& base) const;
 
-  // Parses one value of the setting at `path`. Adds the robot type named by it to `base`. Throws
-  // InputError.
+  // Parses one value of the setting at `path`. If it is a file, adds the robot type or preset in it
+  // to `base`. Throws InputError.
   game::SettingValue value(const game::YamlLocation& location, const std::string& path,
                            const std::string& text, game::GameSettings& base) const;
 

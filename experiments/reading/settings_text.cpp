@@ -14,13 +14,15 @@ std::string comment_on(const game::Setting& setting) {
   return fmt::format("  # {}; {}", setting.about, game::expected_of(setting));
 }
 
-// Whether the setting is a non-empty list of players or types; the settings of these are listed as
-// well.
+// Whether the setting is a non-empty list of players, types or presets; the settings of these are
+// listed as well.
 bool is_spelt_out(const game::Setting& setting) {
   if (const auto* players = std::get_if<game::Players*>(&setting.target))
     return !(**players).empty();
   if (const auto* types = std::get_if<game::RobotTypes*>(&setting.target))
     return !(**types).empty();
+  if (const auto* presets = std::get_if<game::MeasuredPresets*>(&setting.target))
+    return !(**presets).empty();
   return false;
 }
 

@@ -12,7 +12,7 @@
 namespace autoref::experiments {
 
 void read_settings(const std::vector<game::YamlEntry>& entries, game::SettingsReader& settings) {
-  const std::vector<std::string> first = {"types", "match"};
+  const std::vector<std::string> first = {"types", "measured", "match"};
   const std::vector<std::string> known = settings.names();
   const auto is_in = [](const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();

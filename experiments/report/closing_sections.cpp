@@ -28,7 +28,8 @@ constexpr const char* kNothing = "{}";  // the value of a branch without changes
 TextByPath comparable_values(const std::vector<game::Setting>& settings) {
   TextByPath values;
   for (const game::Setting& setting : settings) {
-    if (!game::is_alias(setting) && !is_decided_by_schedule(setting.path)) {
+    if (!game::is_alias(setting) && !is_decided_by_schedule(setting.path) &&
+        !setting.path.starts_with(game::kMeasuredBranch)) {
       values[setting.path] = game::value_of(setting);
     }
   }

@@ -110,9 +110,10 @@ std::set<std::string> changed_numbers(const GameSettings& game) {
   return paths;
 }
 
-// The hash covers the values that types change, but not the types' names.
-bool is_given_by_changes(const Setting& setting) {
+// The hash covers the values that types change and presets set, but not their names.
+bool is_given_by_name(const Setting& setting) {
   return std::holds_alternative<TypeName>(setting.target) ||
+         setting.path.starts_with(kMeasuredBranch) ||
          std::holds_alternative<ChangesOf>(setting.target) ||
          std::holds_alternative<RobotTypes*>(setting.target);
 }
@@ -214,7 +215,7 @@ std::uint64_t configuration_hash(const GameSettings& game) {
   // Hashes a canonical text, one line per setting, so the hash depends neither on memory layout nor
   // on how the settings were given.
   for (const Setting& setting : settings_of(copy)) {
-    if (is_alias(setting) || is_given_by_changes(setting) || names_no_content(setting)) continue;
+    if (is_alias(setting) || is_given_by_name(setting) || names_no_content(setting)) continue;
     if (setting.path.starts_with(kRuleNumberBranch) && !changed.contains(setting.path)) continue;
     text += fmt::format("{}={}\n", setting.path, value_of(setting));
   }

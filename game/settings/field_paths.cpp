@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "game/settings/fields.hpp"
-#include "game/settings/robot_types.hpp"
+#include "game/settings/measured_presets.hpp"
 #include "io/words.hpp"
 #include "strategies/registry.hpp"
 
@@ -40,11 +40,13 @@ std::string unknown_path_message(const std::vector<Setting>& settings, std::stri
                                    : io::suggestion_text(meant));
 }
 
-// Returns the setting at a full path, including those inside another setting.
+// Returns the setting at a full path, including those inside another setting, or the preset of the
+// branch.
 std::optional<Setting> single_setting(const std::vector<Setting>& settings,
                                       const std::string& full) {
   const Setting* setting = find_setting(settings, full);
-  if (setting != nullptr) return holds_others(*setting) ? std::nullopt : std::optional(*setting);
+  if (setting == nullptr) setting = preset_of_branch(settings, full);
+  if (setting != nullptr) return holds_others(*setting) ? preset_in(*setting) : *setting;
   const std::size_t dot = full.rfind('.');
   const Setting* holder = find_setting(settings, full.substr(0, dot));
   if (holder == nullptr || dot == std::string::npos) return std::nullopt;
@@ -118,13 +120,26 @@ bool sets_same_number(std::string_view path, std::string_view other) {
     return whole.ends_with(".handicap") && part.ends_with("_factor") &&
            branch_of(part) == branch_of(whole);
   };
-  return path == other || is_part(path, other) || is_part(other, path);
+  const auto is_preset_of = [](std::string_view preset, std::string_view branch) {
+    return preset == fmt::format("{}.{}", branch, kPresetName);
+  };
+  return path == other || is_part(path, other) || is_part(other, path) ||
+         is_preset_of(path, other) || is_preset_of(other, path);
 }
 
 const Setting* find_setting(const std::vector<Setting>& settings, std::string_view path) {
   const auto found = std::find_if(settings.begin(), settings.end(),
                                   [path](const Setting& s) { return s.path == path; });
   return found == settings.end() ? nullptr : &*found;
+}
+
+const Setting* preset_of_branch(const std::vector<Setting>& settings, std::string_view path) {
+  return find_setting(settings, fmt::format("{}.{}", path, kPresetName));
+}
+
+std::optional<Setting> preset_in(const Setting& setting) {
+  return std::holds_alternative<ChangesOf>(setting.target) ? setting_in(setting, kPresetName)
+                                                           : std::nullopt;
 }
 
 Setting setting_at(const std::vector<Setting>& settings, std::string_view path) {
@@ -231,10 +246,8 @@ SettingValue set_by_path(const SettingsRoot& root, std::string_view path, std::s
                          const std::filesystem::path& folder) {
   const std::vector<Setting> settings = settings_with(root, path);
   const Setting setting = setting_at(settings, path);
-  const bool is_type = std::holds_alternative<TypeName>(setting.target);
-  const std::string word =
-      is_type ? take_type(std::string(text), folder, root.game.types) : std::string(text);
-  SettingValue value = value_in(word, setting);
+  SettingValue value =
+      value_in(take_name(setting, std::string(text), folder, root.game.types), setting);
   set_given(settings, setting, value, root.game.given);
   return value;
 }

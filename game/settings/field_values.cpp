@@ -7,6 +7,7 @@
 #include "game/settings/command_text.hpp"
 #include "game/settings/fields.hpp"
 #include "game/settings/game_settings.hpp"
+#include "game/settings/measured_presets.hpp"
 #include "game/settings/robot_types.hpp"
 #include "io/words.hpp"
 #include "io/yaml_text.hpp"
@@ -31,6 +32,10 @@ template <typename Number>
 Number checked(const Setting& setting, std::string_view text, std::optional<Number> number) {
   if (!number || !setting.range.contains(static_cast<double>(*number))) refuse(setting, text);
   return *number;
+}
+
+bool is_measured(const MeasuredPresets* presets, std::string_view name) {
+  return presets != nullptr && presets->contains(std::string(name));
 }
 
 std::string word_in(const Setting& setting, std::string_view text) {
@@ -64,10 +69,17 @@ bool is_text(const Setting& setting) {
          std::holds_alternative<CommandWords>(setting.target);
 }
 
-std::vector<std::string> names_of(const RobotTypes& types) {
-  std::vector<std::string> names = {kNoType};
-  for (const auto& [name, changes] : types) names.push_back(name);
-  return names;
+// "a file such as robots/slow.yaml, or one of none, fast".
+template <typename Content>
+std::string file_or_name(const char* example, std::vector<std::string> names,
+                         const std::map<std::string, Content>& from_files) {
+  for (const auto& [name, content] : from_files) names.push_back(name);
+  return fmt::format("a file such as {}, or one of {}", example, io::listed(names));
+}
+
+std::string expected_preset(const Setting& setting, const MeasuredPresets* measured) {
+  if (measured == nullptr) return "one of " + io::listed(setting.allowed_words);
+  return file_or_name("measured.yaml", setting.allowed_words, *measured);
 }
 
 }  // namespace
@@ -95,7 +107,8 @@ bool holds_others(const Setting& setting) {
   return std::holds_alternative<Params*>(setting.target) ||
          std::holds_alternative<ChangesOf>(setting.target) ||
          std::holds_alternative<Players*>(setting.target) ||
-         std::holds_alternative<RobotTypes*>(setting.target);
+         std::holds_alternative<RobotTypes*>(setting.target) ||
+         std::holds_alternative<MeasuredPresets*>(setting.target);
 }
 
 std::string expected_of(const Setting& setting) {
@@ -105,10 +118,9 @@ std::string expected_of(const Setting& setting) {
           [&](int*) { return "a whole number " + text_of(setting.range, setting.unit); },
           [&](std::uint64_t*) { return std::string("a whole number from 0 to 2^64 - 1"); },
           [&](BothFactors) { return "a number " + text_of(setting.range, setting.unit); },
-          [&](TypeName type) {
-            return "a file such as robots/slow.yaml, or one of " +
-                   io::listed(names_of(*type.types));
-          },
+          [&](TypeName type) { return file_or_name("robots/slow.yaml", {kNoType}, *type.types); },
+          [&](BallPreset preset) { return expected_preset(setting, preset.measured); },
+          [&](CameraPreset preset) { return expected_preset(setting, preset.measured); },
           [&](FreeText) { return std::string("text"); },
           [&](CommandWords) {
             return std::string("a command such as [python3, my_team.py] or 'python3 my_team.py'");
@@ -122,6 +134,7 @@ std::string expected_of(const Setting& setting) {
           [&](Params*) { return std::string("numbers by name"); },
           [&](Players*) { return std::string("robots by number"); },
           [&](RobotTypes*) { return std::string("types by name"); },
+          [&](MeasuredPresets*) { return std::string("presets by name"); },
           [&](auto) {
             return (setting.allowed_words.size() == 1 ? "" : "one of ") +
                    io::listed(setting.allowed_words);
@@ -134,6 +147,9 @@ SettingValue value_in(std::string_view text, const Setting& setting) {
   const auto number = [&] { return checked(setting, text, io::number_in(text)); };
   const auto word = [&] { return word_in(setting, text); };
   const auto none = [&]() -> SettingValue { refuse(setting, text); };
+  const auto preset = [&](const MeasuredPresets* measured) -> SettingValue {
+    return is_measured(measured, text) ? std::string(text) : word();
+  };
   return std::visit(
       Overloaded{
           [&](double*) -> SettingValue { return number(); },
@@ -154,6 +170,9 @@ SettingValue value_in(std::string_view text, const Setting& setting) {
           [&](Params*) { return none(); },
           [&](Players*) { return none(); },
           [&](RobotTypes*) { return none(); },
+          [&](MeasuredPresets*) { return none(); },
+          [&](BallPreset ball) { return preset(ball.measured); },
+          [&](CameraPreset camera) { return preset(camera.measured); },
           [&](const auto&) -> SettingValue { return word(); },
       },
       setting.target);
@@ -176,10 +195,11 @@ void set_value(const Setting& setting, const SettingValue& value) {
           [&](Params*) { none(); },
           [&](Players*) { none(); },
           [&](RobotTypes*) { none(); },
+          [&](MeasuredPresets*) { none(); },
           [&](DribblerPreset preset) { sim::apply_dribbler_preset(word(), *preset.dribbler); },
           [&](KickerPreset preset) { sim::apply_kicker_preset(word(), *preset.kicker); },
-          [&](BallPreset preset) { sim::apply_ball_preset(word(), *preset.ball); },
-          [&](CameraPreset preset) { sim::apply_camera_preset(word(), *preset.sim); },
+          [&](BallPreset preset) { apply_preset(word(), preset); },
+          [&](CameraPreset preset) { apply_preset(word(), preset); },
           [&](RulesChoice choice) { choose_rules(word(), *choice.game); },
           [&](std::string* text) { *text = word(); },
           [&](bool* flag) { *flag = word() == kYes; },
@@ -224,6 +244,7 @@ SettingValue current_value(const Setting& setting) {
           [&](Params*) { return none(); },
           [&](Players*) { return none(); },
           [&](RobotTypes*) { return none(); },
+          [&](MeasuredPresets*) { return none(); },
           [](bool* flag) -> SettingValue { return std::string(*flag ? kYes : kNo); },
           [](EnumerationName one) -> SettingValue { return std::string(one.name(one.value)); },
       },

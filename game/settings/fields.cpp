@@ -1,5 +1,6 @@
 #include "game/settings/fields.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <iterator>
 
@@ -53,6 +54,34 @@ void list_robots(Of& of, const RobotTypes& types, Branch to) {
 void list_types(RobotTypes& types, Branch to) {
   to.add("types", &types, {}, "robot types by name");
   for (auto& [name, changes] : types) list_changes(changes, to.below("types").below(name));
+}
+
+void append(std::vector<Setting> from, std::vector<Setting>& to) {
+  to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
+
+void list_measured(GameSettings& game, std::vector<Setting>& list) {
+  Branch to(list, std::string(kMeasuredBranch));
+  to.add("ball", &game.measured_balls, {}, "presets that sim.ball can name");
+  for (auto& [name, preset] : game.measured_balls)
+    append(ball_settings(preset.sim, fmt::format("{}ball.{}.", kMeasuredBranch, name)), list);
+  to.add("camera", &game.measured_cameras, {}, "presets that sim.camera can name");
+  for (auto& [name, preset] : game.measured_cameras)
+    append(camera_settings(preset.sim, fmt::format("{}camera.{}.", kMeasuredBranch, name)), list);
+}
+
+// The settings of `sim` that have one of these paths or are below it.
+std::vector<Setting> settings_at(const std::vector<std::string_view>& paths,
+                                 sim::Configuration& sim, const std::string& prefix) {
+  std::vector<Setting> settings;
+  Branch(settings, "").parameters(sim);
+  std::erase_if(settings, [&paths](const Setting& setting) {
+    return std::none_of(paths.begin(), paths.end(), [&setting](std::string_view path) {
+      return setting.path == path || setting.path.starts_with(fmt::format("{}.", path));
+    });
+  });
+  for (Setting& setting : settings) setting.path.insert(0, prefix);
+  return settings;
 }
 
 void list_team(TeamSettings& team, const RobotTypes& types, Branch to) {
@@ -121,14 +150,29 @@ void list_match(GameSettings& game, std::vector<Setting>& list) {
     switches.parameter(game.match.rules.in_force[entry.rule], {entry.name, entry.about});
 }
 
+// Makes the presets of ball and camera accept files.
+void accept_files(GameSettings& game, std::vector<Setting>& settings) {
+  for (Setting& setting : settings) {
+    if (auto* ball = std::get_if<BallPreset>(&setting.target)) {
+      ball->contacts = &game.sim.contacts;
+      ball->measured = &game.measured_balls;
+    } else if (auto* camera = std::get_if<CameraPreset>(&setting.target)) {
+      camera->measured = &game.measured_cameras;
+    }
+  }
+}
+
 // Lists the world's parameters, including the robots'.
 void list_world(GameSettings& game, std::vector<Setting>& list) {
-  Branch(list, "sim.").parameters(game.sim);
+  std::vector<Setting> world;
+  Branch(world, "sim.").parameters(game.sim);
+  accept_files(game, world);
   std::vector<Setting> robot = settings_of(game.robot, "sim.");
-  const auto place = std::find_if(list.begin(), list.end(), [](const Setting& setting) {
+  const auto place = std::find_if(world.begin(), world.end(), [](const Setting& setting) {
     return setting.path.starts_with("sim.placement.");
   });
-  list.insert(place, std::make_move_iterator(robot.begin()), std::make_move_iterator(robot.end()));
+  world.insert(place, std::make_move_iterator(robot.begin()), std::make_move_iterator(robot.end()));
+  append(std::move(world), list);
 }
 
 }  // namespace
@@ -139,23 +183,24 @@ void list_preset(sim::Configuration& sim, Branch& to) {
 }
 
 void list_preset(sim::BallParameters& ball, Branch& to) {
-  to.word("preset", BallPreset{&ball}, sim::ball_preset_names(),
+  to.word(kPresetName, BallPreset{&ball}, sim::ball_preset_names(),
           "sets how the ball slides, rolls and hops");
 }
 
 void list_preset(sim::KickerParameters& kicker, Branch& to) {
-  to.word("preset", KickerPreset{&kicker}, sim::kicker_preset_names(),
+  to.word(kPresetName, KickerPreset{&kicker}, sim::kicker_preset_names(),
           "sets all parameters of the kicker");
 }
 
 void list_preset(sim::DribblerParameters& dribbler, Branch& to) {
-  to.word("preset", DribblerPreset{&dribbler}, sim::dribbler_preset_names(),
+  to.word(kPresetName, DribblerPreset{&dribbler}, sim::dribbler_preset_names(),
           "sets how the dribbler grips the ball");
 }
 
 std::vector<Setting> settings_of(GameSettings& game) {
   std::vector<Setting> list;
   list_types(game.types, Branch(list, ""));
+  list_measured(game, list);
   list_team(game.a, game.types, Branch(list, "teams.a."));
   list_team(game.b, game.types, Branch(list, "teams.b."));
   list_match(game, list);
@@ -182,6 +227,14 @@ std::vector<Setting> settings_of(RobotChanges& changes) {
   std::vector<Setting> list;
   list_changes(changes, Branch(list, ""));
   return list;
+}
+
+std::vector<Setting> ball_settings(sim::Configuration& sim, const std::string& prefix) {
+  return settings_at({"ball", "contacts"}, sim, prefix);
+}
+
+std::vector<Setting> camera_settings(sim::Configuration& sim, const std::string& prefix) {
+  return settings_at({"vision", "frame_rate_hz", "latency_s", "radio.command_loss"}, sim, prefix);
 }
 
 }  // namespace autoref::game

@@ -24,14 +24,20 @@ struct BothFactors {
   double* acceleration = nullptr;
 };
 
-// `preset`: selects the parameters of a known ball by name (sim/presets.hpp).
+// `preset`: selects the parameters of a known ball by name (sim/presets.hpp). In a game, it can
+// also be one of the game's presets from files (measured_presets.hpp), which set the contacts as
+// well.
 struct BallPreset {
   sim::BallParameters* ball = nullptr;
+  sim::ContactParameters* contacts = nullptr;  // null outside a game
+  MeasuredPresets* measured = nullptr;         // null outside a game
 };
 
-// `camera`: selects the vision and radio of a known league by name (sim/presets.hpp).
+// `camera`: selects the vision and radio of a known league by name (sim/presets.hpp). In a game, it
+// can also be one of the game's presets from files (measured_presets.hpp).
 struct CameraPreset {
   sim::Configuration* sim = nullptr;
+  MeasuredPresets* measured = nullptr;  // null outside a game
 };
 
 // `preset`: selects the parameters of a known dribbler or kicker by name (sim/presets.hpp).
@@ -89,14 +95,20 @@ struct CommandWords {
 inline constexpr const char* kNo = "false";
 inline constexpr const char* kYes = "true";
 
+// The last name of the path of a branch's preset, which a word in place of the branch selects.
+inline constexpr const char* kPresetName = "preset";
+
+// Precedes the paths of the game's presets from files.
+inline constexpr std::string_view kMeasuredBranch = "measured.";
+
 using Params = std::map<std::string, double>;
 using Players = std::map<int, PlayerSettings>;
 
 // Location of a setting's value in a GameSettings.
-using Target =
-    std::variant<double*, int*, bool*, std::uint64_t*, std::string*, EnumerationName, BothFactors,
-                 BallPreset, CameraPreset, DribblerPreset, KickerPreset, RulesChoice, TypeName,
-                 FreeText, CommandWords, Change, ChangesOf, Params*, Players*, RobotTypes*>;
+using Target = std::variant<double*, int*, bool*, std::uint64_t*, std::string*, EnumerationName,
+                            BothFactors, BallPreset, CameraPreset, DribblerPreset, KickerPreset,
+                            RulesChoice, TypeName, FreeText, CommandWords, Change, ChangesOf,
+                            Params*, Players*, RobotTypes*, MeasuredPresets*>;
 
 struct Setting {
   std::string path;  // such as "teams.a.robots"
@@ -119,6 +131,10 @@ std::vector<Setting> settings_of(TeamSettings& team, const RobotTypes& types,
 std::vector<Setting> settings_of(sim::RobotSpec& robot, const std::string& prefix);
 std::vector<Setting> settings_of(RobotChanges& changes);
 
+// The settings of `sim` that a preset from a file sets for the ball or the camera, below `prefix`.
+std::vector<Setting> ball_settings(sim::Configuration& sim, const std::string& prefix);
+std::vector<Setting> camera_settings(sim::Configuration& sim, const std::string& prefix);
+
 // Returns the full path: "teams.b.robots" for "b.robots"; other paths are unchanged. short_path()
 // is the inverse.
 std::string full_path(std::string_view path);
@@ -133,9 +149,9 @@ std::vector<std::string> short_paths(const std::vector<Setting>& settings);
 std::vector<std::string> paths_ending_in(std::string_view end,
                                          const std::vector<std::string>& paths);
 
-// Returns whether two full or two short paths set the same value: either they are equal, or one of
-// them is a handicap and the other is one of its two factors. (Presets do not override single
-// settings.)
+// Returns whether two full or two short paths set the same value: they are equal, one of them is a
+// handicap and the other is one of its two factors, or one of them is a branch and the other is its
+// preset. (Presets do not override single settings.)
 bool sets_same_number(std::string_view path, std::string_view other);
 
 // Returns the path without its last name.
@@ -144,8 +160,16 @@ std::string_view branch_of(std::string_view path);
 // Returns the setting with exactly this path, or null.
 const Setting* find_setting(const std::vector<Setting>& settings, std::string_view path);
 
-// Returns the setting at a full or short path, including settings inside another one. Throws
-// std::invalid_argument naming up to three paths that may have been meant: "match.half_s" for
+// Returns the preset that a word in place of the branch at `path` selects: "sim.ball.preset" for
+// "sim.ball". Returns null if the branch does not have one.
+const Setting* preset_of_branch(const std::vector<Setting>& settings, std::string_view path);
+
+// The same for the overrides of a robot's kicker or dribbler; nullopt for other settings.
+std::optional<Setting> preset_in(const Setting& setting);
+
+// Returns the setting at a full or short path, including settings inside another one. For a branch
+// with a preset, such as "sim.ball", returns the preset. Throws std::invalid_argument if the path
+// is unknown, naming up to three paths that may have been meant: "match.half_s" for
 // "half_s".
 Setting setting_at(const std::vector<Setting>& settings, std::string_view path);
 
@@ -223,9 +247,9 @@ struct SettingsRoot {
 std::vector<Setting> settings_with(const SettingsRoot& root, std::string_view path);
 
 // set_given() for a path. `a.params.NAME` is a parameter of the team, `a.robot.NAME` a value of its
-// robots, `a.players.3.` an override for one robot; a type may also be a file, relative to
-// `folder`. Returns the value. Throws std::invalid_argument for an unknown path (naming the nearest
-// known one) or an invalid value.
+// robots, `a.players.3.` an override for one robot; a type, or a preset of ball or camera, may also
+// be a file, relative to `folder`. Returns the value. Throws std::invalid_argument for an unknown
+// path (naming the nearest known one) or an invalid value.
 SettingValue set_by_path(const SettingsRoot& root, std::string_view path, std::string_view text,
                          const std::filesystem::path& folder = {});
 

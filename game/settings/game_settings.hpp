@@ -25,6 +25,13 @@ using RobotChanges = std::map<std::string, SettingValue>;
 
 using RobotTypes = std::map<std::string, RobotChanges>;  // changes of each robot type, by name
 
+// The values of a preset from a file, for the ball or the camera (measured_presets.hpp).
+struct MeasuredPreset {
+  sim::Configuration sim;
+};
+
+using MeasuredPresets = std::map<std::string, MeasuredPreset>;  // by name
+
 inline constexpr const char* kNoType = "none";
 
 // A robot that differs from the rest of its team.
@@ -69,6 +76,8 @@ struct GameSettings {
   sim::Configuration sim;
   sim::RobotSpec robot;  // body, kicker and dribbler of every robot, unless its type overrides them
   RobotTypes types;      // robot types for teams and players
+  MeasuredPresets measured_balls;    // for sim.ball.preset
+  MeasuredPresets measured_cameras;  // for sim.camera
   std::uint64_t seed = 42;
   // Set by kinds of experiments, not by settings
   // (experiments/kinds/situations/situations.hpp).

@@ -10,10 +10,8 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "game/settings/fields.hpp"
 #include "game/settings/game_settings.hpp"
@@ -23,28 +21,12 @@ namespace autoref::game {
 // Reads a type as strictly as a scenario. Throws InputError with file, line and key.
 RobotChanges read_robot_type_text(const std::string& text, const std::string& file_name);
 
-// Returns whether `text`, with which a user gives a type, is the path of a file and not a name.
-bool is_type_file(std::string_view text);
-
 // Resolves a type that a user gave as `text` and returns its name in `types`. `text` is a name in
 // `types` or the path of a file relative to `folder`, which is then read into `types`;
 // "robots/slow.yaml" becomes "slow". Throws std::invalid_argument if the file cannot be read or if
 // another type already has that name, and InputError for errors inside the file.
 std::string take_type(const std::string& text, const std::filesystem::path& folder,
                       RobotTypes& types);
-
-// The existing type files named by the values of a scenario or scene. Returns none if `file` is a
-// pipe, since that can be read only once.
-std::vector<std::string> type_files_in(const std::filesystem::path& file);
-
-// Maximum number of types per game.
-inline constexpr std::size_t kMostTypes = 1000;
-
-// Throws std::invalid_argument if there are more than kMostTypes.
-void check_type_count(const RobotTypes& types);
-
-// Describes what is wrong with a type's name; nullopt if it consists of letters, digits, - and _.
-std::optional<std::string> fault_in_type_name(std::string_view name);
 
 // The overrides of the named type, with `changes` taking precedence. Throws SettingError for the
 // path `type` if there is no such type.

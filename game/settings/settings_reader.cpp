@@ -8,7 +8,8 @@
 #include <stdexcept>
 
 #include "game/settings/command_text.hpp"
-#include "game/settings/robot_types.hpp"
+#include "game/settings/measured_presets.hpp"
+#include "game/settings/named_files.hpp"
 #include "io/words.hpp"
 
 namespace autoref::game {
@@ -18,7 +19,7 @@ namespace {
 // Name of the setting that sets other settings in this branch.
 std::string_view name_of_preset_in(std::string_view branch) {
   if (branch == "sim") return "camera";
-  return branch == "match" ? "rules" : "preset";
+  return branch == "match" ? "rules" : kPresetName;
 }
 
 // An example of a line with this key, for keys with a format that is hard to guess.
@@ -60,6 +61,30 @@ void refuse_unknown(const YamlFile& file, const std::vector<YamlEntry>& top,
     if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
     file.refuse(entry.location, "", unknown_key_message(entry.key, known));
   }
+}
+
+std::vector<std::string> read_settings_file(const YamlFile& file, const std::string& kind,
+                                            std::vector<Setting> settings) {
+  const std::vector<YamlEntry> top = file.top();
+  expect_value(file, top, "schema", "1");
+  expect_value(file, top, "kind", kind);
+  const std::vector<std::string> names = names_below(settings, "");
+  std::vector<std::string> known = {"schema", "kind", "about"};
+  known.insert(known.end(), names.begin(), names.end());
+  refuse_unknown(file, top, known);
+  if (const YamlEntry* about = find_entry(top, "about")) {
+    file.scalar(*about, "about", "a sentence", false);
+  }
+  SettingLocations locations;
+  SettingsReader reader(file, std::move(settings), locations);
+  std::vector<std::string> given;
+  for (const std::string& name : names) {
+    const YamlEntry* entry = find_entry(top, name);
+    if (entry == nullptr) continue;
+    reader.read(*entry, name);
+    given.push_back(name);
+  }
+  return given;
 }
 
 void assign_entry(const YamlFile& file, const YamlEntry& entry, const Setting& setting) {
@@ -104,11 +129,13 @@ void SettingsReader::read(const YamlEntry& entry, const std::string& path) {
   if (const auto* players = std::get_if<Players*>(&setting.target)) {
     read_players(entry, path, **players);
   } else if (const auto* types = std::get_if<RobotTypes*>(&setting.target)) {
-    read_types(entry, path, **types);
+    read_named(entry, path, **types, kRobotType);
+  } else if (const auto* presets = std::get_if<MeasuredPresets*>(&setting.target)) {
+    read_named(entry, path, **presets, kPreset);
   } else if (holds_others(setting)) {
     read_held(entry, setting);
-  } else if (std::holds_alternative<TypeName>(setting.target)) {
-    read_type(entry, setting);
+  } else if (accepts_file(setting)) {
+    read_file_or_name(entry, setting);
   } else {
     read_value(entry, setting);
   }
@@ -122,6 +149,9 @@ std::string SettingsReader::about_unknown(std::string_view key,
 }
 
 void SettingsReader::read_branch(const YamlEntry& branch, const std::string& path) {
+  if (branch.value.IsScalar() && preset_of_branch(settings_, path) != nullptr) {
+    return read(branch, preset_of_branch(settings_, path)->path);
+  }
   const std::vector<std::string> known = names_below(settings_, path);
   const std::vector<YamlEntry> entries = file_.entries(branch, path, known);
   refuse_handicap_beside_its_factors(entries, path);
@@ -151,6 +181,10 @@ void SettingsReader::refuse_handicap_beside_its_factors(const std::vector<YamlEn
 
 void SettingsReader::read_held(const YamlEntry& entry, const Setting& setting) {
   const std::vector<std::string> known = names_in(setting);
+  if (entry.value.IsScalar()) {
+    const std::optional<Setting> preset = preset_in(setting);
+    if (preset) return read_value(entry, *preset);
+  }
   const std::vector<YamlEntry> entries = file_.entries(entry, setting.path, known);
   const auto read_one = [&](const YamlEntry& held) {
     const std::optional<Setting> its_setting = setting_in(setting, held.key);
@@ -160,7 +194,7 @@ void SettingsReader::read_held(const YamlEntry& entry, const Setting& setting) {
     read_value(held, *its_setting);
   };
   // Read the preset first: single settings override it, wherever they appear.
-  const YamlEntry* preset = known.empty() ? nullptr : find_entry(entries, "preset");
+  const YamlEntry* preset = known.empty() ? nullptr : find_entry(entries, kPresetName);
   if (preset != nullptr) read_one(*preset);
   for (const YamlEntry& held : entries) {
     if (&held != preset) read_one(held);
@@ -182,28 +216,33 @@ void SettingsReader::read_players(const YamlEntry& entry, const std::string& pat
   }
 }
 
-void SettingsReader::read_types(const YamlEntry& entry, const std::string& path,
-                                RobotTypes& types) {
-  for (const YamlEntry& type : file_.entries(entry, path, {})) {
-    if (const std::optional<std::string> fault = fault_in_type_name(type.key)) {
-      file_.refuse(type.location, path, *fault);
+template <typename ByName>
+void SettingsReader::read_named(const YamlEntry& entry, const std::string& path, ByName& all,
+                                std::string_view what) {
+  const std::vector<YamlEntry> entries = file_.entries(entry, path, {});
+  for (const YamlEntry& one : entries) {
+    if (const std::optional<std::string> fault = fault_in_name(one.key, what)) {
+      file_.refuse(one.location, path, *fault);
     }
     try {
-      types[type.key];
-      check_type_count(types);
+      all[one.key];
+      check_name_count(all.size(), what);
     } catch (const std::invalid_argument& error) {
-      file_.refuse(type.location, path, error.what());
+      file_.refuse(one.location, path, error.what());
     }
-    rebuild_list();
-    read_branch(type, path + "." + type.key);
   }
+  rebuild_list();
+  for (const YamlEntry& one : entries) read_branch(one, path + "." + one.key);
 }
 
-void SettingsReader::read_type(const YamlEntry& entry, const Setting& setting) {
+void SettingsReader::read_file_or_name(const YamlEntry& entry, const Setting& setting) {
   assert(types_ != nullptr);
   const std::string text = file_.scalar(entry, setting.path, expected_of(setting), false);
   try {
-    assign(setting, take_type(text, file_.folder(), *types_));
+    const SettingValue value = value_in(take_name(setting, text, file_.folder(), *types_), setting);
+    if (!is_preset(setting)) return set_value(setting, value);
+    locations_[setting.path] = entry.location;
+    set_given(settings_, setting, value, *given_);
   } catch (const std::invalid_argument& error) {
     file_.refuse(value_location(entry), setting.path, error.what());
   }

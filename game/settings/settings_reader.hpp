@@ -32,6 +32,11 @@ void expect_value(const YamlFile& file, const std::vector<YamlEntry>& top, std::
 void refuse_unknown(const YamlFile& file, const std::vector<YamlEntry>& top,
                     const std::vector<std::string>& known);
 
+// Reads a file with `schema`, `kind` and perhaps `about`, whose other keys are the top-level names
+// of the settings. Returns those that it has. Throws InputError.
+std::vector<std::string> read_settings_file(const YamlFile& file, const std::string& kind,
+                                            std::vector<Setting> settings);
+
 // Parses the entry's value into the setting. Throws InputError saying what was expected.
 void assign_entry(const YamlFile& file, const YamlEntry& entry, const Setting& setting);
 
@@ -48,7 +53,7 @@ class SettingsReader {
             file, [&game] { return settings_of(game); }, game, locations) {}
 
   // Reads the settings returned by `list`, which is called again after each new player or type.
-  // Types read from files, and the given settings, are added to `game`.
+  // Types and presets read from files, and the given settings, are added to `game`.
   SettingsReader(const YamlFile& file, List list, GameSettings& game, SettingLocations& locations)
       : file_(file),
         list_(std::move(list)),
@@ -57,7 +62,8 @@ class SettingsReader {
         settings_(list_()),
         locations_(locations) {}
 
-  // Reads only these settings, which must not include a type, players or types.
+  // Reads only these settings, which must not accept files (measured_presets.hpp) or include
+  // players or types.
   SettingsReader(const YamlFile& file, std::vector<Setting> settings, SettingLocations& locations)
       : file_(file), settings_(std::move(settings)), locations_(locations) {}
 
@@ -81,8 +87,10 @@ class SettingsReader {
                                           const std::string& path) const;
   void read_held(const YamlEntry& entry, const Setting& setting);
   void read_players(const YamlEntry& entry, const std::string& path, Players& players);
-  void read_types(const YamlEntry& entry, const std::string& path, RobotTypes& types);
-  void read_type(const YamlEntry& entry, const Setting& setting);
+  template <typename ByName>
+  void read_named(const YamlEntry& entry, const std::string& path, ByName& all,
+                  std::string_view what);
+  void read_file_or_name(const YamlEntry& entry, const Setting& setting);
   void read_value(const YamlEntry& entry, const Setting& setting);
 
   const YamlFile& file_;

@@ -29,9 +29,8 @@ void refuse_both(const TopReader& top, const char* one, const char* other) {
 }
 
 std::vector<std::string> values_in(TopReader& top, const game::YamlEntry& entry,
-                                   const std::string& path) {
-  game::GameSettings any;
-  return game::spelt(FactorReader(top.file(), top.locations()).values(entry, path, any));
+                                   const std::string& path, game::GameSettings& base) {
+  return game::spelt(FactorReader(top.file(), top.locations()).values(entry, path, base));
 }
 
 std::array<std::string, 2> matchup_in(const game::YamlFile& file, const YAML::Node& value) {
@@ -104,7 +103,7 @@ Key values_key(const char* name, std::string value, std::string about, const cha
   Key key{name, std::move(value), std::move(about)};
   key.read = [name, path, &values, is_required, &base](TopReader& top) {
     const game::YamlEntry* entry = is_required ? &top.required(name) : top.find(name);
-    if (entry != nullptr) values = values_in(top, *entry, path);
+    if (entry != nullptr) values = values_in(top, *entry, path, base);
     top.refuse_assignment(path);
     game::set_by_path(base, path, values.front());
   };
@@ -132,7 +131,7 @@ Key strategies_key(JudgeSchedule& schedule) {
           "instead of `matchups`: teams, all pairs of which play about equally often"};
   key.read = [&schedule](TopReader& top) {
     if (const game::YamlEntry* entry = top.find("teams"))
-      schedule.teams = values_in(top, *entry, "a.strategy");
+      schedule.teams = values_in(top, *entry, "a.strategy", schedule.base);
   };
   key.text = [&schedule] {
     return schedule.teams.empty() ? "" : fmt::format("teams: [{}]\n", io::listed(schedule.teams));

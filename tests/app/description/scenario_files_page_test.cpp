@@ -114,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(Of, ScenarioFilesPage, testing::ValuesIn(all_parts()),
 TEST(ScenarioFilesPages, HaveASectionForEveryKind) {
   Names kinds = listed_after("expected one of ", complaint("run", "kind: zzz\n"));
   kinds.erase("found 'zzz'");
-  kinds.insert({"lab", "robot"});  // read by verbs and scenarios of their own
+  kinds.insert({"lab", "measured", "robot"});  // read by verbs and scenarios of their own
   Names sections;
   for (const SchemaSection& section : page_sections())
     if (section.title.find(':') == std::string::npos) sections.insert(section.title);
@@ -129,6 +129,19 @@ TEST(ScenarioFilesPages, ListTheKeysOfRobotTypes) {
   const std::string game = "kind: game\nteams: {a: {type: " + type + "}}\n";
   const Names known = listed_after("Known here: ", complaint("play", game));
   EXPECT_EQ(known, (Names{"schema", "kind", "about", "robot", "kicker", "dribbler"}));
+}
+
+// A preset is read by the scenario that names it.
+TEST(ScenarioFilesPages, ListTheKeysOfMeasuredPresets) {
+  const TemporaryFolder folder;
+  write_content(folder / "mine.yaml", "schema: 1\nkind: measured\nzzz: 1\n");
+  const std::string game = "kind: game\nsim: {ball: " + (folder / "mine.yaml").string() + "}\n";
+  Names keys = {"schema", "kind", "about"};
+  for (const SchemaSection& section : page_sections()) {
+    if (section.title != "measured") continue;
+    for (const std::string& name : section.names()) keys.insert(name);
+  }
+  EXPECT_EQ(listed_after("Known here: ", complaint("play", game)), keys);
 }
 
 }  // namespace

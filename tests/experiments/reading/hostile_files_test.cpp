@@ -7,6 +7,7 @@
 #include "experiments/kinds/roundrobin/roundrobin.hpp"
 #include "experiments/kinds/scenario_reader.hpp"
 #include "game/lab/lab.hpp"
+#include "game/settings/measured_presets.hpp"
 #include "game/settings/robot_types.hpp"
 #include "io/command.hpp"
 #include "io/errors.hpp"
@@ -78,6 +79,11 @@ TEST_P(HostileFile, IsRefusedAsARobotType) {
   expect_refused(refusal_of([&] { game::read_robot_type_text(text, "x.yaml"); }));
 }
 
+TEST_P(HostileFile, IsRefusedAsAMeasuredPreset) {
+  const std::string text = "schema: 1\nkind: measured\n" + GetParam().text;
+  expect_refused(refusal_of([&] { game::read_measured_text(text, "x.yaml"); }));
+}
+
 TEST_P(HostileFile, IsRefusedAsALabScene) {
   const std::string text = "schema: 1\nkind: lab\n" + GetParam().text;
   expect_refused(refusal_of([&] { game::read_lab_scene_text(text, "x.yaml"); }));
@@ -111,6 +117,13 @@ TEST(HostileScenario, IsRefusedIfItHasTooManyTypes) {
   EXPECT_NE(
       refusal_of([&] { read_scenario_text(text, "x.yaml"); }).find("more than 1000 robot types"),
       std::string::npos);
+}
+
+TEST(HostileScenario, IsRefusedIfItHasTooManyPresets) {
+  const std::string text =
+      "schema: 1\nkind: game\nmeasured: { ball: { " + keys("p", 1500) + "} }\n";
+  EXPECT_NE(refusal_of([&] { read_scenario_text(text, "x.yaml"); }).find("more than 1000 presets"),
+            std::string::npos);
 }
 
 TEST(HostileScenario, IsRefusedIfItHasTooManyTeamsBeforeTheirMatchupsAreListed) {

@@ -150,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{"UnknownCamera",
                             changed(kCorrectSweep, "match: { half_s: 60 }",
                                     "sim: { camera: realistc }"),
-                            "x.yaml:5:24: sim.camera: expected one of ",
+                            "x.yaml:5:24: sim.camera: expected a file such as ",
                             {"did you mean 'realistic'?"}},
                     Mistake{"UnknownRules",
                             changed(kCorrectSweep, "half_s: 60", "rules: 2015"),

@@ -60,8 +60,8 @@ TEST(SetByPath, SetsTheBallsValuesWithAPreset) {
   EXPECT_EQ(game.sim.ball.hop_later_xy, 0.85);
   EXPECT_EQ(value_at(game, "sim.ball.preset"), "tigers");
   EXPECT_EQ(refusal_of_value("sim.ball.preset", "tiger"),
-            "expected one of default, erforce, tigers, grsim, rc2026, found 'tiger'; did you mean "
-            "'tigers'?");
+            "expected a file such as measured.yaml, or one of default, erforce, tigers, grsim, "
+            "rc2026, found 'tiger'; did you mean 'tigers'?");
 }
 
 TEST(SetByPath, SuggestsThePathsThatEndWithAnUnknownOne) {

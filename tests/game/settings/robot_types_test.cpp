@@ -154,7 +154,8 @@ TEST_F(ScenarioWithTypes, RefusesTwoTypesWithTheSameName) {
   write_content(folder_ / "other/slow.yaml", kType + "robot: { speed_mps: 1 }\n");
   const std::string message = refusal(
       kTypesGame + "teams: { a: { type: robots/slow.yaml }, b: { type: other/slow.yaml } }\n");
-  EXPECT_NE(message.find("another type is already called 'slow'"), std::string::npos) << message;
+  EXPECT_NE(message.find("another robot type is already called 'slow'"), std::string::npos)
+      << message;
 }
 
 TEST_F(ScenarioWithTypes, SaysThatATypeIsNamedAfterItsFile) {
