@@ -277,7 +277,7 @@ FieldGaps gaps_in(const Geometry& geometry) {
   return {!size.has_goal_center_to_penalty_mark(), !has_box_sizes(size) && !has_lines};
 }
 
-CameraPosition camera_of(const Geometry& geometry, std::uint32_t id, const Vec2& below_m) {
+std::optional<CameraPosition> calibrated_camera(const Geometry& geometry, std::uint32_t id) {
   for (const CameraCalibration& camera : geometry.calib()) {
     if (camera.camera_id() != id || !camera.has_derived_camera_world_tz()) continue;
     CameraPosition position{
@@ -287,9 +287,13 @@ CameraPosition camera_of(const Geometry& geometry, std::uint32_t id, const Vec2&
                          position.height_m <= kLongest_m;
     if (is_near) return position;
   }
+  return std::nullopt;
+}
+
+CameraPosition camera_of(const Geometry& geometry, std::uint32_t id, const Vec2& below_m) {
   // Without a valid calibration, the camera is assumed to be directly above `below_m`, so that a
   // flying ball has no parallax.
-  return {below_m};
+  return calibrated_camera(geometry, id).value_or(CameraPosition{below_m});
 }
 
 }  // namespace autoref::league

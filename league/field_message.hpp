@@ -1,6 +1,8 @@
 // The field as described by the league's vision.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
 
 #include "league/messages/vision.pb.h"
@@ -37,6 +39,10 @@ struct FieldGaps {
 };
 
 FieldGaps gaps_in(const Geometry& geometry);
+
+// The position of the camera with that id; nullopt if the message does not contain it, or if the
+// position is below the carpet or more than 100 m away.
+std::optional<CameraPosition> calibrated_camera(const Geometry& geometry, std::uint32_t id);
 
 // The position of the camera with that id. If the message does not contain it, or its position is
 // below the carpet or more than 100 m away, the camera is assumed to be above `below_m`.

@@ -6,6 +6,7 @@
 
 #include "game/loop/game_event_fields.hpp"
 #include "league/game_event_message.hpp"
+#include "logs/third_differences.hpp"
 
 namespace autoref::logs {
 namespace {
@@ -23,7 +24,6 @@ constexpr std::size_t kEnoughDifferences = 200;
 constexpr std::size_t kMostDifferences = 200'000;
 constexpr double kMostUneven = 0.25;  // as a fraction of the interval between two frames
 constexpr double kLongestInterval_s = 0.1;
-constexpr double kNormalMedian = 0.6745;  // median absolute value, in standard deviations
 constexpr double kLeastNoise_m = 0.00015;
 constexpr double kLeastNoise_rad = 0.0005;
 constexpr double kMostNoise_m = 0.02;
@@ -35,9 +35,7 @@ void note(double difference, std::vector<double>& differences) {
 
 std::optional<double> deviation_of(std::vector<double> differences) {
   if (differences.size() < kEnoughDifferences) return std::nullopt;
-  const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
-  std::nth_element(differences.begin(), middle, differences.end());
-  return *middle / kNormalMedian / std::sqrt(20.0);
+  return noise_in(std::move(differences));
 }
 
 double within(double deviation, double least, double most) {
@@ -78,7 +76,7 @@ std::optional<Vec2> LoggedNoise::Track::add(double time_s, const Vec2& position)
     const double interval_s = latest_[i].time_s - latest_[i - 1].time_s;
     if (std::abs(interval_s - mean_s) > kMostUneven * mean_s) return std::nullopt;
   }
-  return Vec2(latest_[3].at - 3 * latest_[2].at + 3 * latest_[1].at - latest_[0].at);
+  return third_difference<Vec2>(latest_[0].at, latest_[1].at, latest_[2].at, latest_[3].at);
 }
 
 void LoggedNoise::add(const Frame& frame) {

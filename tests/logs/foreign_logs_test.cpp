@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "io/errors.hpp"
+#include "league/referee_message.hpp"
+#include "soccer/referee_signal.hpp"
 #include "tests/app/answer.hpp"
 #include "tests/checkout.hpp"
 #include "tests/logs/sketched_log.hpp"

@@ -13,6 +13,7 @@
 #include "game/loop/game_event_fields.hpp"
 #include "game/play_counts/play_counts.hpp"
 #include "judge/judge_report.hpp"
+#include "logs/fit/fit_report.hpp"
 #include "logs/log_report.hpp"
 #include "tests/app/answer.hpp"
 #include "tests/experiments/kinds/rules/small_rules.hpp"
@@ -103,6 +104,17 @@ WrittenNames referee_keys() {
   return sorted(paths_in(logs::referee_log_json(result, facts)));
 }
 
+WrittenNames fit_keys() {
+  const logs::FittedNumber number{"ball", "roll_mps2", {}};
+  logs::LogFit fit;
+  fit.ball = {number};
+  fit.teams = {{"yellow", {number}}};
+  fit.cameras[0] = {};
+  fit.ball_seen.emplace_back();
+  fit.roll_prediction = logs::RollPrediction{};
+  return sorted(paths_in(logs::fit_json(fit)));
+}
+
 WrittenNames game_keys() {
   const TemporaryFolder folder;
   const std::string file = (folder / "game.yaml").string();
@@ -169,9 +181,13 @@ WrittenNames progress_keys() {
 
 std::vector<Artefact> written_json() {
   return {
-      {"Event lines", event_keys, true},          {"Game event lines", game_event_keys, true},
-      {"referee log --json", referee_keys, true}, {"play --json", game_keys, true},
-      {"judge --json", judge_keys, true},         {"run --progress json", progress_keys, true},
+      {"Event lines", event_keys, true},
+      {"Game event lines", game_event_keys, true},
+      {"referee log --json", referee_keys, true},
+      {"log fit --json", fit_keys, true},
+      {"play --json", game_keys, true},
+      {"judge --json", judge_keys, true},
+      {"run --progress json", progress_keys, true},
   };
 }
 
