@@ -14,6 +14,7 @@
 #include "game/loop/event_log.hpp"
 #include "game/loop/game_configuration.hpp"
 #include "game/loop/game_event_fields.hpp"
+#include "game/loop/log_recorder.hpp"
 #include "game/team_programs/program_games.hpp"
 #include "io/build_id.hpp"
 #include "io/csv.hpp"
@@ -21,7 +22,6 @@
 #include "io/table.hpp"
 #include "io/terminal.hpp"
 #include "io/words.hpp"
-#include "league/game_packets.hpp"
 #include "league/simulator/simulator_command.hpp"
 #include "live/frame_pacer.hpp"
 
@@ -55,28 +55,22 @@ void end_soon(int signal) {
 // Writes the game's files while it is played. After Ctrl-C, ends the game at its next frame.
 class GameOutputs final : public game::Observer {
  public:
-  GameOutputs(GameFiles& files, const game::GameConfiguration& game, league::GameLog* log)
+  GameOutputs(GameFiles& files, const game::GameConfiguration& game)
       : files_(&files),
         events_(game::event_game_of(game)),
-        log_(log),
         chain_columns_(game::chain_columns(events_, game.sim.frame_rate_hz)),
         action_columns_(game::action_columns(events_, game.sim.frame_rate_hz)) {
     note_interrupts();
     if (files.chains.is_open()) files.chains.add(io::csv_line(io::heads_of(chain_columns_)));
     if (files.actions.is_open()) files.actions.add(io::csv_line(io::heads_of(action_columns_)));
   }
-  void on_other_detections(const OtherDetections& others) override {
-    if (log_ != nullptr) log_->note(others);
-  }
-  void on_frame(const Frame& frame, const RefereeSignal& signal,
+  void on_frame(const Frame& /*frame*/, const RefereeSignal& /*signal*/,
                 const sim::World& /*world*/) override {
-    if (log_ != nullptr) log_->add(frame, signal);
     check_interrupt();
   }
   void on_decision(const referee::Decision& decision) override {
     if (files_->events.is_open()) files_->events.add(game::decision_json(decision, events_));
     if (files_->game_events.is_open()) add_game_event(decision);
-    if (log_ != nullptr) log_decision(decision);
   }
   void on_action(const game::BallAction& action) override {
     if (files_->actions.is_open())
@@ -94,15 +88,8 @@ class GameOutputs final : public game::Observer {
     if (event) files_->game_events.add(game::game_event_json(*event));
   }
 
-  void log_decision(const referee::Decision& decision) {
-    if (decision.command) log_->note(*decision.command);
-    if (std::optional<GameEvent> event = game::game_event_of(decision))
-      log_->note(*std::move(event));
-  }
-
   GameFiles* files_;
   game::EventGame events_;
-  league::GameLog* log_;  // null unless a log is written
   io::TableColumns<game::ChainRow> chain_columns_;
   io::TableColumns<game::BallAction> action_columns_;
   int chains_ = 0;  // number of chains so far
@@ -117,18 +104,6 @@ void check_files(const GameOutput& output, const std::vector<std::string>& input
                  {"--view", output.view},
                  {"--record", output.record}},
                 inputs);
-}
-
-league::LoggedTeam logged_team_on(const game::GameConfiguration& game, Side side) {
-  return {game::shown_names(game)[side]};
-}
-
-void open_log(std::optional<league::GameLog>& log, const game::GameConfiguration& game,
-              const std::string& path) {
-  if (path.empty()) return;
-  log.emplace(path, game.field, game::logged_cameras(game),
-              PerSide<league::LoggedTeam>{
-                  {logged_team_on(game, Side::kWest), logged_team_on(game, Side::kEast)}});
 }
 
 game::GamePrograms programs_of(const game::GameConfiguration& game, const GameOutput& output,
@@ -220,14 +195,15 @@ game::GameRecord play_one(const game::GameConfiguration& game, const GameOutput&
                           const GamePlayer& player) {
   check_files(output, inputs);
   GameFiles files(output);
-  std::optional<league::GameLog> log;
-  open_log(log, game, output.log);
+  std::optional<game::LogRecorder> log;
+  if (!output.log.empty()) log.emplace(output.log, game);
   PageRecorder page(game);
   const std::optional<double> frames_per_s = pace_of(game, output);
-  GameOutputs outputs(files, game, log ? &*log : nullptr);
+  GameOutputs outputs(files, game);
   GameOnWeb game_on_web(game, output.web);
   game::Observers observers(game_on_web.observer());
   if (files.view) observers.add(&page);
+  if (log) observers.add(&*log);
   observers.add(&outputs);
   const auto start = std::chrono::steady_clock::now();
   game::GamePrograms programs = programs_of(game, output, commands, player);

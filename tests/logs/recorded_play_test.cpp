@@ -10,7 +10,7 @@
 
 #include "game/loop/game.hpp"
 #include "game/loop/game_configuration.hpp"
-#include "league/game_packets.hpp"
+#include "game/loop/log_recorder.hpp"
 #include "logs/log_referee.hpp"
 #include "referee/referee_configuration.hpp"
 #include "sim/presets.hpp"
@@ -25,28 +25,19 @@ using game::PossessionChain;
 constexpr std::int64_t kSameStart_frames = 18;  // 0.3 s
 
 // Writes the log of a game and keeps its chains.
-class ChainRecorder final : public game::Observer {
+class ChainRecorder final : public game::LogRecorder {
  public:
   ChainRecorder(const std::filesystem::path& path, const game::GameConfiguration& game)
-      : log_(path, game.field, game::logged_cameras(game), {}),
-        frame_rate_hz_(game.sim.frame_rate_hz) {}
-  void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World&) override {
-    log_.add(frame, signal);
-  }
-  void on_decision(const referee::Decision& decision) override {
-    if (decision.command) log_.note(*decision.command);
-  }
+      : LogRecorder(path, game), frame_rate_hz_(game.sim.frame_rate_hz) {}
   void on_chain(const PossessionChain& chain) override {
     chains.push_back(chain);
     chains.back().first_frame = std::llround(static_cast<double>(chain.first_frame) /
                                              frame_rate_hz_ * RecordedPlay::kRate_hz);
   }
-  void close() { log_.close(); }
 
   std::vector<PossessionChain> chains;  // first_frame as in PlayOfLog
 
  private:
-  league::GameLog log_;
   double frame_rate_hz_;
 };
 

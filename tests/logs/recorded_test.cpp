@@ -6,8 +6,9 @@
 
 #include "game/loop/event_log.hpp"
 #include "game/loop/game_configuration.hpp"
-#include "league/game_packets.hpp"
+#include "game/loop/log_recorder.hpp"
 #include "league/log_contents.hpp"
+#include "logs/log_game.hpp"
 #include "logs/log_referee.hpp"
 #include "logs/user_log.hpp"
 #include "sim/presets.hpp"
@@ -24,33 +25,29 @@ constexpr Command kThrowIn{CommandKind::kIndirectFree, Side::kEast};
 constexpr Command kCorner{CommandKind::kDirectFree, Side::kWest};
 
 // Writes the log of a game and keeps the decisions of its referee.
-class Recorder final : public game::Observer {
+class Recorder final : public game::LogRecorder {
  public:
   Recorder(const std::filesystem::path& path, const game::GameConfiguration& game)
-      : log_(path, game.field, game::logged_cameras(game), {}) {}
+      : LogRecorder(path, game), events(event_game_of(game::shown_names(game), game.match.rules)) {}
 
   void on_other_detections(const OtherDetections& others) override {
-    log_.note(others);
+    LogRecorder::on_other_detections(others);
     ++frames_with_others;
   }
   void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World& world) override {
-    log_.add(frame, signal);
+    LogRecorder::on_frame(frame, signal, world);
     frames.push_back(frame);
     balls.push_back(world.state().ball);
   }
   void on_decision(const referee::Decision& decision) override {
+    LogRecorder::on_decision(decision);
     events.on_decision(decision);
-    if (decision.command) log_.note(*decision.command);
   }
-  void close() { log_.close(); }
 
   game::EventLog events;
   std::vector<Frame> frames;
   std::vector<sim::BallState> balls;  // the true one
   int frames_with_others = 0;
-
- private:
-  league::GameLog log_;
 };
 
 game::GameConfiguration short_game() {

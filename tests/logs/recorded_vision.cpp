@@ -7,10 +7,10 @@
 
 #include "game/loop/game.hpp"
 #include "game/loop/game_configuration.hpp"
+#include "game/loop/log_recorder.hpp"
 #include "game/settings/fields.hpp"
 #include "game/settings/game_settings.hpp"
 #include "league/field_message.hpp"
-#include "league/game_packets.hpp"
 #include "league/message_fields.hpp"
 #include "logs/log_game.hpp"
 #include "logs/log_referee.hpp"
@@ -21,24 +21,15 @@ namespace {
 
 using league::MessageKind;
 
-class VisionRecorder final : public game::Observer {
+class VisionRecorder final : public game::LogRecorder {
  public:
-  VisionRecorder(const std::filesystem::path& path, const game::GameConfiguration& game)
-      : log_(path, game.field, game::logged_cameras(game), {}) {}
-  void on_other_detections(const OtherDetections& others) override { log_.note(others); }
-  void on_decision(const referee::Decision& decision) override {
-    if (decision.command) log_.note(*decision.command);
-  }
+  using LogRecorder::LogRecorder;
   void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World& world) override {
-    log_.add(frame, signal);
+    LogRecorder::on_frame(frame, signal, world);
     ball_height_m.push_back(world.state().ball.height_m);
   }
-  void close() { log_.close(); }
 
   std::vector<double> ball_height_m;
-
- private:
-  league::GameLog log_;
 };
 
 // Reads the packets of a log with one camera.

@@ -21,9 +21,9 @@
 
 #include "game/loop/game.hpp"
 #include "game/loop/game_configuration.hpp"
+#include "game/loop/log_recorder.hpp"
 #include "game/settings/fields.hpp"
 #include "game/settings/game_settings.hpp"
-#include "league/game_packets.hpp"
 #include "logs/log_game.hpp"
 #include "logs/log_referee.hpp"
 #include "soccer/random.hpp"
@@ -39,27 +39,15 @@ const std::vector<std::string> kBooks = {"paper", "2014", "2026-b"};
 const std::vector<std::string> kTeams = {"cobalt1", "counter", "possession", "zone", "shadow"};
 
 // Writes a game's log and stores its calls.
-class Recorder final : public game::Observer {
+class Recorder final : public game::LogRecorder {
  public:
-  Recorder(const std::string& path, const game::GameConfiguration& game) : log_(open(path, game)) {}
-  void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World&) override {
-    log_.add(frame, signal);
-  }
-  void on_other_detections(const OtherDetections& others) override { log_.note(others); }
+  using LogRecorder::LogRecorder;
   void on_decision(const referee::Decision& decision) override {
-    if (decision.command) log_.note(*decision.command);
+    LogRecorder::on_decision(decision);
     calls.add(decision);
   }
-  void close() { log_.close(); }
 
   CallList calls;
-
- private:
-  static league::GameLog open(const std::string& path, const game::GameConfiguration& game) {
-    return {path, game.field, game::logged_cameras(game), {}};
-  }
-
-  league::GameLog log_;
 };
 
 game::GameSettings settings_of(const std::string& book, const std::string& camera, int number) {
