@@ -18,6 +18,7 @@ using Groups = std::span<const std::size_t>;
 
 // Errors of the estimates in simulated games with known parameters beyond what the bootstrap
 // explains, as a share of the value.
+constexpr double kClockError = 1e-4;  // of a computer; a steady frame rate shows no error itself
 constexpr double kBallNoiseError = 0.02;
 constexpr double kRobotNoiseError = 0.015;
 constexpr double kBallMissesError = 0.04;
@@ -102,7 +103,7 @@ Estimate CameraFit::frame_rate_hz() const {
     if (intervals_s.empty()) return std::nullopt;
     return 1 / median(std::move(intervals_s));
   };
-  return {intervals, bootstrap_estimate(blocks_.size(), 1, 0, estimator)};
+  return {intervals, bootstrap_estimate(blocks_.size(), 1, kClockError, estimator)};
 }
 
 Estimate CameraFit::ball_noise_m() const {

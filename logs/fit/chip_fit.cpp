@@ -91,6 +91,21 @@ ChipAngles angles_of(const std::vector<Chip>& chips) {
   return angles;
 }
 
+// Without the eighth of the chips whose angles are farthest from the median: as many may be balls
+// that were deflected into the air.
+std::vector<Chip> likely_chips(std::vector<Chip> chips) {
+  constexpr std::size_t kShareOfOthers = 8;
+  std::vector<double> angles_deg;
+  angles_deg.reserve(chips.size());
+  for (const Chip& chip : chips) angles_deg.push_back(chip.angle_deg.value);
+  const double middle_deg = median(std::move(angles_deg));
+  std::sort(chips.begin(), chips.end(), [&](const Chip& a, const Chip& b) {
+    return std::abs(a.angle_deg.value - middle_deg) < std::abs(b.angle_deg.value - middle_deg);
+  });
+  chips.resize(chips.size() - chips.size() / kShareOfOthers);
+  return chips;
+}
+
 }  // namespace
 
 void ChipFit::add(const RecordedMotion& motion) {
@@ -155,11 +170,15 @@ Estimate ChipFit::chip_angle_noise_deg() const {
   const auto variance_at = [&](double share) {
     return angles.variance_deg2 * freedom / boost::math::quantile(distribution, share);
   };
-  // The upper bound does not rely on the errors of measurement.
+  // The upper bound does not rely on the errors of measurement, and the lower one not on every
+  // chip.
   const auto noise_deg = [&](double variance_deg2) {
     return std::sqrt(std::max(0.0, variance_deg2 - angles.measuring_deg2));
   };
-  estimate.number = {noise_deg(angles.variance_deg2), noise_deg(variance_at(1 - kIntervalTail)),
+  const double likely =
+      angles_of(likely_chips(chips_)).variance_deg2 / std::max(angles.variance_deg2, 1e-9);
+  estimate.number = {noise_deg(angles.variance_deg2),
+                     noise_deg(std::min(likely, 1.0) * variance_at(1 - kIntervalTail)),
                      std::sqrt(variance_at(kIntervalTail))};
   return estimate;
 }

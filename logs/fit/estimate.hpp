@@ -46,6 +46,16 @@ std::optional<std::vector<Estimated>> bootstrap_estimates(std::size_t groups, st
                                                           const GroupEstimators& estimator,
                                                           int draws = 200);
 
+// The elements of `values` at `indices`.
+template <typename Value>
+std::vector<Value> elements_at(const std::vector<Value>& values,
+                               std::span<const std::size_t> indices) {
+  std::vector<Value> result;
+  result.reserve(indices.size());
+  for (const std::size_t i : indices) result.push_back(values[i]);
+  return result;
+}
+
 // The median of `values`, which must not be empty. Element i counts `weights[i]` times.
 double weighted_median(std::span<const double> values, std::span<const double> weights);
 double median(std::vector<double> values);

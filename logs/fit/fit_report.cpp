@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "game/settings/fields.hpp"
 #include "game/settings/game_settings.hpp"
 #include "io/json.hpp"
+#include "io/words.hpp"
 
 namespace autoref::logs {
 namespace {
@@ -181,6 +183,34 @@ std::string yaml_section(const std::vector<FittedNumber>& numbers, const std::st
   return head + ":\n" + yaml_lines(numbers, section);
 }
 
+// The numbers without those of turning that are below the defaults: teams rarely turn as fast as
+// their robots can, so these would be too slow.
+std::vector<FittedNumber> limiting(const std::vector<FittedNumber>& numbers) {
+  const DefaultSettings settings;
+  std::vector<FittedNumber> limits;
+  std::copy_if(numbers.begin(), numbers.end(), std::back_inserter(limits),
+               [&](const FittedNumber& number) {
+                 const auto& estimated = number.estimate.number;
+                 return !number.key.starts_with("angular_") || !estimated ||
+                        estimated->value > io::number_in(settings.value_of(number)).value_or(0);
+               });
+  return limits;
+}
+
+// The limit of the wheels, if the default would keep robots from what they reached.
+std::string yaml_wheels(const std::vector<FittedNumber>& numbers) {
+  const FittedNumber wheels{"robot", "wheel_acceleration_mps2", {}};
+  const double limit_mps2 = io::number_in(DefaultSettings().value_of(wheels)).value_or(0);
+  double reached_mps2 = 0;
+  for (const FittedNumber& number : numbers) {
+    if (number.key.ends_with("_mps2") && number.estimate.number)
+      reached_mps2 = std::max(reached_mps2, number.estimate.number->value);
+  }
+  if (reached_mps2 <= limit_mps2) return "";
+  return fmt::format("  {}: {}   # so that the wheels allow this\n", wheels.key,
+                     short_text(reached_mps2));
+}
+
 std::string yaml_head(const std::string& kind, const std::string& about) {
   return fmt::format(
       "# Estimated by `autoref log fit`. Each number comes with its 95 % interval and the number\n"
@@ -256,8 +286,8 @@ std::string measured_yaml(const LogFit& fit, const std::string& about) {
 
 std::string robots_yaml(const LogFit& fit, const FittedTeam& team, const std::string& about) {
   return yaml_head("robot", about) + "# What the robots reached: they may be able to do more.\n" +
-         yaml_section(team.robots, "robot") + "# Of all teams in the logs.\n" +
-         yaml_section(fit.kicker, "kicker");
+         yaml_section(limiting(team.robots), "robot") + yaml_wheels(team.robots) +
+         "# Of all teams in the logs.\n" + yaml_section(fit.kicker, "kicker");
 }
 
 std::string file_word(const std::string& team) {

@@ -21,7 +21,8 @@ std::string fit_json(const LogFit& fit);
 std::string measured_yaml(const LogFit& fit, const std::string& about);
 
 // A file of kind `robot` (game/settings/robot_types.hpp): the team's robots, with the kicks of all
-// teams.
+// teams. It has no turning rates below the defaults, since teams rarely turn as fast as their
+// robots can, and a limit of the wheels that allows what was reached.
 std::string robots_yaml(const LogFit& fit, const FittedTeam& team, const std::string& about);
 
 // The team's name in a file's name: lower case, with - for everything but letters and digits, at

@@ -209,6 +209,26 @@ bool FreeStretch::has_two_phases() const {
          one.misfit - two->misfit >= kClearGain;
 }
 
+bool FreeStretch::slides_then_rolls() const {
+  constexpr double kLeastContrast = 2;
+  return has_two_phases() && two->first_mps2.value > kSlides_mps2 &&
+         two->first_mps2.value > kLeastContrast * two->second_mps2.value;
+}
+
+// A rolling ball whose deceleration falls with its speed does not quite have one phase.
+bool FreeStretch::rolls_throughout() const {
+  const auto is_rolling = [](const Measured& deceleration) {
+    return deceleration.value > kLeastRolling_mps2 && deceleration.value < kSlides_mps2;
+  };
+  if (has_one_phase()) return is_rolling(one.deceleration_mps2);
+  return has_two_phases() && is_rolling(two->first_mps2) && is_rolling(two->second_mps2);
+}
+
+bool FreeStretch::slides_throughout() const {
+  return has_one_phase() && one.deceleration_mps2.value > kSlides_mps2 &&
+         one.deceleration_mps2.deviation < kVagueSliding_mps2;
+}
+
 std::vector<FreeStretch> free_stretches_in(const RecordedMotion& motion) {
   std::vector<FreeStretch> stretches;
   for (std::vector<std::size_t>& frames : detections_in(motion)) {

@@ -54,6 +54,17 @@ struct FreeStretch {
   bool has_one_phase() const;
   bool has_two_phases() const;
 
+  // Balls that decelerate harder slide. All carpets and balls known are on the same side: balls
+  // roll at 0.2 to 0.6 m/s^2 and slide at 2.5 to 6 m/s^2.
+  static constexpr double kSlides_mps2 = 1.3;
+  static constexpr double kLeastRolling_mps2 = -0.05;  // below: noise does not explain it
+  // With a larger deviation, the deceleration of a sliding ball says too little.
+  static constexpr double kVagueSliding_mps2 = 0.6;
+
+  bool slides_then_rolls() const;
+  bool rolls_throughout() const;
+  bool slides_throughout() const;
+
   double duration_s() const { return times_s.back(); }
 };
 

@@ -7,6 +7,7 @@
 #include "logs/fit/chip_fit.hpp"
 #include "logs/fit/contact_fit.hpp"
 #include "logs/fit/kick_fit.hpp"
+#include "logs/fit/kicks.hpp"
 #include "logs/fit/robot_fit.hpp"
 
 namespace autoref::logs {
@@ -24,15 +25,16 @@ class Fitter {
   LogFit result() {
     fit_.packets =
         pass([&](const NamedLog& log, const RecordedMotion& motion) { add_first(log, motion); });
-    take(ball_.slide_mps2(), ball_model_.slide_mps2);
-    take(ball_.roll_mps2(), ball_model_.roll_mps2);
-    take(ball_.roll_per_s(), ball_model_.roll_per_s);
+    const RollEstimates roll = ball_.roll();
+    take("roll_mps2", roll.roll_mps2, ball_model_.roll_mps2);
+    take("roll_per_s", roll.roll_per_s, ball_model_.roll_per_s);
+    take("slide_mps2", ball_.slide_mps2(), ball_model_.slide_mps2);
     pass([&](const NamedLog& /*log*/, const RecordedMotion& motion) {
       const std::vector<Kick> kicks = kicks_in(motion, ball_model_);
       kicks_.insert(kicks_.end(), kicks.begin(), kicks.end());
       directions_.add(motion, kicks);
     });
-    take(switch_ratio_of(kicks_), ball_model_.switch_ratio);
+    take("switch_ratio", switch_ratio_of(kicks_), ball_model_.switch_ratio);
     ContactFit contacts(ball_model_);
     pass([&](const NamedLog& /*log*/, const RecordedMotion& motion) { contacts.add(motion); });
     fill_ball(contacts);
@@ -51,7 +53,9 @@ class Fitter {
     return packets;
   }
 
-  static void take(const Estimate& estimate, double& parameter) {
+  // Adds a number of the ball, which later passes use.
+  void take(const char* key, const Estimate& estimate, double& parameter) {
+    fit_.ball.push_back({"ball", key, estimate});
     if (estimate.number) parameter = estimate.number->value;
   }
 
@@ -90,15 +94,12 @@ class Fitter {
   static std::string colour_of(Side side) { return side == Side::kWest ? "yellow" : "blue"; }
 
   void fill_ball(const ContactFit& contacts) {
-    fit_.ball = {{"ball", "roll_mps2", ball_.roll_mps2()},
-                 {"ball", "roll_per_s", ball_.roll_per_s()},
-                 {"ball", "slide_mps2", ball_.slide_mps2()},
-                 {"ball", "switch_ratio", switch_ratio_of(kicks_)},
-                 {"ball", "hop_first_xy", chips_.hop_first_xy()},
-                 {"ball", "hop_first_z", chips_.hop_first_z()},
-                 {"ball", "hop_later_xy", chips_.hop_later_xy()},
-                 {"contacts", "wall_restitution", contacts.wall_restitution()},
-                 {"contacts", "body_restitution", contacts.body_restitution()}};
+    fit_.ball.insert(fit_.ball.end(),
+                     {{"ball", "hop_first_xy", chips_.hop_first_xy()},
+                      {"ball", "hop_first_z", chips_.hop_first_z()},
+                      {"ball", "hop_later_xy", chips_.hop_later_xy()},
+                      {"contacts", "wall_restitution", contacts.wall_restitution()},
+                      {"contacts", "body_restitution", contacts.body_restitution()}});
     fit_.kicker = {{"kicker", "direction_noise_deg", direction_noise_deg()},
                    {"kicker", "chip_angle_deg", chips_.chip_angle_deg()},
                    {"kicker", "chip_angle_noise_deg", chips_.chip_angle_noise_deg()}};

@@ -33,11 +33,12 @@ struct RobotSight {
   std::uint32_t camera = 0;
   bool is_seen = false;
   bool is_known = false;  // seen, or missed for at most kLongestGap_s
+  double time_s = 0;      // of the capture; the frame's time if it is not seen
 };
 
 struct RobotMotion {
   RobotId id;                      // yellow is west
-  std::vector<RobotSight> sights;  // one per frame, at the frame's time
+  std::vector<RobotSight> sights;  // one per frame
 };
 
 // A detection of a ball that is not the ball in play.

@@ -32,7 +32,8 @@ class RigFit {
 
   // As sim.vision.camera_error_m: half of the root mean square of the distance between where two
   // cameras see a robot, while it rests or when the second camera takes over. Includes about half
-  // of the robots' noise.
+  // of the robots' noise. Cameras can only be compared at seams, where their errors may differ from
+  // those elsewhere; the interval allows for as much of that as in simulated cameras.
   Estimate camera_error_m() const;
 
  private:

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "logs/fit/kicks.hpp"
 #include "tests/logs/fit/rolled_balls.hpp"
 
 namespace autoref::logs {
@@ -64,11 +65,11 @@ TEST(BallFit, FindsHowTheBallRolls) {
   for (int i = 0; i < 20; ++i) balls.roll(0.8 + 0.1 * i, 1.5);
   BallFit fit;
   fit.add(balls.motion());
-  expect_close(fit.roll_mps2(), 0.35, 0.03);
-  EXPECT_GE(fit.roll_mps2().episodes, 18);  // noise may hide that one has a single phase
-  EXPECT_LE(fit.roll_mps2().episodes, 20);
-  ASSERT_TRUE(fit.roll_per_s().number);
-  EXPECT_NEAR(fit.roll_per_s().number->value, 0, 0.01);
+  expect_close(fit.roll().roll_mps2, 0.35, 0.03);
+  EXPECT_GE(fit.roll().roll_mps2.episodes, 18);  // noise may hide that one has a single phase
+  EXPECT_LE(fit.roll().roll_mps2.episodes, 20);
+  ASSERT_TRUE(fit.roll().roll_per_s.number);
+  EXPECT_NEAR(fit.roll().roll_per_s.number->value, 0, 0.01);
   EXPECT_EQ(fit.slide_mps2().number, std::nullopt);
 }
 
@@ -80,8 +81,8 @@ TEST(BallFit, FindsDragThatGrowsWithTheSpeed) {
   for (int i = 0; i < 30; ++i) balls.roll(0.8 + 0.1 * i, 1.5);
   BallFit fit;
   fit.add(balls.motion());
-  expect_close(fit.roll_mps2(), 0.22, 0.05);
-  expect_close(fit.roll_per_s(), 0.1, 0.05);
+  expect_close(fit.roll().roll_mps2, 0.22, 0.05);
+  expect_close(fit.roll().roll_per_s, 0.1, 0.05);
 }
 
 TEST(BallFit, FindsSlidingAndTheSwitchRatio) {
@@ -94,6 +95,7 @@ TEST(BallFit, FindsSlidingAndTheSwitchRatio) {
   ASSERT_EQ(kicks.size(), 20U);
   EXPECT_NEAR(kicks[5].speed_mps, 3, 0.1);
   EXPECT_NEAR(kicks[1].angle_rad, -0.02, 0.005);
+  EXPECT_NEAR(kicks[1].direction_error_rad, 0.0003, 0.0002);
   expect_close(switch_ratio_of(kicks), 0.63, 0.02);
 }
 
@@ -102,8 +104,8 @@ TEST(BallFit, AFewStretchesAreNotEnough) {
   for (int i = 0; i < 2; ++i) balls.roll(1 + i, 1.5);
   BallFit fit;
   fit.add(balls.motion());
-  EXPECT_EQ(fit.roll_mps2().number, std::nullopt);
-  EXPECT_EQ(fit.roll_mps2().episodes, 2);
+  EXPECT_EQ(fit.roll().roll_mps2.number, std::nullopt);
+  EXPECT_EQ(fit.roll().roll_mps2.episodes, 2);
   EXPECT_EQ(fit.roll_prediction({}), std::nullopt);
 }
 

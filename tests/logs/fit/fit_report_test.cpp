@@ -54,6 +54,25 @@ TEST(RobotsYaml, HasTheTeamsRobotsAndAllKicks) {
   EXPECT_TRUE(has(yaml, "\nkicker:\n  direction_noise_deg: 2.9 ")) << yaml;
 }
 
+// Teams rarely turn as fast as their robots can: the defaults are 15 rad/s and 40 rad/s^2.
+TEST(RobotsYaml, HasNoTurningRatesBelowTheDefaults) {
+  LogFit fit = small_fit();
+  fit.teams[0].robots.push_back({"robot", "angular_speed_radps", {9, Estimated{8, 7.8, 8.2}}});
+  fit.teams[0].robots.push_back(
+      {"robot", "angular_acceleration_radps2", {9, Estimated{50, 48, 52}}});
+  const std::string yaml = robots_yaml(fit, fit.teams[0], "x");
+  EXPECT_FALSE(has(yaml, "angular_speed_radps")) << yaml;
+  EXPECT_TRUE(has(yaml, "\n  angular_acceleration_radps2: 50 ")) << yaml;
+}
+
+TEST(RobotsYaml, LetsTheWheelsAllowWhatWasReached) {
+  LogFit fit = small_fit();
+  fit.teams[0].robots.push_back({"robot", "braking_mps2", {9, Estimated{4.2, 4, 4.4}}});
+  EXPECT_FALSE(has(robots_yaml(fit, fit.teams[0], "x"), "wheel_acceleration_mps2"));
+  fit.teams[0].robots.back().estimate.number->value = 5.5;
+  EXPECT_TRUE(has(robots_yaml(fit, fit.teams[0], "x"), "\n  wheel_acceleration_mps2: 5.5 "));
+}
+
 TEST(FitText, ListsEstimatesDefaultsAndCameras) {
   const std::string text = io::text_of(fit_text(small_fit()), 1000);
   EXPECT_TRUE(has(text, "ball.hop_first_z             not enough")) << text;

@@ -59,20 +59,23 @@ TEST(RigFit, CamerasOfDifferentRatesRunFreely) {
   EXPECT_TRUE(fit.cameras_run_freely());
 }
 
-// A robot drives slowly past the seam of two cameras, again and again. They disagree by 20 mm.
-RecordedMotion handovers(int count, double jump_m) {
+// A robot drives past the seam of two cameras, again and again. They disagree by `jump_m`. The
+// first one captures `early_s` before the frame's time.
+RecordedMotion handovers(int count, double jump_m, double speed_mps = 0.2, double early_s = 0) {
   RecordedMotion motion;
   motion.interval_s = kInterval_s;
   motion.robots.resize(1);
   RandomStream random(2);
   for (int i = 0; i < count; ++i) {
     for (int k = 0; k < 20; ++k) {
-      const double x_m = 0.003 * (k - 10);
       const bool is_second = k >= 10;
+      const double early_now_s = is_second ? 0 : early_s;
+      const double x_m = speed_mps * (kInterval_s * (k - 10) - early_now_s);
       const Vec2 noise_m = 0.0005 * Vec2(random.normal(), random.normal());
       motion.times_s.push_back(static_cast<double>(motion.frames()) * kInterval_s);
-      motion.robots[0].sights.push_back(
-          {Vec2(x_m, is_second ? jump_m : 0) + noise_m, 0, is_second ? 1U : 0U, true, true});
+      motion.robots[0].sights.push_back({Vec2(x_m, is_second ? jump_m : 0) + noise_m, 0,
+                                         is_second ? 1U : 0U, true, true,
+                                         motion.times_s.back() - early_now_s});
     }
     // An unseen robot in between
     for (int k = 0; k < 8; ++k) {
@@ -90,6 +93,32 @@ TEST(RigFit, FindsByHowMuchCamerasDisagree) {
   EXPECT_EQ(error_m.episodes, 40);
   ASSERT_TRUE(error_m.number);
   EXPECT_NEAR(error_m.number->value, 0.01, 0.0005);
+}
+
+TEST(RigFit, ComparesRobotsAtTheTimesOfCapture) {
+  RigFit fit;
+  fit.add(handovers(40, 0.02, 0.9, 0.008));
+  const Estimate error_m = fit.camera_error_m();
+  EXPECT_EQ(error_m.episodes, 40);
+  ASSERT_TRUE(error_m.number);
+  EXPECT_NEAR(error_m.number->value, 0.01, 0.0005);
+}
+
+// Clocks of cameras may differ by some milliseconds.
+TEST(RigFit, LeavesOutFastRobots) {
+  RigFit fit;
+  fit.add(handovers(40, 0.02, 3, 0.008));
+  EXPECT_EQ(fit.camera_error_m().episodes, 0);
+}
+
+// A simulated camera's errors at a seam are 0.51 to 1.47 times those of the whole field.
+TEST(RigFit, SeamsDoNotShowTheWholeField) {
+  RigFit fit;
+  fit.add(handovers(40, 0.02));
+  const Estimate error_m = fit.camera_error_m();
+  ASSERT_TRUE(error_m.number);
+  EXPECT_LT(error_m.number->low, 0.007);
+  EXPECT_GT(error_m.number->high, 0.019);
 }
 
 TEST(RigFit, AFewHandoversAreNotEnough) {
