@@ -195,7 +195,7 @@ void KickFit::add(const RecordedMotion& motion, std::span<const Kick> kicks) {
 // The upper bound of the interval does not rely on the errors of measurement.
 Estimate KickFit::direction_noise_deg(double robot_noise_rad) const {
   constexpr std::size_t kEnough = 12;
-  constexpr double kSystematic = 0.1;  // the median error in simulated games is 4 %
+  constexpr double kSystematic = 0.1;  // simulated games show a bias of 4 %
   Estimate estimate{static_cast<std::int64_t>(angles_.size()), std::nullopt};
   const auto deg = [](double variance_rad2) {
     return std::sqrt(std::max(variance_rad2, 0.0)) / to_radians(1);

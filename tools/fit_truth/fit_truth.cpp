@@ -113,8 +113,9 @@ void add_log(const std::string& log, const game::GameSettings& game, Tables& tab
   }
 }
 
-// What is wrong with the estimates of a setting: a median error of three times the target, half of
-// the intervals beside the truth, or too few logs that show enough. Empty if nothing is.
+// What is wrong with the estimates of a setting: a median error of over three times the target,
+// more than half of the intervals beside the truth, or too few logs that show enough. Empty if
+// nothing is.
 std::string problem_of(const Comparison& all) {
   constexpr double kFarOff = 3;
   constexpr std::size_t kEnough = 4;  // estimates, to say anything
@@ -123,13 +124,13 @@ std::string problem_of(const Comparison& all) {
     return "estimated in less than half of the logs";
   if (fitted < kEnough) return "";
   if (2 * all.count([](const Compared& one) { return one.is_covered(); }) < fitted)
-    return "half of the intervals do not contain the truth";
+    return "more than half of the intervals do not contain the truth";
   const bool is_far_off =
       all.drawn.target > 0 && logs::median(all.sizes()) > kFarOff * all.drawn.target;
   return is_far_off ? "far off" : "";
 }
 
-// The same for what robots reached, which must not be more than their limits.
+// The same for what robots reached, which must not be much more than their limits.
 std::string problem_of_robots(const Comparison& all) {
   constexpr double kMost = 0.1;  // more
   if (static_cast<int>(2 * all.fitted.size()) < all.logs)
@@ -184,8 +185,7 @@ double print_numbers(const Comparisons& comparisons) {
 void print_robots(const Comparisons& comparisons) {
   fmt::print(
       "| setting of a robot | drawn from | estimated in | median of estimate / limit | least | "
-      "most "
-      "| intervals that begin below the limit |\n|---|--:|--:|--:|--:|--:|--:|\n");
+      "most | intervals that begin below the limit |\n|---|--:|--:|--:|--:|--:|--:|\n");
   comparisons.for_each([](const std::string& name, const Comparison& all) {
     if (all.fitted.empty()) return;
     const std::vector<double> errors = all.errors();
