@@ -159,6 +159,15 @@ std::optional<Eigen::Vector2d> BallFit::line_without(std::size_t path) const {
   return rolling_line(rolling_, others, others.size() >= kEnoughForSlope);
 }
 
+sim::BallParameters BallFit::ball() const {
+  sim::BallParameters ball;
+  const RollEstimates estimates = roll();
+  if (estimates.roll_mps2.number) ball.roll_mps2 = estimates.roll_mps2.number->value;
+  if (estimates.roll_per_s.number) ball.roll_per_s = estimates.roll_per_s.number->value;
+  if (const Estimate slide = slide_mps2(); slide.number) ball.slide_mps2 = slide.number->value;
+  return ball;
+}
+
 std::optional<RollPrediction> BallFit::roll_prediction(const sim::BallParameters& compared) const {
   constexpr std::int64_t kMostPaths = 300;  // each needs a fit of its own
   constexpr std::size_t kFewestDetections = 15;

@@ -47,6 +47,9 @@ class BallFit {
 
   RollEstimates roll() const;
 
+  // The default ball, except for those of the numbers above that could be estimated.
+  sim::BallParameters ball() const;
+
   // Of the first 300 paths with at least 15 detections; nullopt without these, or if there are
   // fewer than four paths. Of `compared`, roll_mps2 and roll_per_s are used.
   std::optional<RollPrediction> roll_prediction(const sim::BallParameters& compared) const;

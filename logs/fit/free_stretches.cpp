@@ -16,8 +16,7 @@ constexpr double kClearOfRobots_m = kRobotRadius_m + kBallRadius_m + 40_mm;
 constexpr double kClearOfWalls_m = kBallRadius_m + 30_mm;
 constexpr double kClearOfGoalLines_m = 30_mm;
 constexpr double kLongestPause_s = 0.15;  // without a detection
-constexpr std::size_t kFewestDetections = 14;
-constexpr double kShortestPath_m = 0.15;
+constexpr std::ptrdiff_t kFewestDetections = 14;
 
 constexpr std::size_t kFewestForTwoPhases = 18;
 // By how much the misfit of two phases must be lower than that of one phase, and how much lower it
@@ -35,24 +34,16 @@ bool is_free(const RecordedMotion& motion, std::size_t frame) {
 // The detections of each stretch.
 std::vector<std::vector<std::size_t>> detections_in(const RecordedMotion& motion) {
   std::vector<std::vector<std::size_t>> stretches;
-  std::vector<std::size_t> current;
-  const auto finish = [&] {
-    if (current.size() >= kFewestDetections) stretches.push_back(current);
-    current.clear();
-  };
-  for (std::size_t i = 0; i < motion.frames(); ++i) {
-    const BallSight& ball = motion.ball[i];
-    if (!is_free(motion, i)) {
-      finish();
-    } else if (ball.is_seen) {
-      if (!current.empty()) {
-        const BallSight& last = motion.ball[current.back()];
-        if (ball.time_s - last.time_s > kLongestPause_s || ball.camera != last.camera) finish();
-      }
-      current.push_back(i);
+  for (const std::vector<std::size_t>& path : free_paths_in(motion)) {
+    auto begin = path.begin();
+    while (begin != path.end()) {
+      const auto end = std::find_if(begin, path.end(), [&](std::size_t frame) {
+        return motion.ball[frame].camera != motion.ball[*begin].camera;
+      });
+      if (end - begin >= kFewestDetections) stretches.emplace_back(begin, end);
+      begin = end;
     }
   }
-  finish();
   return stretches;
 }
 
@@ -227,6 +218,27 @@ bool FreeStretch::rolls_throughout() const {
 bool FreeStretch::slides_throughout() const {
   return has_one_phase() && one.deceleration_mps2.value > kSlides_mps2 &&
          one.deceleration_mps2.deviation < kVagueSliding_mps2;
+}
+
+std::vector<std::vector<std::size_t>> free_paths_in(const RecordedMotion& motion) {
+  std::vector<std::vector<std::size_t>> paths;
+  std::vector<std::size_t> current;
+  const auto finish = [&] {
+    if (!current.empty()) paths.push_back(current);
+    current.clear();
+  };
+  for (std::size_t i = 0; i < motion.frames(); ++i) {
+    if (!is_free(motion, i)) {
+      finish();
+    } else if (motion.ball[i].is_seen) {
+      if (!current.empty() &&
+          motion.ball[i].time_s - motion.ball[current.back()].time_s > kLongestPause_s)
+        finish();
+      current.push_back(i);
+    }
+  }
+  finish();
+  return paths;
 }
 
 std::vector<FreeStretch> free_stretches_in(const RecordedMotion& motion) {

@@ -29,8 +29,8 @@ struct TwoPhaseFit {
   double misfit = 0;
 };
 
-// A stretch of running play during which the ball, seen by one camera, moves by at least 0.15 m,
-// away from robots and walls.
+// A stretch of running play during which the ball, seen by one camera, moves by at least
+// kShortestPath_m, away from robots and walls.
 struct FreeStretch {
   std::vector<std::size_t> frames;  // those in which the ball is seen
   std::vector<double> times_s;      // since the first detection
@@ -69,6 +69,12 @@ struct FreeStretch {
 };
 
 std::vector<FreeStretch> free_stretches_in(const RecordedMotion& motion);
+
+// The frames with a detection in each time during which the ball, seen by any camera, is away from
+// robots and walls in running play. It may be at rest.
+std::vector<std::vector<std::size_t>> free_paths_in(const RecordedMotion& motion);
+
+inline constexpr double kShortestPath_m = 0.15;
 
 // Whether the chi-square of a fit with `freedom` degrees of freedom is at most four standard
 // deviations above its mean.
