@@ -15,8 +15,8 @@ JudgedLog judged_log(const std::string& path, const std::string& rules,
   RefereeArguments arguments;
   arguments.rules = rules;
   JudgedLog judged;
-  const std::string log = logs::seekable_log(path);
-  judged.facts = logs::read_facts(path, log);
+  judged.log = logs::seekable_log(path);
+  judged.facts = logs::read_facts(path, judged.log);
   io::write_message(stderr, logs::damage_text(path, judged.facts));
   check_has_frames(arguments, judged.facts, path);
   const std::string book = book_of(arguments, judged.facts, path);
@@ -25,9 +25,9 @@ JudgedLog judged_log(const std::string& path, const std::string& rules,
     games.push_back(game::referee_configuration(
         game::resolved(game_of(arguments, book, {}, judged.facts, recorded, path))));
   }
-  judged.facts.teams = logs::teams_in(log, games.front().field, games.front().rules.change_ends,
-                                      judged.facts.log.source);
-  judged.result = logs::referee_log(log, judged.facts, games, {}, watch);
+  judged.facts.teams = logs::teams_in(judged.log, games.front().field,
+                                      games.front().rules.change_ends, judged.facts.log.source);
+  judged.result = logs::referee_log(judged.log, judged.facts, games, {}, watch);
   return judged;
 }
 

@@ -12,6 +12,7 @@
 namespace autoref::app {
 
 struct JudgedLog {
+  std::string log;  // a path from which it can be read again
   logs::RecordedFacts facts;
   logs::LogRefereeResult result;
 };

@@ -13,6 +13,7 @@
 #include "game/loop/game_event_fields.hpp"
 #include "game/play_counts/play_counts.hpp"
 #include "judge/judge_report.hpp"
+#include "logs/compare/distance_report.hpp"
 #include "logs/fit/fit_report.hpp"
 #include "logs/log_report.hpp"
 #include "tests/app/answer.hpp"
@@ -115,6 +116,12 @@ WrittenNames fit_keys() {
   return sorted(paths_in(logs::fit_json(fit)));
 }
 
+WrittenNames comparison_keys() {
+  logs::GameComparison comparison;
+  comparison.measures.emplace_back();
+  return sorted(paths_in(logs::comparison_json(comparison, {})));
+}
+
 WrittenNames game_keys() {
   const TemporaryFolder folder;
   const std::string file = (folder / "game.yaml").string();
@@ -185,6 +192,7 @@ std::vector<Artefact> written_json() {
       {"Game event lines", game_event_keys, true},
       {"referee log --json", referee_keys, true},
       {"log fit --json", fit_keys, true},
+      {"log compare --json", comparison_keys, true},
       {"play --json", game_keys, true},
       {"judge --json", judge_keys, true},
       {"run --progress json", progress_keys, true},
