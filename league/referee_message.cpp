@@ -1,6 +1,8 @@
 #include "league/referee_message.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 
 #include "league/message_fields.hpp"
 
@@ -10,14 +12,24 @@ namespace {
 constexpr int kLastStage = static_cast<int>(Stage::kPostGame);
 constexpr double kLongestCommand_s = 86400;
 
+// The field holds up to 71 minutes.
+std::uint32_t duration_us(double time_s) {
+  return static_cast<std::uint32_t>(
+      std::clamp(time_s * 1e6, 0.0, double{std::numeric_limits<std::uint32_t>::max()}));
+}
+
 void fill_team(const RefereeSignal& signal, const LoggedTeam& team_info, Side side,
                TeamInfo& team) {
   team.set_name(team_info.name);
   team.set_score(static_cast<std::uint32_t>(signal.goals[side]));
   team.set_red_cards(static_cast<std::uint32_t>(signal.red_cards[side]));
   team.set_yellow_cards(static_cast<std::uint32_t>(signal.yellow_cards[side]));
-  team.set_timeouts(0);
-  team.set_timeout_time(0);
+  team.clear_yellow_card_times();
+  for (const double left_s : signal.yellow_left_s[side])
+    team.add_yellow_card_times(duration_us(left_s));
+  team.set_foul_counter(static_cast<std::uint32_t>(signal.fouls[side]));
+  team.set_timeouts(static_cast<std::uint32_t>(signal.timeouts_left[side]));
+  team.set_timeout_time(duration_us(signal.timeout_left_s[side]));
   const int keeper = signal.keepers[side].value_or(team_info.keeper);
   team.set_goalkeeper(static_cast<std::uint32_t>(keeper));
   team.set_can_place_ball(signal.can_place_ball[side]);
@@ -26,10 +38,22 @@ void fill_team(const RefereeSignal& signal, const LoggedTeam& team_info, Side si
 
 int bounded(std::uint32_t count) { return static_cast<int>(std::min(count, 9999U)); }
 
+template <typename Times>
+void read_card_times(const TeamInfo& team, Times& left_s) {
+  for (const std::uint32_t left_us : team.yellow_card_times()) {
+    if (left_us > 0 && left_s.size() < left_s.capacity()) left_s.push_back(left_us / 1e6);
+  }
+  std::sort(left_s.begin(), left_s.end());
+}
+
 void read_team(const TeamInfo& team, Side side, RefereeSignal& signal) {
   signal.goals[side] = bounded(team.score());
   signal.red_cards[side] = bounded(team.red_cards());
   signal.yellow_cards[side] = bounded(team.yellow_cards());
+  read_card_times(team, signal.yellow_left_s[side]);
+  signal.fouls[side] = bounded(team.foul_counter());
+  signal.timeouts_left[side] = bounded(team.timeouts());
+  signal.timeout_left_s[side] = team.timeout_time() / 1e6;
   if (team.goalkeeper() < kMaxRobots) signal.keepers[side] = static_cast<int>(team.goalkeeper());
   if (team.has_can_place_ball()) signal.can_place_ball[side] = team.can_place_ball();
   if (team.has_max_allowed_bots()) signal.robots_allowed[side] = bounded(team.max_allowed_bots());

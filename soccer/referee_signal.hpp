@@ -5,6 +5,7 @@
 // translation table.
 #pragma once
 
+#include <boost/container/static_vector.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -123,6 +124,11 @@ struct RefereeSignal {
   PerSide<int> robots_allowed{{kMaxRobots, kMaxRobots}};
   PerSide<int> yellow_cards;  // yellow cards shown so far
   PerSide<int> red_cards;
+  // The time of play left of each active yellow card, in increasing order.
+  PerSide<boost::container::static_vector<double, kMaxRobots>> yellow_left_s;
+  PerSide<int> fouls;                          // fouls that count towards a card
+  PerSide<int> timeouts_left;                  // number of timeouts that the team may still take
+  PerSide<double> timeout_left_s;              // total time left for them
   PerSide<std::optional<int>> keepers;         // the keepers' robot numbers; nullopt if not named
   PerSide<bool> can_place_ball{{true, true}};  // false if the team is no longer allowed to place
                                                // the ball itself

@@ -150,6 +150,12 @@ bool is_extra(const Configuration& configuration, int half) {
   return configuration.knockout && half >= kFirstExtraHalf;
 }
 
+TimeoutAllowance timeout_allowance(const RefereeState& state, const Configuration& configuration) {
+  const RuleBook& rules = configuration.rules;
+  if (is_extra(configuration, state.half)) return {rules.extra_timeouts, rules.extra_timeouts_s};
+  return {rules.timeouts, rules.timeouts_s};
+}
+
 double clock_s(const RefereeState& state, const RuleBook& rules, double now_s) {
   // The game clock counts either actual play only, or all time except timeouts.
   if (rules.clock_stops) return state.play_clock.at_s(now_s);

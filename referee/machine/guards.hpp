@@ -84,6 +84,13 @@ int half_after(const Configuration& configuration, int half);
 // Whether `half` belongs to the extra time of a knockout game.
 bool is_extra(const Configuration& configuration, int half);
 
+// The timeouts that a team may take, and their total length, in the game or in extra time.
+struct TimeoutAllowance {
+  int timeouts = 0;
+  double time_s = 0;
+};
+TimeoutAllowance timeout_allowance(const RefereeState& state, const Configuration& configuration);
+
 // The game clock in seconds, from an arbitrary origin.
 double clock_s(const RefereeState& state, const RuleBook& rules, double now_s);
 

@@ -66,7 +66,8 @@ struct Stopwatch {
   double before_s = 0;            // total of the finished spans
   std::optional<double> since_s;  // start of the running span, if any
 
-  double at_s(double now_s) const { return before_s + (since_s ? now_s - *since_s : 0); }
+  double running_s(double now_s) const { return since_s ? now_s - *since_s : 0; }
+  double at_s(double now_s) const { return before_s + running_s(now_s); }
   void start(double now_s) { since_s = now_s; }
   void stop(double now_s) {
     before_s = at_s(now_s);

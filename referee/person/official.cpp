@@ -1,5 +1,6 @@
 #include "referee/person/official.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "referee/geometry/ball_out.hpp"
@@ -59,7 +60,25 @@ void Official::enter(const RefereeInput& /*input*/, const Finding& /*finding*/, 
 }
 
 void Official::show_time(const RefereeInput& input) {
-  state_.signal.stage_time_left_s = time_left_s(state_, input.configuration, input.time_s());
+  const double now_s = input.time_s();
+  RefereeSignal& signal = state_.signal;
+  signal.stage_time_left_s = time_left_s(state_, input.configuration, now_s);
+  const double played_s = state_.play_clock.at_s(now_s);
+  const bool has_timeouts = input.configuration.rules.has(RuleId::kTimeouts);
+  const TimeoutAllowance allowance =
+      has_timeouts ? timeout_allowance(state_, input.configuration) : TimeoutAllowance{};
+  for (const Side side : kSides) {
+    const CardBook& cards = state_.cards[side];
+    signal.fouls[side] = cards.fouls;
+    signal.yellow_left_s[side].clear();
+    for (const double end_s : cards.yellow_ends_s)
+      signal.yellow_left_s[side].push_back(std::max(0.0, end_s - played_s));
+    const TimeoutBook& book = state_.timeouts[side];
+    const bool takes_one = state_.machine_state == State::kTimeout && state_.timeout_side == side;
+    const double running_s = takes_one ? state_.timeout_clock.running_s(now_s) : 0;
+    signal.timeouts_left[side] = std::max(0, allowance.timeouts - book.taken);
+    signal.timeout_left_s[side] = std::max(0.0, allowance.time_s - book.used_s - running_s);
+  }
 }
 
 void Official::forget(const Frame& frame) {

@@ -43,7 +43,7 @@ class Official {
   // Takes the step that next() returned.
   virtual void enter(const RefereeInput& input, const Finding& finding, Step step);
 
-  // Shows the remaining time in the signal.
+  // Shows in the signal what is left of the half, of cards and of timeouts, and the fouls so far.
   virtual void show_time(const RefereeInput& input);
 
   // Whether the ball has stayed outside the field since its exit was called, although play is on.

@@ -246,6 +246,10 @@ void take_values(RefereeState& state, const RefereeInput& input) {
   signal.robots_allowed = given.robots_allowed;
   signal.yellow_cards = given.yellow_cards;
   signal.red_cards = given.red_cards;
+  signal.yellow_left_s = given.yellow_left_s;
+  signal.fouls = given.fouls;
+  signal.timeouts_left = given.timeouts_left;
+  signal.timeout_left_s = given.timeout_left_s;
   // If the number of robots allowed changed before AutoRef joined, the time of the change is
   // unknown, so the time to leave starts now.
   note_robots_allowed(state, input, robots_before);

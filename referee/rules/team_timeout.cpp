@@ -15,19 +15,8 @@
 namespace autoref::referee {
 namespace {
 
-struct Allowance {
-  int timeouts = 0;
-  double time_s = 0;
-};
-
-Allowance allowance_of(const RefereeState& state, const Configuration& configuration) {
-  const RuleBook& rules = configuration.rules;
-  if (is_extra(configuration, state.half)) return {rules.extra_timeouts, rules.extra_timeouts_s};
-  return {rules.timeouts, rules.timeouts_s};
-}
-
 bool may_have_one(const RefereeState& state, const RefereeInput& input, Side side) {
-  const Allowance allowed = allowance_of(state, input.configuration);
+  const TimeoutAllowance allowed = timeout_allowance(state, input.configuration);
   const TimeoutBook& book = state.timeouts[side];
   return input.requests[side].timeout && book.taken < allowed.timeouts &&
          !has_passed(0, allowed.time_s, book.used_s);
@@ -62,7 +51,7 @@ std::optional<Finding> find_timeout(RefereeState& state, const RefereeInput& inp
   if (state.signal.stage == Stage::kFirstHalfPre) return std::nullopt;
   const std::optional<Side> side = next_in_line(state, input);
   if (!side) return std::nullopt;
-  const Allowance allowed = allowance_of(state, input.configuration);
+  const TimeoutAllowance allowed = timeout_allowance(state, input.configuration);
   const TimeoutBook& book = state.timeouts[*side];
   Finding finding = finding_of(Event::kTimeout, RuleId::kTimeouts, input.configuration.rules);
   finding.value = book.used_s;
@@ -78,7 +67,7 @@ std::optional<Finding> find_timeout_over(RefereeState& state, const RefereeInput
   const Side side = state.timeout_side;
   const double began_s = state.timeout_clock.since_s.value_or(input.time_s());
   const double left_s =
-      allowance_of(state, input.configuration).time_s - state.timeouts[side].used_s;
+      timeout_allowance(state, input.configuration).time_s - state.timeouts[side].used_s;
   const bool is_wanted = input.requests[side].timeout;
   if (is_wanted && !has_passed(began_s, left_s, input.time_s())) return std::nullopt;
   Finding finding = finding_of(Event::kTimeoutOver, RuleId::kTimeouts, input.configuration.rules);

@@ -85,6 +85,32 @@ TEST(RefereeMessages, HoldWhatTheTeamsMayDo) {
   EXPECT_EQ(read.can_place_ball, signal.can_place_ball);
 }
 
+TEST(RefereeMessages, HoldWhatIsLeftOfCardsAndTimeouts) {
+  RefereeSignal signal;
+  signal.yellow_left_s[Side::kEast] = {12.5, 119};
+  signal.fouls = {{2, 5}};
+  signal.timeouts_left = {{4, 3}};
+  signal.timeout_left_s = {{300, 250.5}};
+  RefereePacket packet;
+  fill_referee(signal, {}, 0, packet);
+  EXPECT_EQ(packet.blue().yellow_card_times(1), 119'000'000U);
+  const RefereeSignal read = signal_of(packet).value();
+  EXPECT_EQ(read.yellow_left_s, signal.yellow_left_s);
+  EXPECT_EQ(read.fouls, signal.fouls);
+  EXPECT_EQ(read.timeouts_left, signal.timeouts_left);
+  EXPECT_EQ(read.timeout_left_s, signal.timeout_left_s);
+}
+
+// Game controllers keep a card that is over in the list until play stops.
+TEST(RefereeMessages, OfCardsThatAreOverOrTooManyKeepTheOthers) {
+  RefereePacket packet;
+  fill_referee({}, {}, 0, packet);
+  for (int i = 0; i < 40; ++i) packet.mutable_yellow()->add_yellow_card_times(i * 1'000'000);
+  const auto left_s = signal_of(packet)->yellow_left_s[Side::kWest];
+  EXPECT_EQ(left_s.size(), static_cast<std::size_t>(kMaxRobots));
+  EXPECT_EQ(left_s.front(), 1);
+}
+
 TEST(RefereeMessages, OfOlderRefereesLeaveTheNumberOfRobotsOpen) {
   RefereePacket packet;
   fill_referee({}, {}, 0, packet);

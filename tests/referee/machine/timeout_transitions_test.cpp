@@ -33,6 +33,21 @@ TEST(TransitionTimeout, IsTakenOnRequestWhilePlayIsStopped) {
   EXPECT_EQ(timeout.command, (Command{CommandKind::kTimeout, Side::kWest}));
 }
 
+TEST(TransitionTimeout, LeavesLessInTheSignal) {
+  ScriptedGame game = stopped_for_throw_in();
+  EXPECT_EQ(game.signal.timeouts_left, (PerSide<int>{{4, 4}}));
+  EXPECT_EQ(game.signal.timeout_left_s, (PerSide<double>{{300, 300}}));
+  game.requests[Side::kWest].timeout = true;
+  game.run_until("timeout", 0.1);
+  game.run(10);
+  EXPECT_EQ(game.signal.timeouts_left, (PerSide<int>{{3, 4}}));
+  EXPECT_NEAR(game.signal.timeout_left_s[Side::kWest], 290, 0.05);
+  game.requests[Side::kWest].timeout = false;
+  game.run(10);
+  EXPECT_NEAR(game.signal.timeout_left_s[Side::kWest], 290, 0.1);
+  EXPECT_EQ(game.signal.timeout_left_s[Side::kEast], 300);
+}
+
 TEST(TransitionTimeout, WaitsForAStop) {
   ScriptedGame game = in_play(with_timeouts("2014"));
   game.requests[Side::kWest].timeout = true;
