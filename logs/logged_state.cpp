@@ -3,13 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <deque>
+#include <limits>
 #include <stdexcept>
 
 #include "league/referee_message.hpp"
 #include "logs/recorded_ends.hpp"
 #include "logs/recorded_teams.hpp"
+#include "referee/machine/guards.hpp"
 #include "soccer/referee_signal.hpp"
+#include "soccer/robot_command.hpp"
 #include "soccer/robot_shape.hpp"
 #include "tracking/tracker.hpp"
 
@@ -17,6 +23,8 @@ namespace autoref::logs {
 namespace {
 
 constexpr double kTrackedBefore_s = 5;  // long enough for the tracker's filters
+constexpr double kSeenBefore_s = 0.6;   // longer than the longest delay of a team's view
+constexpr double kWholeHalf_s = std::numeric_limits<double>::infinity();
 constexpr double kRounding_s = 1e-6;
 constexpr double kMoved_m = 50_mm;  // a ball that has moved farther is in play (Laws 2014, law 9)
 constexpr double kSameField_m = 20_mm;
@@ -34,6 +42,18 @@ bool is_restart(const Command& command) {
   }
 }
 
+// What vision would have shown if it were as smooth as the tracks.
+Frame frame_of(const Tracks& tracks) {
+  Frame frame;
+  frame.time_s = tracks.time_s;
+  for (const Side side : kSides) {
+    for (const TrackedRobot& robot : tracks.robots[side])
+      frame.robots[side].push_back({robot.number, robot.position_m, robot.heading});
+  }
+  if (tracks.ball) frame.ball = BallObservation{tracks.ball->position_m, tracks.ball->height_m};
+  return frame;
+}
+
 // Reads the log up to a time and, beyond it, only the next restart. Uses the log's coordinates.
 class StateReader final : public league::LogVisitor {
  public:
@@ -44,15 +64,17 @@ class StateReader final : public league::LogVisitor {
     if (!first_s_) first_s_ = frame.time_s;
     last_s_ = frame.time_s;
     if (frame.time_s > at_s_ + kRounding_s) return;
-    if (frame.time_s >= at_s_ - kTrackedBefore_s) tracks_ = tracker_.update(frame);
+    if (frame.time_s >= at_s_ - kTrackedBefore_s) track(frame);
     if (frame.ball) follow(frame.ball->position_m);
   }
 
   void on_referee(double time_s, const league::RefereePacket& packet) override {
-    const std::optional<RefereeSignal> signal = league::signal_of(packet);
+    std::optional<RefereeSignal> signal = league::signal_of(packet);
     if (!signal) return;
     if (time_s > at_s_ + kRounding_s) return note_next(signal->command);
     ends_.add(packet, signal->stage);
+    note_half(*signal);
+    if (!packet.has_stage_time_left()) signal->stage_time_left_s = kWholeHalf_s;
     if (!signal_ || signal_->command_counter != signal->command_counter) obey(signal->command);
     signal_ = signal;
   }
@@ -66,8 +88,30 @@ class StateReader final : public league::LogVisitor {
   const Tracks& tracks() const { return tracks_; }
   bool is_yellow_west() const { return ends_.yellow() == Side::kWest; }
 
+  // What was seen before the state, in the program's coordinates, with the state's time as 0.
+  std::vector<Frame> seen_before() const {
+    std::vector<Frame> frames;
+    frames.reserve(seen_.size());
+    for (const Tracks& tracks : seen_) {
+      frames.push_back(published(frame_of(tracks), is_yellow_west()));
+      frames.back().time_s -= tracks_.time_s;
+      frames.back().number = static_cast<std::int64_t>(frames.size() - 1 - seen_.size());
+    }
+    return frames;
+  }
+
   // The referee's part of the state, in the program's coordinates; `ball_m` is the ball's position.
   referee::MidwayStart midway_start(const Vec2& ball_m, const Field& field) const {
+    referee::MidwayStart start = restart(ball_m, field);
+    start.signal = signal_;
+    if (signal_) start.signal->blue_on_positive_half = is_yellow_west();
+    start.goals_in_earlier_halves = goals_before_half_;
+    return start;
+  }
+
+ private:
+  // The pending restart.
+  referee::MidwayStart restart(const Vec2& ball_m, const Field& field) const {
     if (!signal_) return {};
     const Command& command = signal_->command;
     if (command.kind == CommandKind::kNormalStart) {
@@ -86,7 +130,21 @@ class StateReader final : public league::LogVisitor {
     return {next, restart_position(next, ball_m, field), true};
   }
 
- private:
+  void track(const Frame& frame) {
+    if (tracks_.ball && frame.time_s > tracks_.time_s) seen_.push_back(tracks_);
+    tracks_ = tracker_.update(frame);
+    while (!seen_.empty() && tracks_.time_s - seen_.front().time_s > kSeenBefore_s)
+      seen_.pop_front();
+  }
+
+  // Goals scored before the log's first packet count for the halves before, if there are any.
+  void note_half(const RefereeSignal& signal) {
+    const std::optional<int> half = referee::half_in(signal.stage);
+    if (!half || half == half_) return;
+    half_ = half;
+    goals_before_half_ = half == 0 ? PerSide<int>{} : signal.goals;
+  }
+
   void follow(const Vec2& ball_m) {
     ball_m_ = ball_m;
     if (!ball_from_m_) ball_from_m_ = ball_m;
@@ -123,6 +181,9 @@ class StateReader final : public league::LogVisitor {
   RecordedEnds ends_;
   tracking::Tracker tracker_;
   Tracks tracks_;
+  std::deque<Tracks> seen_;  // the tracks before these
+  std::optional<int> half_;  // the half of the last signal
+  PerSide<int> goals_before_half_;
   std::optional<double> first_s_;
   double last_s_ = 0;
   std::optional<RefereeSignal> signal_;  // the last signal up to that time
@@ -150,7 +211,53 @@ game::StartState start_of(const StateReader& read, const Field& field) {
   const TrackedBall ball = turns ? mirrored(*tracks.ball) : *tracks.ball;
   start.ball = {ball.position_m, ball.velocity_mps, ball.height_m, 0, ball.height_m <= 0};
   start.referee = read.midway_start(ball.position_m, field);
+  start.seen_before = read.seen_before();
   return start;
+}
+
+// New numbers by number in the log, from 0; -1 for robots without one.
+using NewNumbers = std::array<int, kMaxRobots>;
+
+std::optional<int> keeper_in(const game::StartState& start, Side side) {
+  const std::optional<RefereeSignal>& signal = start.referee.signal;
+  return signal ? signal->keepers[side] : std::nullopt;
+}
+
+NewNumbers new_numbers(const game::StartState& start, Side side, int count) {
+  const sim::RobotStates& robots = start.robots[side];
+  if (static_cast<int>(robots.size()) > count) {
+    throw std::invalid_argument(fmt::format(
+        "the log has {} robots of this team at this time, but the team has {}; set its robots",
+        robots.size(), count));
+  }
+  NewNumbers numbers;
+  numbers.fill(-1);
+  const bool fit = std::all_of(robots.begin(), robots.end(), [count](const sim::RobotState& robot) {
+    return robot.number < count;
+  });
+  int next = 0;
+  for (const sim::RobotState& robot : robots)
+    numbers.at(static_cast<std::size_t>(robot.number)) = fit ? robot.number : next++;
+  const std::optional<int> keeper = keeper_in(start, side);
+  if (!keeper || *keeper < 0 || *keeper >= kMaxRobots) return numbers;
+  if (numbers.at(static_cast<std::size_t>(*keeper)) < 0) return numbers;
+  int& of_keeper = numbers.at(static_cast<std::size_t>(*keeper));
+  const auto holder = std::find(numbers.begin(), numbers.end(), TeamRequests{}.keeper);
+  if (holder != numbers.end()) *holder = of_keeper;
+  of_keeper = TeamRequests{}.keeper;
+  return numbers;
+}
+
+template <typename Robots>
+void renumber(const NewNumbers& numbers, Robots& robots) {
+  Robots renumbered;
+  for (auto robot : robots) {
+    robot.number = numbers.at(static_cast<std::size_t>(robot.number));
+    if (robot.number >= 0) renumbered.push_back(robot);
+  }
+  std::sort(renumbered.begin(), renumbered.end(),
+            [](const auto& one, const auto& other) { return one.number < other.number; });
+  robots = renumbered;
 }
 
 }  // namespace
@@ -165,22 +272,27 @@ LoggedState logged_state(const std::filesystem::path& log, double at_s) try {
     throw std::invalid_argument(fmt::format("{} s is outside the log {}, which covers {}", at_s,
                                             log.string(), reader.extent()));
   }
-  return {start_of(reader, field), summary};
+  LoggedState logged{start_of(reader, field), summary};
+  if (logged.start.referee.signal) {
+    for (const Side side : kSides) {
+      const std::optional<int>& actual = teams.actual_keepers[side];
+      std::optional<int>& keeper = logged.start.referee.signal->keepers[side];
+      if (actual) keeper = *actual >= 0 ? actual : std::nullopt;
+    }
+  }
+  return logged;
 } catch (const league::LogError& error) {
   throw std::invalid_argument(error.what());
 }
 
-void renumber(game::StartingRobots& robots, int count) {
-  if (static_cast<int>(robots.size()) > count)
-    throw std::invalid_argument(fmt::format(
-        "the log has {} robots of this team at this time, but the team has {}; set its robots",
-        robots.size(), count));
-  const bool fit = std::all_of(robots.begin(), robots.end(), [count](const sim::RobotState& robot) {
-    return robot.number < count;
-  });
-  if (fit) return;
-  int next = 0;
-  for (sim::RobotState& robot : robots) robot.number = next++;
+void renumber(game::StartState& start, Side side, int count) {
+  const NewNumbers numbers = new_numbers(start, side, count);
+  renumber(numbers, start.robots[side]);
+  if (start.referee.signal && keeper_in(start, side))
+    start.referee.signal->keepers[side] = TeamRequests{}.keeper;
+  for (Frame& frame : start.seen_before) renumber(numbers, frame.robots[side]);
+  if (!start.ghost || start.ghost->side != side) return;
+  for (game::GhostFrame& frame : start.ghost->frames) renumber(numbers, frame.robots);
 }
 
 void check_same_field(const LoggedState& logged, const Field& field) {

@@ -14,7 +14,8 @@ struct LoggedState {
   // velocities come from the tracker (tracking/tracker.hpp). The ball's vertical velocity is
   // unknown and assumed to be zero. The restart is the one that was pending. If the command was
   // HALT, STOP or the like, it is the restart that the packet announces. If the packet announces
-  // none, it is the next restart in the log, or a force start if there is none.
+  // none, it is the next restart in the log, or a force start if there is none. The signal is the
+  // last one; it names the robots that keep the goals as keepers (recorded_teams.hpp).
   game::StartState start;
   league::LogSummary log;
 };
@@ -24,9 +25,12 @@ struct LoggedState {
 // is no ball at that time.
 LoggedState logged_state(const std::filesystem::path& log, double at_s);
 
-// Gives the robots numbers below `count`, in the same order, unless they already have such numbers.
-// Throws std::invalid_argument if there are more than `count` robots.
-void renumber(game::StartingRobots& robots, int count);
+// Gives the side's robots numbers below `count`, in the same order, unless they already have such
+// numbers. The keeper that the packets name gets the number that teams use for their keepers by
+// default, TeamRequests::keeper, in exchange for its own. Robots that are not on the field at the
+// start disappear from what was seen before and from the ghost. Throws std::invalid_argument if
+// there are more than `count` robots.
+void renumber(game::StartState& start, Side side, int count);
 
 // Throws std::invalid_argument if the log's field differs from the field of the game.
 void check_same_field(const LoggedState& logged, const Field& field);

@@ -1,11 +1,14 @@
 #include "referee/referee.hpp"
 
+#include <fmt/format.h>
 #include <cassert>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "referee/machine/ball_in_play.hpp"
 #include "referee/machine/confidence.hpp"
+#include "referee/machine/guards.hpp"
 #include "referee/person/beside_person.hpp"
 #include "referee/person/official.hpp"
 #include "referee/referee_input.hpp"
@@ -25,6 +28,25 @@ void validate(const Configuration& configuration) {
   check_number("field.length_m", field.length_m, kFieldLengths);
   check_number("field.width_m", field.width_m, kFieldLengths);
   check_number("field.goal_width_m", field.goal_width_m, kFieldLengths);
+}
+
+void check_stage(Stage stage, const Configuration& configuration) {
+  const std::optional<int> half = half_in(stage);
+  if (!half) {
+    throw std::invalid_argument(fmt::format(
+        "a game cannot begin in the stage {}, after its last half", autoref::name_of(stage)));
+  }
+  if (*half >= kFirstExtraHalf && !configuration.knockout) {
+    throw std::invalid_argument(
+        fmt::format("a game that begins in the stage {} needs extra time; set match.knockout=true",
+                    autoref::name_of(stage)));
+  }
+  if (*half < kFirstExtraHalf && *half >= configuration.halves) {
+    throw std::invalid_argument(
+        fmt::format("a game that begins in the stage {} needs {} halves, but it has {}; set "
+                    "match.halves={}",
+                    autoref::name_of(stage), *half + 1, configuration.halves, *half + 1));
+  }
 }
 
 std::unique_ptr<Official> make_official(const Configuration& configuration) {
@@ -48,6 +70,7 @@ class Referee::Impl {
 
   void begin(const MidwayStart& midway_start) {
     assert(!sight_.has_begun() && configuration_.control == Control::kAutoref);
+    if (midway_start.signal) check_stage(midway_start.signal->stage, configuration_);
     official_->state().midway_start = midway_start;
   }
 

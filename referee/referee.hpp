@@ -39,8 +39,9 @@ class Referee {
   Referee(Referee&&) noexcept;
   Referee& operator=(Referee&&) noexcept;
 
-  // Starts the game in the middle of the first half instead of with the first kick-off. Call
-  // begin() before the first frame, and only if the configuration has Control::kAutoref (asserted).
+  // Starts the game in the middle of a half instead of with the first kick-off. Call begin() before
+  // the first frame, and only if the configuration has Control::kAutoref (asserted). Throws
+  // std::invalid_argument if the game has no half of that signal's stage.
   void begin(const MidwayStart& midway_start);
 
   // A frame as the referee sees it. Update the tracker with this frame.

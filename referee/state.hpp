@@ -57,8 +57,8 @@ class States {
 // Whether the ball can be played, even if AutoRef has made a call.
 constexpr bool is_play(State state) { return state == State::kRun || state == State::kCalled; }
 
-// Starts a game in the middle of the first half instead of with the first kick-off. The half begins
-// with the first frame, with the score 0:0. Earlier touches of the ball are unknown.
+// Starts a game in the middle of a half instead of with the first kick-off. Earlier touches of the
+// ball are unknown.
 struct MidwayStart {
   // The pending restart: PREPARE_KICKOFF, PREPARE_PENALTY, DIRECT_FREE or INDIRECT_FREE for one
   // side, or FORCE_START. If it is nullopt, play is on.
@@ -69,6 +69,12 @@ struct MidwayStart {
   // signalled immediately; a kick-off or a penalty kick then still waits until the robots are
   // ready.
   bool is_stopped = false;
+  // The signal before the start, from which score, stage, clock, cards, fouls, timeouts and ends
+  // are taken. Its stage is neither a shoot-out, nor the break before one, nor the end of the game.
+  // If it is nullopt, the first half begins with the first frame, with the score 0:0.
+  std::optional<RefereeSignal> signal = {};
+  // The goals in that signal that were scored in earlier halves.
+  PerSide<int> goals_in_earlier_halves = {};
 };
 
 }  // namespace autoref::referee

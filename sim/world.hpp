@@ -28,6 +28,8 @@ struct RobotState {
   double angular_velocity_radps = 0;
 };
 
+using RobotStates = boost::container::static_vector<RobotState, kMaxRobots>;
+
 struct BallState {
   Vec2 position_m{0, 0};
   Vec2 velocity_mps{0, 0};
@@ -39,7 +41,7 @@ struct BallState {
 struct WorldState {
   std::int64_t frame = 0;  // number of frames stepped; time is frame / frame rate
   // The robots on the field, ordered by number.
-  PerSide<boost::container::static_vector<RobotState, kMaxRobots>> robots;
+  PerSide<RobotStates> robots;
   BallState ball;
 };
 

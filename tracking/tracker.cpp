@@ -84,7 +84,7 @@ void RobotTracker::publish() {
 }
 
 Tracker::Tracker(const VisionNoise& noise) : noise_(noise), ball_(noise.ball_m) {
-  for (auto& side : known_.values) side.fill({RobotTracker(noise), -1});
+  for (auto& side : known_.values) side.fill({RobotTracker(noise), kNever_s});
 }
 
 const Tracks& Tracker::update(const Frame& frame) {
@@ -107,7 +107,7 @@ const Tracks& Tracker::update(const Frame& frame) {
 }
 
 bool Tracker::is_known(const Known& known) const {
-  return known.seen_s >= 0 && tracks_.time_s - known.seen_s <= kForgetRobotAfter_s;
+  return tracks_.time_s - known.seen_s <= kForgetRobotAfter_s;
 }
 
 void Tracker::see_robots(const SeenRobots& seen, std::array<Known, kMaxRobots>& all,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "soccer/frame.hpp"
 #include "soccer/side.hpp"
@@ -56,9 +57,11 @@ class Tracker {
   void begin_afresh() { *this = Tracker(noise_); }
 
  private:
+  static constexpr double kNever_s = -std::numeric_limits<double>::infinity();
+
   struct Known {
     RobotTracker robot;
-    double seen_s = -1;  // time of the last detection; negative if there was none
+    double seen_s = kNever_s;  // time of the last detection
   };
 
   bool is_known(const Known& known) const;

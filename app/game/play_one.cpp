@@ -128,20 +128,6 @@ std::optional<double> pace_of(const game::GameConfiguration& game, const GameOut
   return game.sim.frame_rate_hz * speed_factor_in(output.speed.empty() ? "1" : output.speed, "max");
 }
 
-game::GameRecord played(const game::GameConfiguration& configuration,
-                        const game::Observers& observers, game::GamePrograms& programs,
-                        std::optional<double> frames_per_s) {
-  game::Game game(programs.configured(configuration), observers, programs.maker());
-  live::SteadyFrameClock clock;
-  std::optional<live::FramePacer> pacer;
-  if (frames_per_s) pacer.emplace(clock, *frames_per_s);
-  do {
-    if (pacer) pacer->wait();
-    programs.before_step(game);
-  } while (game.step());
-  return game.record();
-}
-
 }  // namespace
 
 double speed_factor_in(const std::string& text, std::string_view others) {
@@ -190,6 +176,20 @@ void add_speed_option(CLI::App& verb, GameOutput& output) {
       ->type_name("FACTOR|max");
 }
 
+game::GameRecord play_game(const game::GameConfiguration& configuration,
+                           const game::Observers& observers, game::GamePrograms& programs,
+                           std::optional<double> frames_per_s) {
+  game::Game game(programs.configured(configuration), observers, programs.maker());
+  live::SteadyFrameClock clock;
+  std::optional<live::FramePacer> pacer;
+  if (frames_per_s) pacer.emplace(clock, *frames_per_s);
+  do {
+    if (pacer) pacer->wait();
+    programs.before_step(game);
+  } while (game.step());
+  return game.record();
+}
+
 game::GameRecord play_one(const game::GameConfiguration& game, const GameOutput& output,
                           const std::vector<std::string>& inputs, const RecordedCommands& commands,
                           const GamePlayer& player) {
@@ -208,7 +208,7 @@ game::GameRecord play_one(const game::GameConfiguration& game, const GameOutput&
   const auto start = std::chrono::steady_clock::now();
   game::GamePrograms programs = programs_of(game, output, commands, player);
   game::GameRecord record = player.play ? player.play(observers, programs)
-                                        : played(game, observers, programs, frames_per_s);
+                                        : play_game(game, observers, programs, frames_per_s);
   if (!programs.finish(record)) {
     throw io::InputError({commands.file.string()}, "",
                          "its commands lead to a different final state: they come from another "

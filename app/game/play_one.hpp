@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -62,6 +63,12 @@ void add_output_options(CLI::App& verb, GameOutput& output);
 
 // Adds --speed.
 void add_speed_option(CLI::App& verb, GameOutput& output);
+
+// Plays the game to its end, without any output. `frames_per_s` is the pace in wall-clock time;
+// nullopt: as fast as possible.
+game::GameRecord play_game(const game::GameConfiguration& configuration,
+                           const game::Observers& observers, game::GamePrograms& programs,
+                           std::optional<double> frames_per_s = std::nullopt);
 
 // Plays the game, prints its report, and writes its decisions, its log and its page as requested.
 // After Ctrl-C, throws Interrupted and writes neither decisions nor page; the log then contains the

@@ -39,7 +39,7 @@ class LoggedNumbers {
   double spread_m_;
 };
 
-std::vector<DrawnRobot> drawn_robots(const game::StartingRobots& robots, const Field& field,
+std::vector<DrawnRobot> drawn_robots(const sim::RobotStates& robots, const Field& field,
                                      const LoggedNumbers& numbers) {
   std::vector<DrawnRobot> drawn;
   for (const sim::RobotState& robot : robots) {
@@ -117,8 +117,8 @@ void take_from_log(const LoggedInstant& instant, const Field& field, int most_at
   logs::check_same_field(logged, field);
   game::StartState start =
       instant.attackers == Side::kWest ? logged.start : game::mirrored(logged.start);
-  logs::renumber(start.robots[Side::kWest], most_attackers);
-  logs::renumber(start.robots[Side::kEast], most_defenders);
+  logs::renumber(start, Side::kWest, most_attackers);
+  logs::renumber(start, Side::kEast, most_defenders);
   // Before a restart, the ball is at rest where the restart is taken.
   const referee::MidwayStart& midway_start = start.referee;
   if (midway_start.restart) start.ball = {midway_start.ball_m, {0, 0}, 0, 0, true};

@@ -156,23 +156,54 @@ class Game::Impl {
 
  private:
   void begin_at(const StartState& start) {
-    const PerSide<int> counts = robots_of(configuration_);
-    for (const Side side : kSides) {
-      std::array<bool, kMaxRobots> is_on{};
-      for (const sim::RobotState& robot : start.robots[side]) {
-        if (robot.number >= counts[side])
-          throw std::invalid_argument(
-              fmt::format("the {} team has {} robots, but the start positions include robot {}",
-                          name_of(side), counts[side], robot.number));
-        is_on.at(static_cast<std::size_t>(robot.number)) = true;
-        put_robot({side, robot.number}, robot);
-      }
-      for (int number = 0; number < counts[side]; ++number) {
-        if (!is_on[static_cast<std::size_t>(number)]) take_off({side, number});
-      }
-    }
+    for (const Side side : kSides) put_robots(side, start.robots[side], cards_in(start, side));
     put_ball(start.ball);
     referee_.begin(start.referee);
+    see_again(start.seen_before);
+    if (start.ghost) ghost_.emplace(*start.ghost);
+  }
+
+  int cards_in(const StartState& start, Side side) const {
+    const std::optional<RefereeSignal>& signal = start.referee.signal;
+    const bool has_cards = signal && configuration_.match.rules.has(RuleId::kCards);
+    return has_cards ? static_cast<int>(signal->yellow_left_s[side].size()) : 0;
+  }
+
+  // Only the robots that serve a yellow card, `cards` in number, may return later.
+  void put_robots(Side side, const sim::RobotStates& robots, int cards) {
+    const int count = robots_of(configuration_)[side];
+    std::array<bool, kMaxRobots> is_on{};
+    for (const sim::RobotState& robot : robots) {
+      if (robot.number >= count)
+        throw std::invalid_argument(
+            fmt::format("the {} team has {} robots, but the start positions include robot {}",
+                        name_of(side), count, robot.number));
+      is_on.at(static_cast<std::size_t>(robot.number)) = true;
+      put_robot({side, robot.number}, robot);
+    }
+    for (int number = 0; number < count; ++number) {
+      if (is_on[static_cast<std::size_t>(number)]) continue;
+      take_off({side, number});
+      if (cards-- > 0) substitution_controller_.keep_off({side, number}, false);
+    }
+  }
+
+  // Tracks the frames before the start and delays them as in a running game. For teams, they have
+  // the number and the time of the first frame, as their first views in any game.
+  void see_again(const std::vector<Frame>& frames) {
+    auto next = frames.begin();
+    const auto track_until = [&](double time_s) {
+      for (; next != frames.end() && next->time_s <= time_s; ++next) tracker_.update(*next);
+    };
+    for (int number = -sim::split_latency(configuration_.sim).frames; number < 0; ++number) {
+      track_until(number / rate_hz());
+      if (next == frames.begin()) continue;
+      Tracks tracks = tracker_.tracks();
+      tracks.frame = 0;
+      tracks.time_s = 0;
+      tracks_.push(tracks);
+    }
+    track_until(0);
   }
 
   bool is_still_played() {
@@ -193,7 +224,7 @@ class Game::Impl {
   void move() {
     PerSide<std::string> faults;
     for (Side side : kSides) {
-      faults[side] = players_[side].decide(commands_[side]);
+      if (!ghost_ || ghost_->side() != side) faults[side] = players_[side].decide(commands_[side]);
       ended(side == Side::kWest ? Phase::kTeamWest : Phase::kTeamEast);
     }
     end_for(faults);
@@ -202,6 +233,7 @@ class Game::Impl {
     const auto placement = is_held ? signal_.placement : std::nullopt;
     observers_.call(&Observer::on_commands, commands_, placement, world_);
     world_.step(commands_, placement);
+    if (ghost_) ghost_->move(time_after_step_s(), world_);
     if (!world_.is_finite()) void_game("a position in the world is not finite");
     ++record_.frames;
     ended(Phase::kPhysics);
@@ -317,6 +349,7 @@ class Game::Impl {
   Side a() const { return configuration_.match.a_plays; }
   double rate_hz() const { return configuration_.sim.frame_rate_hz; }
   double time_s() const { return static_cast<double>(record_.frames) / rate_hz(); }
+  double time_after_step_s() const { return static_cast<double>(record_.frames + 1) / rate_hz(); }
 
   void ended(Phase phase) { observers_.call(&Observer::on_phase, phase); }
 
@@ -335,6 +368,7 @@ class Game::Impl {
   DelayLine<Tracks> tracks_;
   PlayStatistics statistics_;
   std::optional<SceneFollower> scene_;
+  std::optional<GhostMover> ghost_;
   PerSide<TeamController> players_;
   PerSide<TeamCommands> commands_;
   StateHash hash_;

@@ -1,48 +1,74 @@
 #include "game/loop/start_scene.hpp"
 
+#include <utility>
+
 #include "referee/event.hpp"
 
 namespace autoref::game {
 namespace {
 
-Vec2 turned(const Vec2& vector) { return Vec2(0, 0) - vector; }  // never -0
-
-sim::RobotState turned(sim::RobotState robot) {
-  robot.position_m = turned(robot.position_m);
-  robot.heading = turned(robot.heading);
-  robot.velocity_mps = turned(robot.velocity_mps);
-  return robot;
+template <typename T>
+void swap_sides(PerSide<T>& values) {
+  std::swap(values[Side::kWest], values[Side::kEast]);
 }
 
-SceneEnd end_by(referee::Event event) {
-  const referee::EventEntry& entry = referee::entry_of(event);
-  if (event == referee::Event::kGoal) return SceneEnd::kGoal;
-  if (entry.is_exit) return SceneEnd::kBallOut;
-  return entry.is_foul ? SceneEnd::kFoul : SceneEnd::kStop;
+// The signal as seen from the other end. Each team keeps its end of the real field, but changes its
+// colour.
+RefereeSignal mirrored_signal(RefereeSignal signal) {
+  signal.command = mirrored(signal.command);
+  if (signal.next_command) signal.next_command = mirrored(*signal.next_command);
+  if (signal.placement) signal.placement->target_m = mirrored(signal.placement->target_m);
+  swap_sides(signal.goals);
+  swap_sides(signal.shootout_goals);
+  swap_sides(signal.robots_allowed);
+  swap_sides(signal.yellow_cards);
+  swap_sides(signal.red_cards);
+  swap_sides(signal.yellow_left_s);
+  swap_sides(signal.fouls);
+  swap_sides(signal.timeouts_left);
+  swap_sides(signal.timeout_left_s);
+  swap_sides(signal.keepers);
+  swap_sides(signal.can_place_ball);
+  signal.blue_on_positive_half = !signal.blue_on_positive_half;
+  return signal;
+}
+
+referee::MidwayStart mirrored_referee_start(referee::MidwayStart start) {
+  if (start.restart) start.restart = mirrored(*start.restart);
+  start.ball_m = mirrored(start.ball_m);
+  if (start.signal) start.signal = mirrored_signal(*start.signal);
+  swap_sides(start.goals_in_earlier_halves);
+  return start;
 }
 
 // The decision that stopped play in this frame, if any.
 std::optional<SceneEnd> end_in(std::span<const referee::Decision> decisions) {
   for (const referee::Decision& decision : decisions) {
     if (decision.from == referee::State::kRun && decision.to != referee::State::kRun)
-      return end_by(decision.finding.event);
+      return scene_end_by(decision.finding.event);
   }
   return std::nullopt;
 }
 
 }  // namespace
 
+SceneEnd scene_end_by(referee::Event event) {
+  const referee::EventEntry& entry = referee::entry_of(event);
+  if (event == referee::Event::kGoal) return SceneEnd::kGoal;
+  if (entry.is_exit) return SceneEnd::kBallOut;
+  return entry.is_foul ? SceneEnd::kFoul : SceneEnd::kStop;
+}
+
 StartState mirrored(const StartState& state) {
   StartState other = state;
-  for (const Side side : kSides) {
-    other.robots[side].clear();
-    for (const sim::RobotState& robot : state.robots[opponent_of(side)])
-      other.robots[side].push_back(turned(robot));
+  swap_sides(other.robots);
+  for (sim::RobotStates& robots : other.robots.values) {
+    for (sim::RobotState& robot : robots) robot = mirrored(robot);
   }
-  other.ball.position_m = turned(state.ball.position_m);
-  other.ball.velocity_mps = turned(state.ball.velocity_mps);
-  other.referee.ball_m = turned(state.referee.ball_m);
-  if (other.referee.restart) other.referee.restart = mirrored(*other.referee.restart);
+  other.ball = mirrored(state.ball);
+  other.referee = mirrored_referee_start(state.referee);
+  for (Frame& frame : other.seen_before) frame = mirrored(frame);
+  if (other.ghost) other.ghost = mirrored(*other.ghost);
   return other;
 }
 

@@ -3,14 +3,16 @@
 #pragma once
 
 #include <array>
-#include <boost/container/static_vector.hpp>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
+#include "game/loop/ghost.hpp"
 #include "referee/decision.hpp"
 #include "referee/state.hpp"
 #include "sim/world.hpp"
+#include "soccer/frame.hpp"
 #include "soccer/named.hpp"
 #include "soccer/parameters.hpp"
 #include "soccer/referee_signal.hpp"
@@ -18,15 +20,18 @@
 
 namespace autoref::game {
 
-using StartingRobots = boost::container::static_vector<sim::RobotState, kMaxRobots>;
-
 // The positions and the restart with which a game starts. Uses the program's coordinates: west
 // defends the goal at -x.
 struct StartState {
-  // Robots on the field, by number; a team's other robots stay off it.
-  PerSide<StartingRobots> robots;
+  // Robots on the field, by number; a team's other robots stay off it, except that one may return
+  // for each yellow card with which the game starts, once that card is over.
+  PerSide<sim::RobotStates> robots;
   sim::BallState ball;
   referee::MidwayStart referee;
+  // What vision showed before the start, with times before 0. Tracks begin with these frames, and
+  // teams see them first if vision is delayed. May be empty.
+  std::vector<Frame> seen_before;
+  std::optional<Ghost> ghost;  // nullopt if both sides are played by teams
 };
 
 // The start state as seen from the other end: rotated by 180 degrees, with the sides swapped.
@@ -44,6 +49,9 @@ constexpr auto names_of(SceneEnd /*any*/) {
 }
 
 using autoref::name_of;
+
+// How a scene ends with this event, if it stops play.
+SceneEnd scene_end_by(referee::Event event);
 
 inline constexpr std::size_t kSceneEndCount = names_of(SceneEnd{}).size();
 

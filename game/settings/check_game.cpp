@@ -136,28 +136,78 @@ std::string team_text(const GameSettings& game, std::string_view path, const Tea
   return text;
 }
 
+// Lines of values separated by spaces.
+class ValueLines {
+ public:
+  template <typename... Values>
+  void add(const Values&... values) {
+    ((text_ += fmt::format("{} ", values)), ...);
+    text_ += "\n";
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+void add_robots(const sim::RobotStates& robots, Side side, ValueLines& lines) {
+  for (const sim::RobotState& robot : robots) {
+    lines.add(name_of(side), robot.number, robot.position_m.x(), robot.position_m.y(),
+              robot.heading.x(), robot.heading.y(), robot.velocity_mps.x(), robot.velocity_mps.y(),
+              robot.angular_velocity_radps);
+  }
+}
+
+void add_ball(const sim::BallState& ball, ValueLines& lines) {
+  lines.add("ball", ball.position_m.x(), ball.position_m.y(), ball.velocity_mps.x(),
+            ball.velocity_mps.y(), ball.height_m, ball.vertical_mps, ball.is_rolling);
+}
+
+void add_signal(const referee::MidwayStart& start, ValueLines& lines) {
+  const RefereeSignal& signal = *start.signal;
+  lines.add(name_of(signal.stage), signal.stage_time_left_s, signal.blue_on_positive_half);
+  for (const Side side : kSides) {
+    lines.add(signal.goals[side], start.goals_in_earlier_halves[side], signal.yellow_cards[side],
+              signal.red_cards[side], fmt::format("{}", fmt::join(signal.yellow_left_s[side], " ")),
+              signal.fouls[side], signal.timeouts_left[side], signal.timeout_left_s[side],
+              signal.can_place_ball[side]);
+  }
+}
+
+void add_frame(const Frame& frame, ValueLines& lines) {
+  lines.add("seen", frame.time_s);
+  for (const Side side : kSides) {
+    for (const RobotObservation& robot : frame.robots[side])
+      lines.add(name_of(side), robot.number, robot.position_m.x(), robot.position_m.y(),
+                robot.heading.x(), robot.heading.y());
+  }
+  if (frame.ball)
+    lines.add("ball", frame.ball->position_m.x(), frame.ball->position_m.y(),
+              frame.ball->height_m.value_or(-1));
+}
+
+void add_ghost(const Ghost& ghost, ValueLines& lines) {
+  lines.add("ghost", name_of(ghost.side), fmt::format("{}", fmt::join(ghost.touches_s, " ")));
+  for (const GhostFrame& frame : ghost.frames) {
+    lines.add("at", frame.time_s);
+    add_robots(frame.robots, ghost.side, lines);
+    if (frame.ball) add_ball(*frame.ball, lines);
+  }
+}
+
 std::string start_text(const GameSettings& game) {
   if (!game.start) return "";
   const StartState& start = *game.start;
-  std::string text;
-  const auto add = [&text](const auto&... values) {
-    ((text += fmt::format("{} ", values)), ...);
-    text += "\n";
-  };
-  for (const Side side : kSides) {
-    for (const sim::RobotState& robot : start.robots[side]) {
-      add(name_of(side), robot.number, robot.position_m.x(), robot.position_m.y(),
-          robot.heading.x(), robot.heading.y(), robot.velocity_mps.x(), robot.velocity_mps.y(),
-          robot.angular_velocity_radps);
-    }
-  }
-  const sim::BallState& ball = start.ball;
-  add("ball", ball.position_m.x(), ball.position_m.y(), ball.velocity_mps.x(),
-      ball.velocity_mps.y(), ball.height_m, ball.vertical_mps, ball.is_rolling);
+  ValueLines lines;
+  for (const Side side : kSides) add_robots(start.robots[side], side, lines);
+  add_ball(start.ball, lines);
   const referee::MidwayStart& midway_start = start.referee;
-  add(midway_start.restart ? name_of(*midway_start.restart) : "play", midway_start.ball_m.x(),
-      midway_start.ball_m.y(), midway_start.is_stopped);
-  return text;
+  lines.add(midway_start.restart ? name_of(*midway_start.restart) : "play", midway_start.ball_m.x(),
+            midway_start.ball_m.y(), midway_start.is_stopped);
+  if (midway_start.signal) add_signal(midway_start, lines);
+  for (const Frame& frame : start.seen_before) add_frame(frame, lines);
+  if (start.ghost) add_ghost(*start.ghost, lines);
+  return lines.text();
 }
 
 std::string scene_text(const GameSettings& game) {

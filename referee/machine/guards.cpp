@@ -133,6 +133,14 @@ Stage stage_before(int half) { return kBefore[static_cast<std::size_t>(half)]; }
 Stage stage_of(int half) { return kRunning[static_cast<std::size_t>(half)]; }
 Stage break_before(int half) { return kBreaks[static_cast<std::size_t>(half) - 1]; }
 
+std::optional<int> half_in(Stage stage) {
+  for (int half = 0; half < kMaxHalves; ++half) {
+    const bool follows = half > 0 && break_before(half) == stage;
+    if (stage == stage_before(half) || stage == stage_of(half) || follows) return half;
+  }
+  return std::nullopt;
+}
+
 bool is_running(Stage stage) { return contains(kRunning, stage); }
 bool is_before_half(Stage stage) { return contains(kBefore, stage); }
 bool is_break(Stage stage) { return contains(kBreaks, stage); }

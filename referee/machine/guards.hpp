@@ -67,6 +67,10 @@ Stage stage_before(int half);
 Stage stage_of(int half);
 Stage break_before(int half);
 
+// The half, counted from 0, to which the stage belongs, or that follows this break; nullopt for
+// shoot-outs and after the game.
+std::optional<int> half_in(Stage stage);
+
 // Whether a half's clock is running in this stage.
 bool is_running(Stage stage);
 // Whether the stage precedes a half's kick-off.

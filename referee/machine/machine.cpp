@@ -138,11 +138,81 @@ bool begins_at_restart(const RefereeState& state, const RefereeInput& /*input*/)
   return state.midway_start && waits_for_robots(*state.midway_start);
 }
 
+// All yellow cards have the same duration, so none has more left.
+void take_over_cards(CardBook& cards, const RefereeSignal& given, Side side, const RuleBook& rules,
+                     double played_s) {
+  cards.fouls = given.fouls[side];
+  cards.cards_for_fouls = rules.fouls_per_card > 0 ? cards.fouls / rules.fouls_per_card : 0;
+  if (!rules.has(RuleId::kCards)) return;
+  for (const double left_s : given.yellow_left_s[side])
+    cards.yellow_ends_s.push_back(played_s + std::min(left_s, rules.card_s));
+}
+
+// Extra time has timeouts of its own.
+void take_over_timeouts(TimeoutBook& book, const RefereeSignal& given, Side side,
+                        const TimeoutAllowance& allowance) {
+  if (given.stage == Stage::kExtraTimeBreak) return;
+  book.taken = std::max(0, allowance.timeouts - given.timeouts_left[side]);
+  book.used_s = std::max(0.0, allowance.time_s - given.timeout_left_s[side]);
+}
+
+// The number of halves up to and including `half`.
+std::size_t halves_until(int half, const Configuration& configuration) {
+  std::size_t count = 1;
+  for (int one = 0; one < half; one = half_after(configuration, one)) ++count;
+  return count;
+}
+
+void take_over_goals(RefereeState& state, const RefereeInput& input, const RefereeSignal& given) {
+  state.signal.goals = given.goals;
+  state.goals_by_half.assign(halves_until(state.half, input.configuration), {});
+  for (const Side side : kSides) {
+    // A goal may have been revoked after its half.
+    const int earlier =
+        std::min(given.goals[side], state.midway_start->goals_in_earlier_halves[side]);
+    state.goals_by_half.front()[side] = earlier;
+    state.goals_by_half.back()[side] += given.goals[side] - earlier;
+  }
+}
+
+// Continues the game whose last signal is `given`. In a break, the next half is about to begin.
+void take_over(RefereeState& state, const RefereeInput& input, const RefereeSignal& given) {
+  const RuleBook& rules = input.configuration.rules;
+  RefereeSignal& signal = state.signal;
+  state.half = half_in(given.stage).value();
+  take_over_goals(state, input, given);
+  if (rules.has(RuleId::kCards)) {
+    signal.yellow_cards = given.yellow_cards;
+    signal.red_cards = given.red_cards;
+  }
+  signal.blue_on_positive_half = given.blue_on_positive_half;
+  if (is_break(given.stage) && rules.change_ends)
+    signal.blue_on_positive_half = !signal.blue_on_positive_half;
+  for (const Side side : kSides) {
+    take_over_cards(state.cards[side], given, side, rules, state.play_clock.at_s(input.time_s()));
+    take_over_timeouts(state.timeouts[side], given, side,
+                       timeout_allowance(state, input.configuration));
+    if (!given.can_place_ball[side] && !is_break(given.stage))
+      state.placement_failures[side] = rules.placement_failures;
+  }
+}
+
 void start_half(RefereeState& state, const RefereeInput& input) {
+  const std::optional<RefereeSignal>& given = state.midway_start->signal;
+  const double now_s = input.time_s();
+  if (given) take_over(state, input, *given);
   allow_robots(state, input.configuration);
-  state.signal.stage = stage_of(state.half);
-  state.half_began_s = clock_s(state, input.configuration.rules, input.time_s());
   state.signal.next_command = state.midway_start->restart;
+  state.signal.stage = stage_of(state.half);
+  state.half_began_s = clock_s(state, input.configuration.rules, now_s);
+  if (!given) return;
+  if (is_running(given->stage)) {
+    const double whole_s = time_left_s(state, input.configuration, now_s);
+    state.half_began_s -= whole_s - std::clamp(given->stage_time_left_s, 0.0, whole_s);
+  } else if (state.signal.next_command &&
+             state.signal.next_command->kind == CommandKind::kPrepareKickoff) {
+    state.signal.stage = stage_before(state.half);  // the clock starts with the kick-off
+  }
 }
 
 void begin_in_play(RefereeState& state, const RefereeInput& input, const Finding& finding) {

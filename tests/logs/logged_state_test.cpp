@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "soccer/referee_signal.hpp"
+#include "tests/league/scratch_log.hpp"
+#include "tests/logs/sketched_log.hpp"
 #include "tests/support/short_log.hpp"
 
 namespace autoref::logs {
@@ -95,6 +97,49 @@ TEST_F(LoggedStateTest, HasTheNextRestartDuringAStop) {
   EXPECT_EQ(midway_start.ball_m, Vec2(0, 0));
 }
 
+TEST_F(LoggedStateTest, HasWhatWasSeenBefore) {
+  const Frame& at = frame_at(0.25);
+  const std::vector<Frame> seen = logged_state(log_, at.time_s).start.seen_before;
+  ASSERT_GE(seen.size(), 30U);
+  EXPECT_NEAR(seen.front().time_s, -0.6, 0.02);
+  EXPECT_NEAR(seen.back().time_s, -1 / 60.0, 1e-3);
+  const std::size_t number = static_cast<std::size_t>(&at - whole_.frames.data()) - seen.size();
+  for (const Side side : kSides) {
+    const RobotObservation& robot = whole_.frames[number].robots[side][1];
+    EXPECT_LT((seen.front().robots[side][1].position_m - robot.position_m).norm(), 0.02);
+  }
+}
+
+// The score changes within the first half and within the second one.
+TEST(LoggedStateOfASketch, HasTheSignalAndTheGoalsOfEarlierHalves) {
+  const league::ScratchFile file(".log");
+  SketchedLog sketch;
+  sketch.length_s = 12;
+  sketch.change_referee = [](double time_s, league::RefereePacket& packet) {
+    packet.set_stage(static_cast<int>(time_s < 6 ? Stage::kFirstHalf : Stage::kSecondHalf));
+    packet.mutable_yellow()->set_score(time_s < 3 ? 1 : 2);
+    packet.mutable_blue()->set_score(time_s < 9 ? 0 : 1);
+    packet.mutable_blue()->add_yellow_card_times(60'000'000);
+    packet.set_stage_time_left(200'000'000);
+  };
+  write_sketch(sketch, file.path());
+  const referee::MidwayStart first = logged_state(file.path(), 5).start.referee;
+  EXPECT_EQ(first.signal->goals, (PerSide<int>{{2, 0}}));
+  EXPECT_EQ(first.goals_in_earlier_halves, PerSide<int>{});
+  const referee::MidwayStart second = logged_state(file.path(), 10).start.referee;
+  EXPECT_EQ(second.signal->stage, Stage::kSecondHalf);
+  EXPECT_EQ(second.signal->stage_time_left_s, 200);
+  EXPECT_EQ(second.signal->goals, (PerSide<int>{{2, 1}}));
+  EXPECT_EQ(second.goals_in_earlier_halves, (PerSide<int>{{2, 0}}));
+  EXPECT_EQ(second.signal->yellow_left_s[Side::kEast].size(), 1U);
+}
+
+TEST(LoggedStateOfASketch, WithoutARefereeHasNoSignal) {
+  const league::ScratchFile file(".log");
+  write_sketch({.has_referee = false}, file.path());
+  EXPECT_FALSE(logged_state(file.path(), 3).start.referee.signal);
+}
+
 std::string error_at(const std::string& log, double at_s) {
   try {
     logged_state(log, at_s);
@@ -110,15 +155,66 @@ TEST_F(LoggedStateTest, IsAnErrorBeyondTheLogOrWithoutALog) {
   EXPECT_NE(error_at(log_ + ".no", 1).find(".no"), std::string::npos);
 }
 
-TEST(Renumber, KeepsNumbersThatTheTeamHas) {
-  game::StartingRobots robots = {sim::RobotState{.number = 1},
-                                 sim::RobotState{.number = 5, .position_m = {1, 0}}};
-  renumber(robots, 6);
-  EXPECT_EQ(robots[1].number, 5);
-  renumber(robots, 4);
-  EXPECT_EQ(robots[0].number, 0);
-  EXPECT_EQ(robots[1].number, 1);
-  EXPECT_THROW(renumber(robots, 1), std::invalid_argument);
+class RenumberTest : public testing::Test {
+ protected:
+  RenumberTest() {
+    start_.robots[Side::kWest] = {sim::RobotState{.number = 1},
+                                  sim::RobotState{.number = 5, .position_m = {1, 0}}};
+    Frame frame;
+    frame.robots[Side::kWest] = {{1, {0, 0}, {1, 0}}, {3, {2, 0}, {1, 0}}, {5, {1, 0}, {1, 0}}};
+    start_.seen_before = {frame};
+    start_.ghost.emplace();
+    start_.ghost->frames = {{0, start_.robots[Side::kWest], {}}};
+  }
+
+  std::vector<int> numbers() const { return numbers_of(start_.robots[Side::kWest]); }
+  template <typename Robots>
+  static std::vector<int> numbers_of(const Robots& robots) {
+    std::vector<int> numbers;
+    for (const auto& robot : robots) numbers.push_back(robot.number);
+    return numbers;
+  }
+
+  game::StartState start_;
+};
+
+TEST_F(RenumberTest, KeepsNumbersThatTheTeamHas) {
+  renumber(start_, Side::kWest, 6);
+  EXPECT_EQ(numbers(), (std::vector{1, 5}));
+}
+
+TEST_F(RenumberTest, GivesSmallNumbersInTheSameOrder) {
+  renumber(start_, Side::kWest, 4);
+  EXPECT_EQ(numbers(), (std::vector{0, 1}));
+  EXPECT_EQ(start_.robots[Side::kWest][1].position_m, Vec2(1, 0));
+  EXPECT_THROW(renumber(start_, Side::kWest, 1), std::invalid_argument);
+}
+
+TEST_F(RenumberTest, GivesTheKeeperTheNumberOfKeepers) {
+  start_.referee.signal.emplace();
+  start_.referee.signal->keepers[Side::kWest] = 5;
+  renumber(start_, Side::kWest, 6);
+  EXPECT_EQ(numbers(), (std::vector{0, 1}));
+  EXPECT_EQ(start_.robots[Side::kWest][0].position_m, Vec2(1, 0));
+}
+
+TEST_F(RenumberTest, ExchangesTheKeepersNumberWithThatOfAnotherRobot) {
+  start_.robots[Side::kWest][0].number = 0;
+  start_.referee.signal.emplace();
+  start_.referee.signal->keepers[Side::kWest] = 5;
+  renumber(start_, Side::kWest, 6);
+  EXPECT_EQ(numbers(), (std::vector{0, 5}));
+  EXPECT_EQ(start_.robots[Side::kWest][0].position_m, Vec2(1, 0));
+}
+
+TEST_F(RenumberTest, AlsoChangesWhatWasSeenBeforeAndTheGhost) {
+  start_.referee.signal.emplace();
+  start_.referee.signal->keepers[Side::kWest] = 5;
+  renumber(start_, Side::kWest, 4);
+  const SeenRobots& seen = start_.seen_before.front().robots[Side::kWest];
+  EXPECT_EQ(numbers_of(seen), (std::vector{0, 1}));
+  EXPECT_EQ(seen[0].position_m, Vec2(1, 0));
+  EXPECT_EQ(numbers_of(start_.ghost->frames.front().robots), (std::vector{0, 1}));
 }
 
 }  // namespace

@@ -5,10 +5,13 @@
 
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
+#include "app/game/continuations.hpp"
 #include "experiments/kinds/knockout/knockout.hpp"
+#include "experiments/scenes/continuation.hpp"
 #include "game/loop/event_log.hpp"
 #include "game/loop/game_event_fields.hpp"
 #include "game/play_counts/play_counts.hpp"
@@ -137,6 +140,14 @@ WrittenNames game_keys() {
   return sorted(paths);
 }
 
+WrittenNames continuation_keys() {
+  const experiments::FollowingEvent goal{1.5, game::SceneEnd::kGoal, Side::kWest};
+  io::Json json = experiments::continuations_json({{1, "", goal, goal, {{1, 0}}, Side::kWest}},
+                                                  {{"basic (yellow)", "zone (blue)"}}, false);
+  json["log"] = app::json_of(app::RecordedSequel{2.5, Side::kWest});
+  return sorted(paths_in(io::json_text(json)));
+}
+
 WrittenNames judge_keys() {
   judge::JudgeReport report;
   report.tallies.emplace_back().events["goal"] = {};
@@ -194,6 +205,7 @@ std::vector<Artefact> written_json() {
       {"log fit --json", fit_keys, true},
       {"log compare --json", comparison_keys, true},
       {"play --json", game_keys, true},
+      {"play --games --json", continuation_keys, true},
       {"judge --json", judge_keys, true},
       {"run --progress json", progress_keys, true},
   };

@@ -34,6 +34,15 @@ TEST(Tracker, EstimatesVelocitiesFromTwoDetections) {
   EXPECT_EQ(tracks.ball->height_m, 0.25);
 }
 
+TEST(Tracker, KnowsRobotsBeforeTheTimeZero) {
+  Tracker tracker;
+  tracker.update(frame_at(-3, {0, 0}, {1, 0}));
+  tracker.update(frame_at(-2, {0.02, 0}, {1, -0.1}));
+  const Tracks& tracks = tracker.update(frame_at(-1, {0.04, 0}, {1, -0.2}));
+  ASSERT_EQ(tracks.robots[Side::kWest].size(), 1U);
+  EXPECT_LT((tracks.robots[Side::kWest][0].velocity_mps - Vec2(1.2, 0)).norm(), 0.01);
+}
+
 TEST(Tracker, IgnoresARepeatedFrame) {
   Tracker tracker;
   tracker.update(frame_at(0, {0, 0}, {1, 0}));

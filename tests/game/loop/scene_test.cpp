@@ -3,7 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <optional>
+
 #include "game/loop/game.hpp"
+#include "game/loop/team_controller.hpp"
+#include "soccer/team_view.hpp"
+#include "strategies/strategy.hpp"
 #include "tests/support/short_game.hpp"
 
 namespace autoref::game {
@@ -185,6 +191,121 @@ TEST(Scene, KeepsTheBallIfItsOwnTeamTakesTheNextRestart) {
   const GameRecord record = play(game);
   ASSERT_EQ(record.scene->ended_by, SceneEnd::kBallOut);
   EXPECT_TRUE(record.scene->ball_kept);
+}
+
+// West has a goal, a foul, a card and a named keeper, and takes the next free kick.
+RefereeSignal signal_with_west_ahead() {
+  RefereeSignal signal;
+  signal.command = {CommandKind::kStop, Side::kWest};
+  signal.next_command = Command{CommandKind::kDirectFree, Side::kWest};
+  signal.placement = Placement{{1, -0.5}};
+  signal.goals = {{3, 1}};
+  signal.shootout_goals = {{2, 0}};
+  signal.robots_allowed = {{5, 6}};
+  signal.yellow_cards = {{1, 0}};
+  signal.red_cards = {{2, 1}};
+  signal.yellow_left_s[Side::kWest] = {30, 90};
+  signal.fouls = {{2, 0}};
+  signal.timeouts_left = {{3, 4}};
+  signal.timeout_left_s = {{120, 300}};
+  signal.keepers[Side::kWest] = 5;
+  signal.can_place_ball = {{false, true}};
+  return signal;
+}
+
+TEST(MirroredStartState, GivesEverythingOfASideInTheSignalToTheOther) {
+  StartState state;
+  state.referee.signal = signal_with_west_ahead();
+  state.referee.goals_in_earlier_halves = {{2, 1}};
+  const StartState other = mirrored(state);
+  const RefereeSignal& signal = *other.referee.signal;
+  EXPECT_EQ(other.referee.goals_in_earlier_halves, (PerSide<int>{{1, 2}}));
+  EXPECT_EQ(signal.goals, (PerSide<int>{{1, 3}}));
+  EXPECT_EQ(signal.shootout_goals, (PerSide<int>{{0, 2}}));
+  EXPECT_EQ(signal.robots_allowed, (PerSide<int>{{6, 5}}));
+  EXPECT_EQ(signal.yellow_cards, (PerSide<int>{{0, 1}}));
+  EXPECT_EQ(signal.red_cards, (PerSide<int>{{1, 2}}));
+  EXPECT_TRUE(signal.yellow_left_s[Side::kWest].empty());
+  EXPECT_EQ(signal.yellow_left_s[Side::kEast], state.referee.signal->yellow_left_s[Side::kWest]);
+  EXPECT_EQ(signal.fouls, (PerSide<int>{{0, 2}}));
+  EXPECT_EQ(signal.timeouts_left, (PerSide<int>{{4, 3}}));
+  EXPECT_EQ(signal.timeout_left_s, (PerSide<double>{{300, 120}}));
+  EXPECT_EQ(signal.keepers[Side::kWest], std::nullopt);
+  EXPECT_EQ(signal.keepers[Side::kEast], 5);
+  EXPECT_EQ(signal.can_place_ball, (PerSide<bool>{{true, false}}));
+}
+
+// The team that wore yellow now wears blue, but its end of the real field is the same.
+TEST(MirroredStartState, KeepsTheTeamsEndsAndTurnsTheCommands) {
+  StartState state;
+  state.referee.signal = signal_with_west_ahead();
+  const RefereeSignal signal = *mirrored(state).referee.signal;
+  EXPECT_FALSE(signal.blue_on_positive_half);
+  EXPECT_EQ(signal.command, (Command{CommandKind::kStop, Side::kWest}));
+  EXPECT_EQ(signal.next_command, (Command{CommandKind::kDirectFree, Side::kEast}));
+  EXPECT_EQ(signal.placement->target_m, Vec2(-1, 0.5));
+}
+
+TEST(MirroredStartState, TurnsWhatVisionShowedBefore) {
+  StartState state;
+  state.seen_before.resize(2);
+  state.seen_before[1].time_s = -0.5;
+  state.seen_before[1].robots[Side::kWest] = {RobotObservation{4, {1, 2}, {0, 1}}};
+  state.seen_before[1].ball = BallObservation{{0.5, -1}, 0.1, {}};
+  const Frame frame = mirrored(state).seen_before.at(1);
+  EXPECT_EQ(frame.time_s, -0.5);
+  EXPECT_TRUE(frame.robots[Side::kWest].empty());
+  ASSERT_EQ(frame.robots[Side::kEast].size(), 1U);
+  EXPECT_EQ(frame.robots[Side::kEast][0].position_m, Vec2(-1, -2));
+  EXPECT_EQ(frame.ball->position_m, Vec2(-0.5, 1));
+}
+
+TEST(MirroredStartState, HasTheGhostOnTheOtherSide) {
+  StartState state;
+  EXPECT_FALSE(mirrored(state).ghost);
+  state.ghost = Ghost{Side::kWest, {GhostFrame{0, {{.position_m = {1, 2}}}, std::nullopt}}, {3.0}};
+  const StartState other = mirrored(state);
+  EXPECT_EQ(other.ghost->side, Side::kEast);
+  EXPECT_EQ(other.ghost->frames.at(0).robots.at(0).position_m, Vec2(-1, -2));
+}
+
+// A team that keeps its first view of the game.
+class FirstViewTeam final : public strategies::Strategy {
+ public:
+  explicit FirstViewTeam(std::optional<TeamView>& first) : first_(&first) {}
+  void decide(const TeamView& view, TeamCommands& /*commands*/) override {
+    if (!*first_) *first_ = view;
+  }
+
+ private:
+  std::optional<TeamView>* first_;
+};
+
+// The robot drives east with 1 m/s.
+TEST(Game, ShowsTeamsFirstWhatWasSeenBeforeTheStart) {
+  GameConfiguration game = rolling_ball();
+  game.sim.latency_s = 0.1;  // six frames
+  const Vec2 start_m = game.start->robots[Side::kWest][0].position_m;
+  for (int number = -36; number < 0; ++number) {
+    Frame frame;
+    frame.number = number;
+    frame.time_s = number / 60.0;
+    frame.robots[Side::kWest] = {{2, start_m + Vec2(frame.time_s, 0), {1, 0}}};
+    frame.ball = BallObservation{{2, 0.1}, 0};
+    game.start->seen_before.push_back(frame);
+  }
+  std::optional<TeamView> first;
+  Game played(
+      game, nullptr,
+      [&first](const TeamConfiguration& /*team*/, const strategies::TeamContext& /*context*/) {
+        return std::make_unique<FirstViewTeam>(first);
+      });
+  played.step();
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->frame, 0);
+  ASSERT_EQ(first->own.size(), 1U);
+  EXPECT_NEAR((first->own[0].position_m - (start_m - Vec2(0.1, 0))).norm(), 0, 1e-3);
+  EXPECT_NEAR((first->own[0].velocity_mps - Vec2(1, 0)).norm(), 0, 0.02);
 }
 
 TEST(Game, RefusesAStartStateWithARobotThatItsTeamLacks) {

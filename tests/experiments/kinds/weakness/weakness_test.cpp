@@ -35,7 +35,7 @@ game::StartState start_for_attackers(const game::GameConfiguration& game) {
   return is_in_west ? *game.start : game::mirrored(*game.start);
 }
 
-bool has_robot(const game::StartingRobots& robots, int number) {
+bool has_robot(const sim::RobotStates& robots, int number) {
   return std::any_of(robots.begin(), robots.end(),
                      [number](const sim::RobotState& robot) { return robot.number == number; });
 }
