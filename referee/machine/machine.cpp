@@ -148,7 +148,7 @@ void take_over_cards(CardBook& cards, const RefereeSignal& given, Side side, con
     cards.yellow_ends_s.push_back(played_s + std::min(left_s, rules.card_s));
 }
 
-// Extra time has timeouts of its own.
+// Timeouts left from the game do not count in extra time.
 void take_over_timeouts(TimeoutBook& book, const RefereeSignal& given, Side side,
                         const TimeoutAllowance& allowance) {
   if (given.stage == Stage::kExtraTimeBreak) return;

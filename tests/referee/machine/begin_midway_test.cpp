@@ -169,7 +169,8 @@ TEST(BegunMidway, IgnoresCardsIfItsRulesHaveNone) {
   EXPECT_TRUE(signal.yellow_left_s[Side::kEast].empty());
 }
 
-// Extra time has timeouts of its own, and placement failures count anew in each half.
+// Two timeouts per team; the timeouts left from the game do not count. Extra time follows the only
+// half, so it is the second entry of the goals by half.
 TEST(BegunMidway, InTheBreakBeforeExtraTimeHasAllItsTimeouts) {
   MidwayStart midway_start{Command{CommandKind::kPrepareKickoff, Side::kEast}, {0, 0}, true};
   midway_start.signal = signal_before();
