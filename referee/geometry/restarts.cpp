@@ -114,4 +114,25 @@ Vec2 neutral_position(const Field& field, const RuleBook& rules, const Vec2& whe
   return position_m;
 }
 
+bool ball_may_stay(const Field& field, const RuleBook& rules, const Vec2& ball_m,
+                   const Vec2& target_m) {
+  const bool is_inside =
+      std::abs(ball_m.x()) <= field.half_length_m() && std::abs(ball_m.y()) <= field.half_width_m();
+  return is_inside && (ball_m - target_m).norm() < rules.placement_not_needed_m &&
+         std::all_of(kSides.begin(), kSides.end(), [&](Side side) {
+           return distance_to_defence_area(field, side, ball_m) >= rules.placement_to_area_m;
+         });
+}
+
+bool is_out_of_reach(const Field& field, const RuleBook& rules, const Vec2& ball_m) {
+  const double corner_m = rules.placement_corner_m;
+  const Vec2 to_wall_m(field.wall_x_m() - std::abs(ball_m.x()),
+                       field.wall_y_m() - std::abs(ball_m.y()));
+  const bool is_in_corner = to_wall_m.x() < corner_m && to_wall_m.y() < corner_m;
+  const double flank_m = field.half_goal_m() + field.goal_wall_thickness_m + corner_m;
+  const bool is_at_goal =
+      std::abs(ball_m.x()) > field.half_length_m() && std::abs(ball_m.y()) < flank_m;
+  return is_in_corner || is_at_goal;
+}
+
 }  // namespace autoref::referee

@@ -38,4 +38,13 @@ Vec2 free_kick_position(const Field& field, const RuleBook& rules, Side kicker,
 // it is at least 700 mm from both defence areas.
 Vec2 neutral_position(const Field& field, const RuleBook& rules, const Vec2& where_m);
 
+// Whether a ball that rests at `ball_m` can stay there for a restart at `target_m` (2026, Ball
+// Placement: "No ball placement is required if ...").
+bool ball_may_stay(const Field& field, const RuleBook& rules, const Vec2& ball_m,
+                   const Vec2& target_m);
+
+// Whether robots cannot get the ball (2026, Ball Placement: "The ball ... must not be inside a
+// field corner, a goal corner or behind the goal").
+bool is_out_of_reach(const Field& field, const RuleBook& rules, const Vec2& ball_m);
+
 }  // namespace autoref::referee

@@ -158,11 +158,12 @@ void allow_more_time(RefereeState& state, const RefereeInput& input, const Findi
   state.wait_began_s += input.configuration.rules.interference_s;
 }
 
-void award_free_kick_in_stop(RefereeState& state, const RefereeInput& input,
-                             const Finding& finding) {
+// A kick-off or penalty kick that stays the restart is prepared again.
+void set_restart_in_stop(RefereeState& state, const RefereeInput& input, const Finding& finding) {
   book(state, input, finding);
-  state.retakes = Retakes{};
+  if (finding.restart != pending_restart(state)) state.retakes = Retakes{};
   give_restart(state, input, finding);
+  if (state.signal.command != kStop) send(state, input, kStop);
   wait_anew(state, input);
 }
 
@@ -223,9 +224,7 @@ void begin_timeout(RefereeState& state, const RefereeInput& input, const Finding
   ++state.timeouts[state.timeout_side].taken;
   state.timeout_clock.start(input.time_s());
   // A prepared kick-off or penalty is prepared again, because STOP cancels the preparation.
-  if (state.signal.next_command == kNormalStart) {
-    state.signal.next_command = state.prepared;
-  }
+  state.signal.next_command = pending_restart(state);
   send(state, input, finding.restart);
 }
 

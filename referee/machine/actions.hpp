@@ -34,8 +34,7 @@ void start_play(RefereeState& state, const RefereeInput& input, const Finding& f
 void award_goal(RefereeState& state, const RefereeInput& input, const Finding& finding);
 void stop_play(RefereeState& state, const RefereeInput& input, const Finding& finding);
 void allow_more_time(RefereeState& state, const RefereeInput& input, const Finding& finding);
-void award_free_kick_in_stop(RefereeState& state, const RefereeInput& input,
-                             const Finding& finding);
+void set_restart_in_stop(RefereeState& state, const RefereeInput& input, const Finding& finding);
 void halt_for_foul(RefereeState& state, const RefereeInput& input, const Finding& finding);
 void show_card(RefereeState& state, const RefereeInput& input, const Finding& finding);
 void end_card(RefereeState& state, const RefereeInput& input, const Finding& finding);
@@ -72,11 +71,10 @@ inline constexpr Action kNoteFoulInPenalty{"count the foul; it decides the penal
                                            note_foul_in_penalty};
 inline constexpr Action kAllowMoreTime{"count the foul; allow 10 s more to place the ball",
                                        allow_more_time};
-inline constexpr Action kAwardFreeKickInStop{
-    "count the foul; next = free kick for the opponents; restart the wait",
-    award_free_kick_in_stop};
-inline constexpr Action kHaltForFoul{
-    "count the foul; send HALT; next = free kick for the opponents", halt_for_foul};
+inline constexpr Action kSetRestartInStop{
+    "count the foul; next = the rule's restart; restart the wait", set_restart_in_stop};
+inline constexpr Action kHaltForFoul{"count the foul; send HALT; next = the rule's restart",
+                                     halt_for_foul};
 inline constexpr Action kShowCard{"allow one robot fewer", show_card};
 inline constexpr Action kEndCard{"allow one robot more", end_card};
 inline constexpr Action kStopAfterSignal{"send STOP", stop_after_signal};

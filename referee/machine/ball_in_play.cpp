@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "referee/geometry/ball_out.hpp"
+#include "referee/machine/guards.hpp"
+
 namespace autoref::referee {
 namespace {
 
@@ -32,12 +35,15 @@ PlayState play_begun(Command command, std::optional<Side> kicker, const RefereeI
   if (input.ball) {
     play.ball_from_m = play.position_m = input.ball->position_m;
     play.stuck_at_m = input.ball->position_m;
+    play.lies_outside = is_out_of_field(input.configuration.field, input.ball->position_m);
   }
   return play;
 }
 
 PlayState play_joined(const RefereeInput& input) {
-  return play_begun({CommandKind::kForceStart, Side::kWest}, std::nullopt, input);
+  PlayState play = play_begun({CommandKind::kForceStart, Side::kWest}, std::nullopt, input);
+  play.lies_outside = false;
+  return play;
 }
 
 void watch_play(PlayState& play, const RefereeInput& input) {
@@ -50,6 +56,8 @@ void watch_play(PlayState& play, const RefereeInput& input) {
     play.ball_from_m = input.ball->position_m;
     mark_position(play, input);
   }
+  if (!is_out_of_field(input.configuration.field, input.ball->position_m))
+    play.lies_outside = false;
   play.moved_m = std::max(play.moved_m, (input.ball->position_m - *play.ball_from_m).norm());
   if (!play.in_play && play.moved_m > rules.in_play_m) {
     play.in_play = true;
@@ -91,6 +99,13 @@ bool may_be_taken_again(const RefereeState& state, const RuleBook& rules) {
 void take_again(Finding& finding, const PlayState& play) {
   finding.restart = play.restart;
   finding.ball_to_m = play.position_m;
+}
+
+void keep_restart(Finding& finding, const RefereeState& state) {
+  const std::optional<Command> pending = pending_restart(state);
+  if (!pending || !state.signal.placement) return;
+  finding.restart = *pending;
+  finding.ball_to_m = state.signal.placement->target_m;
 }
 
 Retakes retakes_after(const Retakes& before, const Finding& finding) {

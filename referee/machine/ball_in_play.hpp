@@ -41,6 +41,10 @@ bool may_be_taken_again(const RefereeState& state, const RuleBook& rules);
 // Makes the finding's restart a retake of the current restart, from the same position.
 void take_again(Finding& finding, const PlayState& play);
 
+// Makes the finding's restart the one that is about to be taken, from the same position. The
+// league's game controller does this with kick-offs and penalty kicks.
+void keep_restart(Finding& finding, const RefereeState& state);
+
 // The number and kind of retakes to record after the finding has stopped play; none if a different
 // restart follows.
 Retakes retakes_after(const Retakes& before, const Finding& finding);

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
+#include "referee/geometry/restarts.hpp"
 #include "referee/machine/machine.hpp"
 #include "soccer/robot_shape.hpp"
 
@@ -45,46 +45,20 @@ bool is_at_rest(const TeamPlacement& placing, const RefereeInput& input) {
                     input.time_s());
 }
 
-// Whether a ball that rests at this position can stay there ("No ball placement is required if
-// ...").
-bool is_near_enough(const RefereeState& state, const RefereeInput& input) {
-  const Field& field = input.configuration.field;
-  const RuleBook& rules = input.configuration.rules;
-  const Vec2& ball_m = input.ball->position_m;
-  const bool is_inside =
-      std::abs(ball_m.x()) <= field.half_length_m() && std::abs(ball_m.y()) <= field.half_width_m();
-  return is_inside && distance_to_target_m(state, input) < rules.placement_not_needed_m &&
-         std::all_of(kSides.begin(), kSides.end(), [&](Side side) {
-           return distance_to_defence_area(field, side, ball_m) >= rules.placement_to_area_m;
-         });
-}
-
-// "The ball ... must not be inside a field corner, a goal corner or behind the goal."
-bool is_out_of_reach(const RefereeInput& input) {
-  const Field& field = input.configuration.field;
-  const Vec2& ball_m = input.ball->position_m;
-  const double corner_m = input.configuration.rules.placement_corner_m;
-  const Vec2 to_wall_m(field.wall_x_m() - std::abs(ball_m.x()),
-                       field.wall_y_m() - std::abs(ball_m.y()));
-  const bool is_in_corner = to_wall_m.x() < corner_m && to_wall_m.y() < corner_m;
-  const double flank_m = field.half_goal_m() + field.goal_wall_thickness_m + corner_m;
-  const bool is_at_goal =
-      std::abs(ball_m.x()) > field.half_length_m() && std::abs(ball_m.y()) < flank_m;
-  return is_in_corner || is_at_goal;
-}
-
 PlacementStep next_step(const RefereeState& state, const RefereeInput& input) {
   const TeamPlacement& placing = state.placing;
+  const Field& field = input.configuration.field;
   const RuleBook& rules = input.configuration.rules;
+  const Vec2& ball_m = input.ball->position_m;
   const bool rests = is_at_rest(placing, input);
   const double stopped_s = state.signal.command_time_s;
-  if (is_near_enough(state, input)) {
+  if (ball_may_stay(field, rules, ball_m, placing.target_m)) {
     if (rests) return PlacementStep::kStays;
     if (!has_passed(stopped_s, rules.placement_rolling_s, input.time_s()))
       return PlacementStep::kUndecided;
   }
   if (!may_place(state, rules, placing.side)) return PlacementStep::kByHand;
-  if (!is_out_of_reach(input)) return PlacementStep::kByTeam;
+  if (!is_out_of_reach(field, rules, ball_m)) return PlacementStep::kByTeam;
   return rests ? PlacementStep::kByHand : PlacementStep::kUndecided;
 }
 
@@ -147,8 +121,9 @@ Finding step_of(const RefereeState& state, const RefereeInput& input) {
 // Whether the ball has come to rest where robots cannot reach it.
 bool is_lost(const RefereeState& state, const RefereeInput& input) {
   const double since_s = std::max(state.placing.still_since_s, state.signal.command_time_s);
-  return is_out_of_reach(input) &&
-         has_passed(since_s, input.configuration.rules.placement_unreachable_s, input.time_s());
+  const RuleBook& rules = input.configuration.rules;
+  return is_out_of_reach(input.configuration.field, rules, input.ball->position_m) &&
+         has_passed(since_s, rules.placement_unreachable_s, input.time_s());
 }
 
 // Orders the team to place the ball.

@@ -52,11 +52,7 @@ bool is_penalty(const std::optional<Command>& command) {
 
 // Whether a penalty kick has been awarded and is not over.
 bool is_penalty_pending(const RefereeState& state, const RefereeInput& input) {
-  const std::optional<Command>& next = state.signal.next_command;
-  if (state.machine_state != State::kRun) {
-    const bool is_prepared = next && next->kind == CommandKind::kNormalStart;
-    return is_penalty(is_prepared ? state.prepared : next);
-  }
+  if (state.machine_state != State::kRun) return is_penalty(pending_restart(state));
   return state.play.is_penalty() && !is_penalty_over(state, input);
 }
 
@@ -201,6 +197,21 @@ std::optional<Finding> find_time_over(const RefereeState& state, const RefereeIn
   finding.evidence =
       fmt::format("{} has lasted {:.3f} s.", text_of_half(state, configuration), finding.value);
   return finding;
+}
+
+std::optional<Command> pending_restart(const RefereeState& state) {
+  const std::optional<Command>& next = state.signal.next_command;
+  return next && next->kind == CommandKind::kNormalStart ? state.prepared : next;
+}
+
+bool needs_preparation(const std::optional<Command>& restart) {
+  return restart && (restart->kind == CommandKind::kPrepareKickoff ||
+                     restart->kind == CommandKind::kPreparePenalty);
+}
+
+bool wins_at_once(const RuleBook& rules, const PerSide<int>& goals) {
+  const auto [less, more] = std::minmax(goals[Side::kWest], goals[Side::kEast]);
+  return rules.goals_to_win > 0 && more >= rules.goals_to_win && more - less > rules.goal_lead;
 }
 
 }  // namespace autoref::referee

@@ -110,4 +110,15 @@ double time_left_s(const RefereeState& state, const Configuration& configuration
 // after extra time.
 std::optional<Finding> find_time_over(const RefereeState& state, const RefereeInput& input);
 
+// The restart that is about to be taken: a PREPARE command also while it is in force and the next
+// command is NORMAL_START. nullopt during play.
+std::optional<Command> pending_restart(const RefereeState& state);
+
+// Whether the restart is a kick-off or a penalty kick, which need a PREPARE command.
+bool needs_preparation(const std::optional<Command>& restart);
+
+// Whether a team with this score wins before the time is over (2026: ten goals and a lead of more
+// than one).
+bool wins_at_once(const RuleBook& rules, const PerSide<int>& goals);
+
 }  // namespace autoref::referee

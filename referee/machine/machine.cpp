@@ -72,9 +72,9 @@ constexpr std::array kBeyondPaper = {
         State::kRun, "2026; Laws, appendix A", ""},
   Transition{"", std::nullopt, Event::kAttackerStaysNearArea, kSecondNearArea, kHaltForFoul,
         State::kDelayWait, "2026", ""},
-  Transition{"", State::kWaitStop, Event::kAttackerStaysNearArea, kAlways, kAwardFreeKickInStop,
+  Transition{"", State::kWaitStop, Event::kAttackerStaysNearArea, kAlways, kSetRestartInStop,
         State::kWaitStop, "2026", ""},
-  Transition{"", State::kWaitStop, Event::kBoundaryCrossing, kAlways, kAwardFreeKickInStop,
+  Transition{"", State::kWaitStop, Event::kBoundaryCrossing, kAlways, kSetRestartInStop,
         State::kWaitStop, "2026", ""},
   Transition{"", State::kWaitStop, Event::kBotInterferedPlacement, kAlways, kAllowMoreTime,
         State::kWaitStop, "2026", ""},
@@ -119,11 +119,6 @@ const Transition* find_transition(std::span<const std::span<const Transition>> t
 
 void add_once(std::vector<std::string_view>& labels, std::string_view label) {
   if (std::find(labels.begin(), labels.end(), label) == labels.end()) labels.push_back(label);
-}
-
-bool needs_preparation(const std::optional<Command>& command) {
-  return command && (command->kind == CommandKind::kPrepareKickoff ||
-                     command->kind == CommandKind::kPreparePenalty);
 }
 
 bool waits_for_robots(const MidwayStart& midway_start) {

@@ -1,12 +1,15 @@
 // A kick must not take the ball over the field's boundary, the wall around the run-off (2026). The
 // opponents get a free kick from where the ball was kicked. The ball has crossed a line before, so
 // the rule also applies in the stop that follows; a ball that somebody carries away during a stop
-// does not count. No foul is called if the last touch is unknown.
+// does not count. A kick-off or penalty kick that is about to be taken stays the restart. No foul
+// is called if the last touch is unknown.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "referee/machine/ball_in_play.hpp"
+#include "referee/machine/guards.hpp"
 #include "referee/rules/rule.hpp"
 #include "referee/touch/frame_history.hpp"
 #include "soccer/robot_shape.hpp"
@@ -52,6 +55,7 @@ std::optional<Finding> find_boundary_crossing(RefereeState& state, const Referee
   is_called = true;
   Finding finding =
       offence_of(Event::kBoundaryCrossing, RuleId::kBoundaryCrossing, c, *touch.side, *from_m);
+  if (needs_preparation(pending_restart(state))) keep_restart(finding, state);
   if (touch.robot) finding.robots.push_back(*touch.robot);
   finding.value = beyond_m;
   finding.unit = "m";

@@ -24,9 +24,8 @@ bool may_have_one(const RefereeState& state, const RefereeInput& input, Side sid
 
 // The side that takes the next restart; nullopt for a force start.
 std::optional<Side> restarts(const RefereeState& state) {
-  const std::optional<Command>& next = state.signal.next_command;
+  const std::optional<Command> next = pending_restart(state);
   if (!next) return std::nullopt;
-  if (next->kind == CommandKind::kNormalStart && state.prepared) return state.prepared->side;
   return is_for_one_side(next->kind) ? std::optional(next->side) : std::nullopt;
 }
 

@@ -38,7 +38,7 @@ Chip find_chip(const TouchHistory& touches, Side scorer, double limit_m) {
 
 std::optional<Finding> find_chipped_goal(RefereeState& state, const RefereeInput& input) {
   const Configuration& c = input.configuration;
-  const std::optional<Side> conceded = conceding_side(input);
+  const std::optional<Side> conceded = conceding_side(state.play, input);
   if (!conceded) return std::nullopt;
   const Side scorer = opponent_of(*conceded);
   const Chip chip = find_chip(state.play.touches, scorer, c.rules.chip_height_m);

@@ -13,7 +13,7 @@ namespace {
 
 std::optional<Finding> find_free_kick_own_goal(RefereeState& state, const RefereeInput& input) {
   const PlayState& play = state.play;
-  const std::optional<Side> conceded = conceding_side(input);
+  const std::optional<Side> conceded = conceding_side(state.play, input);
   if (!conceded || play.kicker != conceded || !is_straight_from_restart(play)) return std::nullopt;
   Finding finding =
       finding_of(Event::kFreeKickOwnGoal, RuleId::kFreeKickOwnGoal, input.configuration.rules);

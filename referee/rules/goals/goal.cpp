@@ -14,7 +14,7 @@ namespace {
 
 std::optional<Finding> find_goal(RefereeState& state, const RefereeInput& input) {
   const Field& field = input.configuration.field;
-  const std::optional<Side> conceded = conceding_side(input);
+  const std::optional<Side> conceded = conceding_side(state.play, input);
   if (!conceded) return std::nullopt;
   const Vec2& ball_m = input.ball->position_m;
   Finding finding = finding_of(Event::kGoal, RuleId::kGoal, input.configuration.rules);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 
+#include "referee/machine/guards.hpp"
 #include "referee/rules/rule.hpp"
 
 namespace autoref::referee {
@@ -11,11 +12,8 @@ namespace {
 std::optional<Finding> find_goal_lead(RefereeState& state, const RefereeInput& input) {
   const RuleBook& rules = input.configuration.rules;
   const PerSide<int>& goals = state.signal.goals;
+  if (!wins_at_once(rules, goals) || state.signal.stage == Stage::kPostGame) return std::nullopt;
   const auto [less, more] = std::minmax(goals[Side::kWest], goals[Side::kEast]);
-  const bool has_won = more >= rules.goals_to_win && more - less > rules.goal_lead;
-  if (rules.goals_to_win == 0 || !has_won || state.signal.stage == Stage::kPostGame) {
-    return std::nullopt;
-  }
   Finding finding = finding_of(Event::kGoalLead, RuleId::kGoalLead, rules);
   finding.value = more;
   finding.threshold = rules.goals_to_win;

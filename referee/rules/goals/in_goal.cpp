@@ -22,9 +22,10 @@ Finding awarded_goal(const RefereeState& state, const RefereeInput& input) {
   return finding;
 }
 
-std::optional<Side> conceding_side(const RefereeInput& input) {
+std::optional<Side> conceding_side(const PlayState& play, const RefereeInput& input) {
   const std::optional<BallSight>& ball = input.ball;
-  if (!ball || !is_in_goal(input.configuration.field, ball->position_m, ball->height_m)) {
+  if (!ball || play.lies_outside ||
+      !is_in_goal(input.configuration.field, ball->position_m, ball->height_m)) {
     return std::nullopt;
   }
   return ball->position_m.x() < 0 ? Side::kWest : Side::kEast;

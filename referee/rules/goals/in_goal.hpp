@@ -14,8 +14,9 @@ namespace autoref::referee {
 // A kGoal finding for the kicker's side, wherever the ball is. Play must be a penalty kick.
 Finding awarded_goal(const RefereeState& state, const RefereeInput& input);
 
-// The side whose goal contains the ball, if any.
-std::optional<Side> conceding_side(const RefereeInput& input);
+// The side whose goal contains the ball, if any. A ball that has lain outside the field since
+// before play began was not shot there.
+std::optional<Side> conceding_side(const PlayState& play, const RefereeInput& input);
 
 // Sets the kicker and position of the free kick that follows the finding's event: a goal kick for
 // `defender`, or a corner kick at the defender's end.

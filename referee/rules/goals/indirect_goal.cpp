@@ -12,7 +12,7 @@ namespace {
 
 std::optional<Finding> find_indirect_goal(RefereeState& state, const RefereeInput& input) {
   const PlayState& play = state.play;
-  const std::optional<Side> conceded = conceding_side(input);
+  const std::optional<Side> conceded = conceding_side(state.play, input);
   if (!conceded || play.began_with.kind != CommandKind::kIndirectFree || play.kicker == conceded ||
       !is_straight_from_restart(play)) {
     return std::nullopt;

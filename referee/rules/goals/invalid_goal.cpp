@@ -33,7 +33,7 @@ Finding invalid(const RefereeState& state, const RefereeInput& input, Side conce
 
 std::optional<Finding> find_invalid_goal(RefereeState& state, const RefereeInput& input) {
   const Configuration& c = input.configuration;
-  const std::optional<Side> conceded = conceding_side(input);
+  const std::optional<Side> conceded = conceding_side(state.play, input);
   if (!conceded || began_with_penalty(state.play, c.field)) return std::nullopt;
   const Side scorer = opponent_of(*conceded);
   const std::optional<double> top_m = top_since_touch_m(state.play.touches, scorer);

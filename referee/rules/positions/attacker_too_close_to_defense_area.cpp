@@ -19,6 +19,7 @@
 #include "referee/geometry/hull.hpp"
 #include "referee/geometry/restarts.hpp"
 #include "referee/machine/ball_in_play.hpp"
+#include "referee/machine/guards.hpp"
 #include "referee/rules/rule.hpp"
 #include "referee/touch/touch_candidates.hpp"
 
@@ -102,21 +103,20 @@ void add(Finding& finding, const Offence& offence, int fouls) {
       fouls > 1 ? fmt::format(", the team's {} such foul in this stop", ordinal(fouls)) : "");
 }
 
-// A free kick for the opponents from the ball's position. If both sides foul, the restart does not
-// change.
+// A free kick for the opponents from the ball's position. A restart that is about to be taken does
+// not change if both sides foul or if it is a kick-off or a penalty kick.
 void set_restart(Finding& finding, const RefereeState& state, const RefereeInput& input) {
   const Configuration& c = input.configuration;
   const bool is_stopped = state.machine_state == State::kWaitStop;
-  if (finding.offender) {
+  if (is_stopped && (!finding.offender || needs_preparation(pending_restart(state)))) {
+    keep_restart(finding, state);
+  } else if (finding.offender) {
     const Side kicker = opponent_of(*finding.offender);
     const Vec2 ball_m = input.ball ? input.ball->position_m : Vec2(0, 0);
     finding.restart = {CommandKind::kDirectFree, kicker};
     finding.ball_to_m = free_kick_position(c.field, c.rules, kicker, ball_m);
-  } else if (!is_stopped) {
+  } else {
     take_again(finding, state.play);
-  } else if (state.signal.next_command && state.signal.placement) {
-    finding.restart = *state.signal.next_command;
-    finding.ball_to_m = state.signal.placement->target_m;
   }
 }
 

@@ -144,6 +144,17 @@ TEST(BesideAPerson, AnOwnCallSendsStopAndWaits) {
   EXPECT_EQ(persons.state(), State::kCalled) << "restarted play by itself";
 }
 
+TEST(BesideAPerson, ABallThatLayInAGoalBeforePlayIsNotAGoal) {
+  PersonsGame persons;
+  persons.person.gives(CommandKind::kStop);
+  persons.game.put_ball({3.1, 0});
+  persons.game.run(0.5);
+  persons.person.gives(CommandKind::kForceStart);
+  persons.game.run(0.5);
+  EXPECT_EQ(persons.game.count("goal"), 0);
+  EXPECT_EQ(persons.game.count("goal_kick"), 1);
+}
+
 TEST(BesideAPerson, ThePersonsAnswerEndsTheWait) {
   PersonsGame persons;
   persons.start_play();
