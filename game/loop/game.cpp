@@ -109,6 +109,7 @@ class Game::Impl {
 
   void follow(const RefereeSignal& given) {
     const std::size_t noted = referee_.decisions().size();
+    if (given.command_counter != signal_.command_counter) statistics_.note_command(given.command);
     signal_ = given;
     given_ = given;
     referee_.follow(given);

@@ -68,6 +68,9 @@ class PlayStatistics {
 
   void update(const FrameSummary& summary);
 
+  // A game controller gave a command; decisions of the game's own referee contain theirs.
+  void note_command(const Command& command) { chains_.prepare_restart(command); }
+
   // The counts so far, excluding a kick and a possession chain in progress.
   PerSide<PlayCounts> counts() const;
 

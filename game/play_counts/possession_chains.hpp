@@ -144,6 +144,8 @@ class PossessionChains {
   void end_shot(const Shot& shot);
   // `ball_m`: the ball's position in the decision's frame.
   void decide(const referee::Decision& decision, const Vec2& ball_m);
+  // A command was given. decide() does this for the commands of decisions.
+  void prepare_restart(const Command& command);
   // Ends the chain when play has stopped. Call it after the decisions of this frame.
   void stop(std::int64_t frame, const Vec2& ball_m);
 
@@ -151,7 +153,6 @@ class PossessionChains {
   ChainStart first_start(Side side, ChainStart gained);
   void gain_ball();
   void end(ChainEnd how, std::int64_t frame, const Vec2& ball_m);
-  void prepare_restart(const Command& command);
   ChainEnd end_by(const referee::Finding& finding) const;
 
   std::int64_t same_kick_frames_;

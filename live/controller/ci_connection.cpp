@@ -8,6 +8,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -19,6 +20,11 @@
 
 namespace autoref::live {
 namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+constexpr milliseconds kNoWait{0};
 
 using Addresses = std::unique_ptr<addrinfo, decltype(&freeaddrinfo)>;
 
@@ -32,12 +38,16 @@ Addresses addresses_of(const Address& address) {
   return {found, freeaddrinfo};
 }
 
-int milliseconds_of(std::chrono::milliseconds time) { return static_cast<int>(time.count()); }
+int milliseconds_of(milliseconds time) { return static_cast<int>(time.count()); }
 
-// Whether the socket becomes ready for `events` within this time; false if the wait is interrupted.
-bool is_ready(int socket, short events, std::chrono::milliseconds longest_wait) {
+// Whether the socket becomes ready for `events` within this time. A signal begins the wait anew.
+bool is_ready(int socket, short events, milliseconds longest_wait) {
   pollfd entry{socket, events, 0};
-  return poll(&entry, 1, milliseconds_of(longest_wait)) > 0;
+  int ready = 0;
+  do {
+    ready = poll(&entry, 1, milliseconds_of(longest_wait));
+  } while (ready < 0 && errno == EINTR);
+  return ready > 0;
 }
 
 }  // namespace
@@ -59,21 +69,41 @@ CiConnection::CiConnection(const Address& controller)
 CiConnection::~CiConnection() { close(socket_); }
 
 league::CiOutput CiConnection::exchange(const league::CiInput& input) {
+  read_until_silence(kNoWait);
   std::string bytes;
   league::append_delimited(input, bytes);
   write(bytes);
+  std::optional<league::CiOutput> answer = next_output_by(steady_clock::now() + kLongestAnswer);
+  if (!answer) fail("no answer");
+  std::optional<league::CiOutput> newer = read_until_silence(kNoWait);
+  return newer ? *std::move(newer) : *std::move(answer);
+}
+
+std::optional<league::CiOutput> CiConnection::read_until(const Condition& condition,
+                                                         milliseconds longest) {
+  const auto deadline = steady_clock::now() + longest;
   std::optional<league::CiOutput> newest;
-  const auto deadline = std::chrono::steady_clock::now() + kLongestAnswer;
-  while (!newest) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
-        deadline - std::chrono::steady_clock::now());
-    if (left.count() <= 0 || !read(left)) fail("no answer");
-    newest = next_output();
+  while (auto output = next_output_by(deadline)) {
+    newest = std::move(output);
+    if (condition(*newest)) break;
   }
-  while (read(std::chrono::milliseconds(0))) {
+  return newest;
+}
+
+std::optional<league::CiOutput> CiConnection::read_until_silence(milliseconds silence) {
+  const auto deadline = steady_clock::now() + kLongestAnswer;
+  std::optional<league::CiOutput> newest;
+  while (auto output = next_output_by(std::min(steady_clock::now() + silence, deadline)))
+    newest = std::move(output);
+  return newest;
+}
+
+std::optional<league::CiOutput> CiConnection::next_output_by(steady_clock::time_point deadline) {
+  while (true) {
+    if (std::optional<league::CiOutput> output = next_output()) return output;
+    const auto left = std::chrono::ceil<milliseconds>(deadline - steady_clock::now());
+    if (!read(std::max(left, kNoWait))) return std::nullopt;
   }
-  while (auto output = next_output()) newest = std::move(output);
-  return *std::move(newest);
 }
 
 void CiConnection::write(const std::string& bytes) {
@@ -86,7 +116,7 @@ void CiConnection::write(const std::string& bytes) {
   }
 }
 
-bool CiConnection::read(std::chrono::milliseconds longest_wait) {
+bool CiConnection::read(milliseconds longest_wait) {
   if (!is_ready(socket_, POLLIN, longest_wait)) return false;
   std::array<char, 65536> buffer;
   const ssize_t size = recv(socket_, buffer.data(), buffer.size(), 0);

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <deque>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -27,7 +28,13 @@ namespace {
 // The time of the first frame on the controller's clock: 1 January 2026.
 constexpr double kStart_s = 1767225600;
 constexpr double kGeometryEvery_s = 1;
-constexpr std::chrono::milliseconds kLongestReply{500};  // longest wait for the reply to an event
+constexpr double kTickEvery_s = 0.025;  // the period of the controller's own clock
+// The controller counts an event once it is this old.
+constexpr double kProposal_s = 1;
+// After an event is due, or a time has run out, changes are expected for this long.
+constexpr double kSettling_s = 2 * kTickEvery_s;
+constexpr std::chrono::milliseconds kLongestEffect{2000};  // longest wait for an action's effect
+constexpr std::chrono::milliseconds kLongestReply{500};    // longest wait for the reply to an event
 constexpr std::chrono::seconds kLongestRegistration{5};
 constexpr std::chrono::milliseconds kPoll{1};
 
@@ -68,12 +75,26 @@ class ControlledGame::Impl final : public game::Observer {
       check_();
       programs.before_step(game);
       if (!game.begin_step()) break;
-      report_events(game);
-      exchange(game, operator_.act(packet_, signal_, game.tracks()));
+      const bool reports = report_events(game);
+      const ControllerOperator::Inputs inputs = operator_.act(packet_, signal_, game.tracks());
+      const bool is_due = game.tracks().time_s - tick_s_ >= kTickEvery_s;
+      if (reports || is_due || !inputs.empty()) exchange(game, inputs);
       differences_.add(packet_, signal_, game.frame().time_s);
     } while (game.end_step());
     return game.record();
   }
+
+  // Leaves the controller as it was found, as far as that is possible.
+  ~Impl() override {
+    try {
+      league::CiInput input = timed_input(tick_s_);
+      *input.mutable_api_inputs() = ControllerOperator::leave();
+      connection_.exchange(input);
+    } catch (const io::InputError&) {  // the connection is lost
+    }
+  }
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
 
   ControlledGameReport report() const {
     const ControllerStatus status = autoref_.status();
@@ -103,10 +124,12 @@ class ControlledGame::Impl final : public game::Observer {
 
   // The controller's clock stands still until it has answered. The time that it gives an event is
   // therefore that of the frame in which the event was reported.
-  void report_events(const game::Game& game) {
+  // Returns whether there were any.
+  bool report_events(const game::Game& game) {
     if (std::optional<GameEvent> event = placement_.update(signal_, game.tracks()))
       events_.push_back(*std::move(event));
-    if (events_.empty()) return;
+    if (events_.empty()) return false;
+    due_s_.push_back(tick_s_ + kProposal_s);
     for (const GameEvent& event : events_) autoref_.report(event);
     sent_ += static_cast<std::int64_t>(events_.size());
     events_.clear();
@@ -115,12 +138,18 @@ class ControlledGame::Impl final : public game::Observer {
       return status.counts.accepted + status.counts.rejected + status.counts.dropped >= sent_;
     };
     await(is_answered, kLongestReply);
+    return true;
+  }
+
+  static league::CiInput timed_input(double time_s) {
+    league::CiInput input;
+    input.set_timestamp(std::llround((kStart_s + time_s) * 1e9));
+    return input;
   }
 
   void exchange(game::Game& game, const ControllerOperator::Inputs& inputs) {
-    league::CiInput input;
     const Tracks& tracks = game.tracks();
-    input.set_timestamp(std::llround((kStart_s + tracks.time_s) * 1e9));
+    league::CiInput input = timed_input(tracks.time_s);
     *input.mutable_api_inputs() = inputs;
     const bool is_turned = !signal_.blue_on_positive_half;
     league::fill_tracker(is_turned ? turned(tracks) : tracks, source_, kStart_s + tracks.time_s,
@@ -129,7 +158,31 @@ class ControlledGame::Impl final : public game::Observer {
       *input.mutable_geometry() = geometry_;
       geometry_due_s_ = tracks.time_s + kGeometryEvery_s;
     }
-    apply(connection_.exchange(input), game);
+    league::CiOutput newest = connection_.exchange(input);
+    tick_s_ = tracks.time_s;
+    const auto take = [&](std::optional<league::CiOutput> output) {
+      if (output) newest = *std::move(output);
+    };
+    const auto is_done = [&](const league::CiOutput& output) {
+      return operator_.is_done(output.referee_msg());
+    };
+    if (!inputs.empty() && inputs[0].has_continue_action() && !is_done(newest))
+      take(connection_.read_until(is_done, kLongestEffect));
+    if (!inputs.empty() || may_change()) take(connection_.read_until_silence());
+    apply(newest, game);
+  }
+
+  // Whether the controller may have made a change of its own in this tick, because an event has
+  // become old enough to count or because a time has run out. In all other ticks, one output is the
+  // whole answer.
+  bool may_change() {
+    while (!due_s_.empty() && due_s_.front() + kSettling_s < tick_s_) due_s_.pop_front();
+    const bool is_event_due = !due_s_.empty() && due_s_.front() <= tick_s_ + kTickEvery_s;
+    const CommandKind kind = signal_.command.kind;
+    const bool is_timed = packet_.has_current_action_time_remaining() &&
+                          (kind == CommandKind::kBallPlacement || !is_before_restart(kind));
+    const double left_s = static_cast<double>(packet_.current_action_time_remaining()) / 1e6;
+    return is_event_due || (is_timed && std::abs(left_s) <= kSettling_s);
   }
 
   void apply(const league::CiOutput& output, game::Game& game) {
@@ -153,7 +206,7 @@ class ControlledGame::Impl final : public game::Observer {
     const bool teams_place = game_.match.placement == referee::PlacedBy::kTeams &&
                              (signal_.command.kind == CommandKind::kBallPlacement ||
                               is_free_kick_or_force_start(signal_.next_command));
-    signal_.placement->by_hand = !teams_place;
+    signal_.placement->by_hand = !teams_place || operator_.places_ball();
   }
 
   game::GameConfiguration game_;
@@ -170,6 +223,8 @@ class ControlledGame::Impl final : public game::Observer {
   PerSide<TeamRequests> requests_;
   std::vector<GameEvent> events_;  // events to report
   std::int64_t sent_ = 0;
+  double tick_s_ = 0;             // time of the newest input
+  std::deque<double> due_s_;      // when reported events are old enough to count
   league::RefereePacket packet_;  // the controller's newest message
   RefereeSignal signal_;          // signal in the program's coordinates
 };

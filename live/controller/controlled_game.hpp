@@ -28,9 +28,10 @@ struct ControlledGameReport {
   std::string differences;  // differing decisions as text (controller_differences.hpp)
 };
 
-// Plays one game. In each frame, the controller gets the tracks and its operator's actions; the
-// game follows its newest message from the next frame on. AutoRef judges the same game and reports
-// its events to the controller's port for automatic referees.
+// Plays one game. In each frame with events or actions of its operator, and otherwise every 25 ms,
+// the controller gets the tracks; the game follows its newest message from the next frame on.
+// AutoRef judges the same game and reports its events to the controller's port for automatic
+// referees.
 class ControlledGame {
  public:
   // Connects to the controller. `check` is called once per frame and may throw. Throws InputError

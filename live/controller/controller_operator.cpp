@@ -3,6 +3,9 @@
 #include <algorithm>
 
 #include "game/loop/game_event_fields.hpp"
+#include "league/game_event_message.hpp"
+#include "live/controller/stopped_ball.hpp"
+#include "referee/machine/guards.hpp"
 #include "soccer/units.hpp"
 
 namespace autoref::live {
@@ -14,9 +17,11 @@ using referee::Event;
 
 constexpr double kBetweenActions_s = 1_s;
 constexpr double kReady_s = 3_s;          // time for robots to go to their positions for a kick-off
-constexpr double kLongestReady_s = 10_s;  // after that, play starts even if the ball is elsewhere
-constexpr double kLongestStop_s = 40_s;   // longer than the controller waits for a ball placement
-constexpr double kBallInPosition_m = 0.1_m;
+constexpr double kLongestReady_s = 10_s;  // after that, play starts even if robots are not ready
+constexpr double kLongestStop_s = 40_s;   // after that, the operator places the ball
+// Time that the controller's automatic continue gives the teams after a stop and after a halt.
+constexpr double kPreparation_s = 2_s;
+constexpr double kPreparationAfterHalt_s = 10_s;
 constexpr int kMostHalts = 3;
 constexpr int kFriendly = 3;  // the league's number for this type of match
 constexpr int kDivisionA = 1;
@@ -38,13 +43,20 @@ ControllerInput input_of(const league::ControllerChange& change) {
   return input;
 }
 
-// The serialized event of the goal for which the controller halted; empty if there is none.
+// The serialized event of the goal for which the controller halted and which has not been decided;
+// empty without one.
 std::string possible_goal_in(const league::RefereePacket& packet) {
-  if (packet.game_events().empty()) return "";
-  const std::string& newest = *packet.game_events().rbegin();
-  league::GameEventMessage event;
-  const bool is_goal = event.ParseFromString(newest) && event.has_possible_goal();
-  return is_goal ? newest : "";
+  for (auto bytes = packet.game_events().rbegin(); bytes != packet.game_events().rend(); ++bytes) {
+    league::GameEventMessage event;
+    if (!event.ParseFromString(*bytes)) continue;
+    if (event.has_possible_goal()) return *bytes;
+    if (event.has_goal() || event.has_invalid_goal()) return "";
+  }
+  return "";
+}
+
+std::optional<ContinueAction::Type> when(bool condition, ContinueAction::Type action) {
+  return condition ? std::optional(action) : std::nullopt;
 }
 
 int scorer_in(const std::string& goal) {
@@ -60,7 +72,7 @@ ControllerOperator::ControllerOperator(const game::GameConfiguration& game) : ga
 ControllerOperator::Inputs ControllerOperator::set_up(const PerSide<TeamRequests>& requests) const {
   Inputs inputs;
   inputs.Add()->set_reset_match(true);
-  inputs.Add()->mutable_config_delta()->set_auto_continue(true);
+  inputs.Add()->mutable_config_delta()->set_auto_continue(false);
   league::ControllerChange change;
   auto& config = *change.mutable_update_config_change();
   config.set_division(game_.field.length_m > kLongestFieldOfB_m ? kDivisionA : kDivisionB);
@@ -80,6 +92,12 @@ ControllerOperator::Inputs ControllerOperator::set_up(const PerSide<TeamRequests
   return inputs;
 }
 
+ControllerOperator::Inputs ControllerOperator::leave() {
+  Inputs inputs;
+  inputs.Add()->mutable_config_delta()->set_auto_continue(true);
+  return inputs;
+}
+
 void ControllerOperator::on_decision(const referee::Decision& decision) {
   const std::optional<GameEvent> event = game::game_event_of(decision);
   if (event && event->type == GameEventType::kPossibleGoal)
@@ -95,6 +113,7 @@ ControllerOperator::Inputs ControllerOperator::act(const league::RefereePacket& 
   const std::optional<Action::Type> type = next_action(packet, signal, tracks);
   if (!type) return {};
   acted_s_ = now_s_;
+  before_action_ = shown_in(packet);
   Inputs inputs;
   league::ContinueAction& action = *inputs.Add()->mutable_continue_action();
   action.set_type(*type);
@@ -104,19 +123,32 @@ ControllerOperator::Inputs ControllerOperator::act(const league::RefereePacket& 
 
 void ControllerOperator::take_time(const RefereeSignal& signal, double now_s) {
   now_s_ = now_s;
-  const bool counts = !is_half(signal.stage) || signal.command.kind != CommandKind::kHalt;
-  if (stage_ == signal.stage && before_s_ && counts) stage_s_ += now_s - *before_s_;
-  if (stage_ != signal.stage) stage_s_ = 0;
-  stage_ = signal.stage;
-  before_s_ = now_s;
+  if (stage_ != signal.stage) {
+    stage_ = signal.stage;
+    stage_since_s_ = now_s;
+    stage_length_s_ = signal.stage_time_left_s;
+  }
   if (command_counter_ == signal.command_counter) return;
   command_counter_ = signal.command_counter;
+  was_halted_ = command_ == CommandKind::kHalt;
+  command_ = signal.command.kind;
   command_s_ = now_s;
   halted_ = 0;
+  places_ball_ = false;
 }
 
-bool ControllerOperator::is_half_over(Stage stage) const {
-  return is_half(stage) && stage_s_ >= game_.match.half_s;
+ControllerOperator::Shown ControllerOperator::shown_in(const league::RefereePacket& packet) {
+  return {packet.stage(), packet.command_counter(), packet.game_events_size()};
+}
+
+bool ControllerOperator::is_done(const league::RefereePacket& packet) const {
+  return shown_in(packet) != before_action_;
+}
+
+// The controller's clock says how long the half has been played: under the rules of 2026, it stands
+// while play is stopped.
+bool ControllerOperator::is_half_over(const RefereeSignal& signal) const {
+  return is_half(signal.stage) && stage_length_s_ - signal.stage_time_left_s >= game_.match.half_s;
 }
 
 std::optional<ContinueAction::Type> ControllerOperator::next_action(
@@ -124,16 +156,29 @@ std::optional<ContinueAction::Type> ControllerOperator::next_action(
   const std::string goal = possible_goal_in(packet);
   const bool is_goal_open =
       signal.command.kind == CommandKind::kHalt && !goal.empty() && goal != decided_goal_;
-  if (is_half_over(signal.stage) && !is_goal_open) {
+  if (!is_goal_open && is_half(signal.stage)) {
     const bool is_last = signal.stage == Stage::kSecondHalf || game_.match.halves == 1;
-    return is_last ? Action::END_GAME : Action::NEXT_STAGE;
+    const bool is_over = is_half_over(signal);
+    if (referee::wins_at_once(game_.match.rules, signal.goals) || (is_over && is_last))
+      return Action::END_GAME;
+    if (is_over) return Action::NEXT_STAGE;
   }
   if (signal.stage == Stage::kHalfTime) {
-    return stage_s_ < game_.match.break_s ? std::nullopt : std::optional(Action::NEXT_STAGE);
+    return when(now_s_ - stage_since_s_ >= game_.match.break_s, Action::NEXT_STAGE);
   }
   if (!is_half(signal.stage) && !is_about_to_begin(signal.stage)) return std::nullopt;
   if (now_s_ - command_s_ < kBetweenActions_s) return std::nullopt;
-  return signal.command.kind == CommandKind::kHalt ? in_halt(packet) : at_restart(signal, tracks);
+  switch (signal.command.kind) {
+    case CommandKind::kHalt:
+      return in_halt(packet);
+    case CommandKind::kStop:
+      return in_stop(packet, signal, tracks);
+    case CommandKind::kPrepareKickoff:
+    case CommandKind::kPreparePenalty:
+      return before_start(signal, tracks);
+    default:
+      return std::nullopt;
+  }
 }
 
 // Decides a goal for which the controller is still waiting; otherwise resumes the game. If that has
@@ -152,21 +197,32 @@ std::optional<ContinueAction::Type> ControllerOperator::in_halt(
   return is_goal_valid_ ? Action::ACCEPT_GOAL : Action::REJECT_GOAL;
 }
 
-// Starts kick-offs and penalty kicks, and continues play after a stop that lasts too long.
-std::optional<ContinueAction::Type> ControllerOperator::at_restart(const RefereeSignal& signal,
-                                                                   const Tracks& tracks) const {
+// Continues as the controller would by itself: a team places the ball if it lies in the wrong
+// position; if none can, the operator does. Play goes on once the ball and the robots are ready.
+std::optional<ContinueAction::Type> ControllerOperator::in_stop(const league::RefereePacket& packet,
+                                                                const RefereeSignal& signal,
+                                                                const Tracks& tracks) {
   const double waited_s = now_s_ - command_s_;
-  const CommandKind kind = signal.command.kind;
-  if (kind == CommandKind::kPrepareKickoff || kind == CommandKind::kPreparePenalty) {
-    const bool is_in_position =
-        tracks.ball && signal.placement &&
-        (tracks.ball->position_m - signal.placement->target_m).norm() < kBallInPosition_m;
-    const bool is_ready = waited_s >= kReady_s && is_in_position;
-    return is_ready || waited_s >= kLongestReady_s ? std::optional(Action::NORMAL_START)
-                                                   : std::nullopt;
+  if (!signal.next_command) return when(waited_s >= kLongestStop_s, Action::FORCE_START);
+  const StoppedBall ball(game_, league::game_events_of(packet), signal, tracks);
+  if (!ball.is_ready()) {
+    const std::optional<Side> placer = ball.placer();
+    places_ball_ = places_ball_ || !placer || waited_s >= kLongestStop_s;
+    if (places_ball_ || !ball.is_at_rest()) return std::nullopt;
+    for_team_ = league_team(*placer);
+    return Action::BALL_PLACEMENT_START;
   }
-  if (kind != CommandKind::kStop || waited_s < kLongestStop_s) return std::nullopt;
-  return signal.next_command ? Action::NEXT_COMMAND : Action::FORCE_START;
+  const double preparation_s = was_halted_ ? kPreparationAfterHalt_s : kPreparation_s;
+  if (!ball.was_placed() && waited_s < preparation_s) return std::nullopt;
+  return when(ball.are_robots_away() || waited_s >= preparation_s + kLongestReady_s,
+              Action::NEXT_COMMAND);
+}
+
+std::optional<ContinueAction::Type> ControllerOperator::before_start(const RefereeSignal& signal,
+                                                                     const Tracks& tracks) const {
+  const double waited_s = now_s_ - command_s_;
+  const bool is_ready = waited_s >= kReady_s && is_in_position(signal, tracks);
+  return when(is_ready || waited_s >= kLongestReady_s, Action::NORMAL_START);
 }
 
 }  // namespace autoref::live

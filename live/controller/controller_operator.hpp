@@ -15,18 +15,24 @@
 
 namespace autoref::live {
 
-// Sets up the match, resumes from halts, confirms goals, starts kick-offs and penalty kicks, and
-// ends stages. It decides based on the controller's messages and its own state, and acts at most
-// once a second. Actions without effect are repeated.
+// Sets up the match, resumes from halts, confirms goals, starts ball placements, continues after
+// stops, starts kick-offs and penalty kicks, and ends stages. It decides based on the controller's
+// messages and its own state, and acts at most once a second. Actions without effect are repeated.
+//
+// The controller's automatic continue is switched off: the controller does not survive two pending
+// actions of which the second finds no next command, and whether its own action is pending cannot
+// be seen from outside.
 class ControllerOperator {
  public:
   using Inputs = google::protobuf::RepeatedPtrField<league::ControllerInput>;
 
   explicit ControllerOperator(const game::GameConfiguration& game);
 
-  // The inputs to send before the first frame. These inputs set up a new match with these teams,
-  // which the controller continues by itself where it can.
+  // The inputs to send before the first frame. These inputs set up a new match with these teams.
   Inputs set_up(const PerSide<TeamRequests>& requests) const;
+
+  // The inputs to send when the game is over: the controller continues by itself again.
+  static Inputs leave();
 
   // Records AutoRef's decision on a shot at goal, to be given when the controller asks for it.
   void on_decision(const referee::Decision& decision);
@@ -36,24 +42,45 @@ class ControllerOperator {
   Inputs act(const league::RefereePacket& packet, const RefereeSignal& signal,
              const Tracks& tracks);
 
+  // Whether the message shows the effect of the operator's last action.
+  bool is_done(const league::RefereePacket& packet) const;
+
+  // Whether the operator places the ball by hand, because no team can.
+  bool places_ball() const { return places_ball_; }
+
  private:
   using Action = league::ContinueAction;
+
+  // What an action changes in the controller's messages.
+  struct Shown {
+    int stage = 0;
+    std::uint32_t command_counter = 0;
+    int events = 0;
+    bool operator==(const Shown&) const = default;
+  };
+  static Shown shown_in(const league::RefereePacket& packet);
 
   std::optional<Action::Type> next_action(const league::RefereePacket& packet,
                                           const RefereeSignal& signal, const Tracks& tracks);
   void take_time(const RefereeSignal& signal, double now_s);
   std::optional<Action::Type> in_halt(const league::RefereePacket& packet);
-  std::optional<Action::Type> at_restart(const RefereeSignal& signal, const Tracks& tracks) const;
-  bool is_half_over(Stage stage) const;
+  std::optional<Action::Type> in_stop(const league::RefereePacket& packet,
+                                      const RefereeSignal& signal, const Tracks& tracks);
+  std::optional<Action::Type> before_start(const RefereeSignal& signal, const Tracks& tracks) const;
+  bool is_half_over(const RefereeSignal& signal) const;
 
   game::GameConfiguration game_;
   double now_s_ = 0;
-  std::optional<double> before_s_;  // time of the previous frame
   std::optional<Stage> stage_;
-  double stage_s_ = 0;  // time spent in the stage; in a half, the time played
+  double stage_since_s_ = 0;   // when the stage was first seen
+  double stage_length_s_ = 0;  // what the controller's clock showed then
   std::uint32_t command_counter_ = 0;
-  double command_s_ = 0;  // when the command was first seen
-  double acted_s_ = -1;   // when the operator last acted
+  CommandKind command_ = CommandKind::kHalt;
+  double command_s_ = 0;     // when the command was first seen
+  bool was_halted_ = false;  // whether the command before was HALT
+  bool places_ball_ = false;
+  Shown before_action_;
+  double acted_s_ = -1;  // when the operator last acted
   bool is_goal_valid_ = true;
   std::string decided_goal_;  // serialised event of the last goal that was accepted or rejected
   int halted_ = 0;            // number of attempts to resume from the current halt

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "live/controller/stopped_ball.hpp"
 #include "soccer/robot_shape.hpp"
 #include "soccer/units.hpp"
 
@@ -10,7 +11,6 @@ namespace {
 
 constexpr double kPrecision_m = 0.15;     // 2026, Ball Placement
 constexpr double kFromPlacer_m = 0.05_m;  // 2026, Ball Placement: for a free kick of its own
-constexpr double kAtRest_mps = 0.2_mps;   // AutoRef's choice
 constexpr double kAtRest_s = 0.5_s;       // AutoRef's choice
 
 bool has_left(const TrackedRobots& robots, const Vec2& ball_m) {
@@ -51,7 +51,7 @@ void PlacementWatch::begin(const RefereeSignal& signal, const Tracks& tracks) {
 bool PlacementWatch::is_placed(const RefereeSignal& signal, const Tracks& tracks) {
   const bool rests = tracks.ball && signal.placement &&
                      (tracks.ball->position_m - signal.placement->target_m).norm() < kPrecision_m &&
-                     tracks.ball->velocity_mps.norm() < kAtRest_mps &&
+                     tracks.ball->velocity_mps.norm() < kBallAtRest_mps &&
                      has_left(tracks.robots[signal.command.side], tracks.ball->position_m);
   if (!rests) at_rest_since_s_.reset();
   if (rests && !at_rest_since_s_) at_rest_since_s_ = tracks.time_s;

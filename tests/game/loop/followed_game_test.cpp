@@ -1,6 +1,8 @@
 // Games that somebody else commands.
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "game/loop/game.hpp"
 #include "tests/support/short_game.hpp"
 
@@ -43,6 +45,26 @@ TEST(CommandedGame, NotesAnEventOfItsRefereeForEachCommandGiven) {
   ASSERT_TRUE(game.step());
   game.follow(given(CommandKind::kForceStart, 2));
   EXPECT_EQ(game.record().count(referee::Event::kCommandGiven), 2);
+}
+
+TEST(CommandedGame, ChainsBeginWithTheGivenRestarts) {
+  struct Starts final : Observer {
+    void on_chain(const PossessionChain& chain) override { starts.push_back(chain.start); }
+    std::vector<ChainStart> starts;
+  } starts;
+  Game game(commanded_game(), &starts);
+  RefereeSignal signal = given(CommandKind::kPrepareKickoff, 1);
+  signal.placement = Placement{};
+  const auto play = [&](int frames) {
+    game.follow(signal);
+    for (int i = 0; i < frames && starts.starts.empty(); ++i) ASSERT_TRUE(game.step());
+  };
+  play(300);
+  signal = given(CommandKind::kNormalStart, 2);
+  signal.stage = Stage::kFirstHalf;
+  play(1200);
+  ASSERT_FALSE(starts.starts.empty());
+  EXPECT_EQ(starts.starts.front(), ChainStart::kKickOff);
 }
 
 TEST(CommandedGame, CountsTheGivenGoals) {

@@ -12,9 +12,10 @@ using Action = league::ContinueAction;
 
 class ControllerOperatorTest : public testing::Test {
  protected:
-  // The action at a time; TYPE_UNKNOWN: none.
-  Action::Type action_at(double time_s) {
+  // The action at a time, with this much left on the controller's clock; TYPE_UNKNOWN: none.
+  Action::Type action_at(double time_s, double left_s = 300) {
     tracks_.time_s = time_s;
+    signal_.stage_time_left_s = left_s;
     const ControllerOperator::Inputs inputs = operator_.act(packet_, signal_, tracks_);
     for_team_ = inputs.empty() ? 0 : inputs[0].continue_action().for_team();
     return inputs.empty() ? Action::TYPE_UNKNOWN : inputs[0].continue_action().type();
@@ -24,6 +25,27 @@ class ControllerOperatorTest : public testing::Test {
     signal_.command = {kind, Side::kWest};
     signal_.stage = stage;
     ++signal_.command_counter;
+  }
+
+  void play() {
+    command(CommandKind::kForceStart);
+    action_at(-1);
+  }
+
+  // A STOP before a free kick of yellow at (1, 1), with the ball at rest in this position.
+  void stop_with_ball_at(const Vec2& ball_m) {
+    command(CommandKind::kStop);
+    signal_.next_command = Command{CommandKind::kDirectFree, Side::kWest};
+    signal_.placement = Placement{{1, 1}};
+    tracks_.ball = TrackedBall{};
+    tracks_.ball->position_m = ball_m;
+  }
+
+  void add_event(GameEventType type, Side by_team) {
+    GameEvent event;
+    event.type = type;
+    event.by_team = by_team;
+    league::add_game_event(event, packet_);
   }
 
   void add_possible_goal_of_blue(std::uint64_t touched_us) {
@@ -94,38 +116,104 @@ TEST_F(ControllerOperatorTest, StartsAKickoffWithoutABallAfterTenSeconds) {
   EXPECT_EQ(action_at(10.1), Action::NORMAL_START);
 }
 
-TEST_F(ControllerOperatorTest, EndsTheFirstHalfAfterItsLength) {
-  command(CommandKind::kForceStart);
+TEST_F(ControllerOperatorTest, DecidesAGoalOnlyOnce) {
+  command(CommandKind::kHalt);
+  add_possible_goal_of_blue(5);
+  add_event(GameEventType::kGoal, Side::kEast);
   action_at(0);
-  EXPECT_EQ(action_at(29.9), Action::TYPE_UNKNOWN);
-  EXPECT_EQ(action_at(30.1), Action::NEXT_STAGE);
+  EXPECT_EQ(action_at(1.1), Action::RESUME_FROM_HALT);
 }
 
-TEST_F(ControllerOperatorTest, DoesNotCountHaltsAsTimePlayed) {
-  command(CommandKind::kForceStart);
+TEST_F(ControllerOperatorTest, ContinuesTwoSecondsAfterAStop) {
+  play();
+  stop_with_ball_at({1, 1.05});
   action_at(0);
-  action_at(10);
+  EXPECT_EQ(action_at(1.9), Action::TYPE_UNKNOWN);
+  EXPECT_EQ(action_at(2.0), Action::NEXT_COMMAND);
+}
+
+TEST_F(ControllerOperatorTest, GivesTheTeamsTenSecondsAfterAHalt) {
   command(CommandKind::kHalt);
-  action_at(50);
+  action_at(0);
+  EXPECT_EQ(action_at(1.1), Action::RESUME_FROM_HALT);
+  stop_with_ball_at({1, 1.05});
+  action_at(1.2);
+  EXPECT_EQ(action_at(11.1), Action::TYPE_UNKNOWN);
+  EXPECT_EQ(action_at(11.2), Action::NEXT_COMMAND);
+}
+
+TEST_F(ControllerOperatorTest, WaitsForOpponentsNearTheBallButNotForEver) {
+  play();
+  stop_with_ball_at({1, 1.05});
+  TrackedRobot robot;
+  robot.position_m = {1, 1.3};
+  tracks_.robots[Side::kEast].push_back(robot);
+  action_at(0);
+  EXPECT_EQ(action_at(11.9), Action::TYPE_UNKNOWN);
+  EXPECT_EQ(action_at(12.0), Action::NEXT_COMMAND);
+}
+
+TEST_F(ControllerOperatorTest, NeverContinuesWithTheBallElsewhere) {
+  play();
+  stop_with_ball_at({1, 1.5});
+  action_at(0);
+  EXPECT_EQ(action_at(100), Action::TYPE_UNKNOWN);
+  EXPECT_TRUE(operator_.places_ball());
+}
+
+TEST_F(ControllerOperatorTest, LetsTheTeamsPlaceTheBallAndThenPlacesIt) {
+  game::GameConfiguration game = short_game(30, 4);
+  game.match.placement = referee::PlacedBy::kTeams;
+  operator_ = ControllerOperator(game);
+  const auto next_stop = [&](double time_s) {
+    stop_with_ball_at({-1, -1});
+    action_at(time_s);
+    return action_at(time_s + 1.1);
+  };
+  EXPECT_EQ(next_stop(0), Action::BALL_PLACEMENT_START);
+  EXPECT_EQ(for_team_, 1);
+  add_event(GameEventType::kPlacementFailed, Side::kWest);
+  EXPECT_EQ(next_stop(10), Action::BALL_PLACEMENT_START);
+  EXPECT_EQ(for_team_, 2);
+  EXPECT_FALSE(operator_.places_ball());
+  add_event(GameEventType::kPlacementFailed, Side::kEast);
+  EXPECT_EQ(next_stop(20), Action::TYPE_UNKNOWN);
+  EXPECT_TRUE(operator_.places_ball());
+  tracks_.ball->position_m = {1, 1};
+  EXPECT_EQ(action_at(25), Action::NEXT_COMMAND);
+}
+
+TEST_F(ControllerOperatorTest, AnActionIsDoneOnceTheMessagesShowIt) {
+  play();
+  stop_with_ball_at({1, 1.05});
+  packet_.set_command_counter(7);
+  action_at(0);
+  EXPECT_EQ(action_at(2.0), Action::NEXT_COMMAND);
+  EXPECT_FALSE(operator_.is_done(packet_));
+  packet_.set_command_counter(8);
+  EXPECT_TRUE(operator_.is_done(packet_));
+}
+
+TEST_F(ControllerOperatorTest, EndsTheFirstHalfByTheControllersClock) {
   command(CommandKind::kForceStart);
-  EXPECT_EQ(action_at(60), Action::TYPE_UNKNOWN);
-  EXPECT_EQ(action_at(71), Action::NEXT_STAGE);
+  EXPECT_EQ(action_at(0, 300), Action::TYPE_UNKNOWN);
+  EXPECT_EQ(action_at(50, 270.1), Action::TYPE_UNKNOWN);
+  EXPECT_EQ(action_at(51, 269.9), Action::NEXT_STAGE);
 }
 
 TEST_F(ControllerOperatorTest, EndsTheGameAfterTheSecondHalf) {
   command(CommandKind::kForceStart, Stage::kSecondHalf);
-  action_at(0);
-  EXPECT_EQ(action_at(30.1), Action::END_GAME);
+  action_at(0, 300);
+  EXPECT_EQ(action_at(30.1, 269.9), Action::END_GAME);
 }
 
 TEST_F(ControllerOperatorTest, DecidesAGoalBeforeItEndsTheHalf) {
   command(CommandKind::kForceStart);
-  action_at(0);
-  action_at(30);
+  action_at(0, 300);
   command(CommandKind::kHalt);
   add_possible_goal_of_blue(5);
-  action_at(31.1);
-  EXPECT_EQ(action_at(32.2), Action::ACCEPT_GOAL);
+  EXPECT_EQ(action_at(29, 269.9), Action::TYPE_UNKNOWN);
+  EXPECT_EQ(action_at(30.1, 269.9), Action::ACCEPT_GOAL);
 }
 
 TEST_F(ControllerOperatorTest, DoesNothingAfterTheGame) {
@@ -141,6 +229,8 @@ TEST_F(ControllerOperatorTest, SetsUpTheMatchWithNamesAndKeepers) {
   const ControllerOperator::Inputs inputs = operator_.set_up(requests);
   ASSERT_EQ(inputs.size(), 5);
   EXPECT_TRUE(inputs[0].reset_match());
+  EXPECT_FALSE(inputs[1].config_delta().auto_continue());
+  EXPECT_TRUE(ControllerOperator::leave()[0].config_delta().auto_continue());
   const auto& blue = inputs[4].change().update_team_state_change();
   EXPECT_EQ(blue.for_team(), 2);
   EXPECT_EQ(blue.goalkeeper().value(), 5);

@@ -34,16 +34,20 @@ STAGES = [
 ]
 HALVES = {1, 4, 7, 10}
 BEFORE_HALVES = {0, 3, 6, 9}
+PAUSED = {2, 5, 8, 11}
 POST_GAME = 13
+RUNNING = {NORMAL_START, FORCE_START, DIRECT_FREE, DIRECT_FREE + 1}  # the clock runs
 
 PROPOSAL_S = 1.0  # after which a proposal counts
 PLACEMENT_S = 30.0
-FREE_KICK_S = 10.0  # after which play goes on by force
+BREAK_S = 300.0  # of half-time
+FREE_KICK_S = 10.0  # after which play is on
 NO_PROGRESS_S = 10.0
 NO_PROGRESS_M = 0.5
 IN_PLAY_M = 0.05
 PLACED_M = 0.15
 STOP_S = 2.0  # at least, before play resumes
+AFTER_HALT_S = 10.0  # the same after a HALT
 
 
 def for_team(command, team):

@@ -4,6 +4,7 @@ import time
 
 import events
 from laws import (
+    AFTER_HALT_S,
     COMMANDS,
     DIRECT_FREE,
     FORCE_START,
@@ -14,18 +15,20 @@ from laws import (
     NORMAL_START,
     NO_PROGRESS_M,
     NO_PROGRESS_S,
+    PAUSED,
     PLACED_M,
     PLACEMENT,
     PLACEMENT_S,
     PREPARE_KICKOFF,
     PREPARE_PENALTY,
     PROPOSAL_S,
+    RUNNING,
     STAGES,
     STOP,
     STOP_S,
     for_team,
 )
-from person import PersonsActions
+from person import PersonsActions, add_event
 from protocol import BLUE, YELLOW, name_of_team, opponent_of, referee
 
 
@@ -44,47 +47,55 @@ class Proposal:
 
 
 class Match(PersonsActions):
-    """Pure: times are given, in seconds; `on_change` is called after each change."""
+    """Pure: times are given, in seconds; `on_change` is called after each change. What a tick, an
+    event or an action brings about is a change that the engine makes later (engine.py)."""
 
-    def __init__(self, journal, half_s=300.0, on_change=lambda: None):
-        self.journal, self.half_s, self.on_change = journal, half_s, on_change
+    def __init__(self, journal, half_s=300.0):
+        self.journal, self.half_s = journal, half_s
+        self.on_change = lambda: None
+        self.enqueue = self.continue_with = None  # set by the engine
         self.field = events.Field()
         self.now = self.command_s = 0.0
         self.autorefs = 0
+        self.auto_continue = True
         self.reset()
 
     def reset(self):
         self.teams = {YELLOW: Team("Yellow"), BLUE: Team("Blue")}
         self.first_kickoff, self.max_robots = YELLOW, 6
-        self.stage, self.stage_left = 0, 0.0
+        self.stage, self.stage_left = 0, self.half_s
         self.command, self.counter, self.command_us = HALT, 0, 0
         self.next_command = for_team(PREPARE_KICKOFF, YELLOW)
         self.blue_on_positive_half = True
         self.position = (0.0, 0.0)
-        self.failed_placement = set()
+        self.failed_placement, self.was_placed = set(), False
+        self.resumed_s = -math.inf  # when the last HALT ended
         self.is_play = False  # the ball is in play
         self.goal = None  # a possible goal that waits for a person
         self.events, self.proposals = [], []
         self.ball = self.start = None
+        self.robots = []
         self.ball_s = 0.0  # since when the ball is near `start`
 
     # What automatic referees report.
 
     def propose(self, event, origin):
-        """Takes an event with a type. Returns why it is ignored, or an empty string."""
+        """Takes an event with a type."""
+        self.enqueue(lambda: self._propose(event, origin))
+
+    def _propose(self, event, origin):
         name = events.NAMES.get(event.type, str(event.type))
         why = self._why_ignored(name)
         if why:
             self.journal.note("ignored", event=name, why=why)
-            return why
+            return
         for proposal in self.proposals:
             if not proposal.is_accepted and self._is_same(proposal.event, event):
                 proposal.origins.add(origin)
-                return ""
+                return
         self.proposals.append(Proposal(event, origin, self.now))
         self.journal.note("proposal", event=name, origin=origin, time_s=self.now)
         self.on_change()
-        return ""
 
     @staticmethod
     def _is_same(one, other):
@@ -105,9 +116,15 @@ class Match(PersonsActions):
                 continue
             name = events.NAMES.get(proposal.event.type, "")
             if name in events.ACCEPTED or 2 * len(proposal.origins) > self.autorefs:
-                proposal.is_accepted = True
-                self._count(name, proposal.event, sorted(proposal.origins))
+                self.enqueue(lambda name=name, proposal=proposal: self._accept(name, proposal))
         self.proposals = [one for one in self.proposals if self.now - one.since < 5]
+
+    def _accept(self, name, proposal):
+        """A group that is accepted twice, because two ticks were taken before the change, counts
+        twice."""
+        proposal.is_accepted = True
+        self.on_change()
+        self._count(name, proposal.event, sorted(proposal.origins))
 
     def _count(self, name, event, origins):
         """An event that counts changes the game."""
@@ -122,7 +139,7 @@ class Match(PersonsActions):
         )
         if why:
             return
-        self.events = (self.events + [event])[-5:]
+        self.events.append(event)
         team = events.team_of(event)
         if name == "POSSIBLE_GOAL":
             self._possible_goal(event)
@@ -143,6 +160,8 @@ class Match(PersonsActions):
 
     def _possible_goal(self, event):
         self.goal = event
+        where = events.placement_of(event, self.field, self.blue_on_positive_half)
+        self._plan(for_team(DIRECT_FREE, opponent_of(events.team_of(event))), where)
         self.is_play = False
         self._set(HALT)
 
@@ -164,16 +183,17 @@ class Match(PersonsActions):
     def tick(self, now, frame):
         """Goes on to a time, with the newest tracked frame or None."""
         elapsed, self.now = max(0.0, now - self.now) if self.now else 0.0, now
-        if self.stage in HALVES and self.command != HALT:
+        if self.stage in PAUSED or self.command in RUNNING:
             self.stage_left -= elapsed
         if frame is not None and frame.balls:
             self.ball = frame.balls[0].pos.x, frame.balls[0].pos.y
+            self.robots = frame.robots
         self._settle_proposals()
         self._watch_ball()
-        if self.command == STOP:
-            self._go_on_from_stop()
-        elif self.command & ~1 == PLACEMENT and self._since() > PLACEMENT_S:
-            self._fail_placement()
+        if self.command & ~1 == PLACEMENT and self._since() > PLACEMENT_S:
+            self.enqueue(self._fail_placement)
+        if self.auto_continue:
+            self._continue()
 
     def _since(self):
         return self.now - self.command_s
@@ -186,24 +206,24 @@ class Match(PersonsActions):
         moved = math.dist(self.ball, self.start)
         waits = self.command & ~1 == DIRECT_FREE or self.command == NORMAL_START
         if not self.is_play and waits and moved > IN_PLAY_M:
-            self._play()
+            self.enqueue(self._play)
         elif not self.is_play and waits and self._since() > FREE_KICK_S:
-            if self.command == NORMAL_START:
-                self._stop(FORCE_START, self.position)
-            else:
-                self._set(FORCE_START)
+            self.enqueue(self._play)
         elif self.is_play and moved > NO_PROGRESS_M:
             self.start, self.ball_s = self.ball, self.now
         elif self.is_play and self.now - self.ball_s > NO_PROGRESS_S:
-            self.journal.note(
-                "event",
-                event="NO_PROGRESS_IN_GAME",
-                team="UNKNOWN",
-                origins=["game controller"],
-                why_ignored="",
-                time_s=self.now,
-            )
-            self._stop(FORCE_START, self.field.free_kick_position(*self.ball))
+            self.enqueue(self._no_progress)
+
+    def _no_progress(self):
+        self.journal.note(
+            "event",
+            event="NO_PROGRESS_IN_GAME",
+            team="UNKNOWN",
+            origins=["game controller"],
+            why_ignored="",
+            time_s=self.now,
+        )
+        self._stop(FORCE_START, self.field.free_kick_position(*self.ball))
 
     def _play(self):
         self.is_play = True
@@ -214,15 +234,22 @@ class Match(PersonsActions):
     def is_placed(self):
         return self.ball is not None and self.position is not None and math.dist(self.ball, self.position) < PLACED_M
 
-    def _go_on_from_stop(self):
-        if self.next_command is None or self._since() < STOP_S:
-            return
-        if self.is_placed():
-            self._set(self.next_command)
-            return
-        team = self._placing_team()
-        if team and (self.next_command & ~1 == DIRECT_FREE or self.next_command == FORCE_START):
-            self._set(for_team(PLACEMENT, team))
+    def _continue(self):
+        """What the controller does without a person: it starts placements, and goes on when
+        everything is ready."""
+        if self.command == STOP and self.next_command is not None:
+            team = 0 if self.is_placed() or self.was_placed else self._placing_team()
+            if team and (self.next_command & ~1 == DIRECT_FREE or self.next_command == FORCE_START):
+                self.continue_with("BALL_PLACEMENT_START", team)
+            elif self._since() >= self._preparation_s() and self.is_placed():
+                self.continue_with("NEXT_COMMAND", 0)
+        elif self.command & ~1 in (PREPARE_KICKOFF, PREPARE_PENALTY) and self._since() >= STOP_S and self.is_placed():
+            self.continue_with("NORMAL_START", 0)
+
+    def _preparation_s(self):
+        if self.was_placed:
+            return 0.0
+        return AFTER_HALT_S if self.resumed_s == self.command_s else STOP_S
 
     def _placing_team(self):
         """Who places the ball next, or 0 if a person has to."""
@@ -235,14 +262,14 @@ class Match(PersonsActions):
     def _after_placement(self):
         if self.command & ~1 != PLACEMENT or not self.is_placed():
             return
-        team = 1 + (self.command & 1)
-        is_own = self.next_command == for_team(DIRECT_FREE, team)
-        self._set(self.next_command if is_own else STOP)
+        self.was_placed = self.next_command == for_team(DIRECT_FREE, 1 + (self.command & 1))
+        self._set(STOP)
 
     def _fail_placement(self):
         team = 1 + (self.command & 1)
         self.failed_placement.add(team)
         self.teams[team].placement_failures += 1
+        add_event(self.events, "PLACEMENT_FAILED", team)
         self.journal.note(
             "event",
             event="PLACEMENT_FAILED",
@@ -254,20 +281,31 @@ class Match(PersonsActions):
         self._set(STOP)
 
     def _stop(self, next_command, position):
-        self._plan(next_command, position)
-        self._set(STOP)
+        """A kick-off or penalty kick that has not been taken yet stays."""
+        if self.is_play or self.next_command is None or self._next_kind() not in (PREPARE_KICKOFF, PREPARE_PENALTY):
+            self._plan(next_command, position)
+        if self.command not in (HALT, STOP):
+            self._set(STOP)
+
+    def _next_kind(self):
+        """During a PREPARE, the next command is NORMAL_START; after a STOP it is the PREPARE again."""
+        if self.command & ~1 in (PREPARE_KICKOFF, PREPARE_PENALTY):
+            self.next_command = self.command
+        return self.next_command & ~1
 
     def _plan(self, next_command, position):
         self.next_command, self.position = next_command, position
-        self.failed_placement = set()
+        self.failed_placement, self.was_placed = set(), False
         self.is_play = False
 
     def _enter(self, stage, left):
+        self.journal.note("stage", stage=STAGES[stage], time_s=self.now, left_s=round(self.stage_left, 3))
         self.stage, self.stage_left = stage, left
         self.proposals = []
-        self.journal.note("stage", stage=STAGES[stage], time_s=self.now)
 
     def _set(self, command):
+        if self.command == HALT and command == STOP:
+            self.resumed_s = self.now
         self.command, self.command_s = command, self.now
         self.command_us = time.time_ns() // 1000
         self.counter += 1
@@ -275,8 +313,8 @@ class Match(PersonsActions):
         self.is_play = command == FORCE_START
         if command in (PREPARE_KICKOFF, PREPARE_KICKOFF + 1, PREPARE_PENALTY, PREPARE_PENALTY + 1):
             self.next_command = NORMAL_START
-        elif command in (NORMAL_START, FORCE_START):
-            self.next_command = None
+        elif command in RUNNING:
+            self.next_command, self.proposals, self.events = None, [], []
         self.journal.note("command", command=COMMANDS[command], time_s=self.now)
         self.on_change()
         return True
@@ -304,7 +342,7 @@ class Match(PersonsActions):
             packet.next_command = self.next_command
         if self.command & ~1 == PLACEMENT:
             packet.current_action_time_remaining = round(1e6 * (PLACEMENT_S - self._since()))
-        packet.game_events.extend(event.SerializeToString() for event in self.events[-3:])
+        packet.game_events.extend(event.SerializeToString() for event in self.events)
         return packet
 
     def _fill_team(self, team, info):

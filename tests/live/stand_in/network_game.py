@@ -5,6 +5,7 @@ import socket
 import struct
 import time
 
+from engine import Engine
 from laws import BEFORE_HALVES, HALT, HALVES, POST_GAME, PREPARE_KICKOFF, PREPARE_PENALTY
 from protocol import tracker, vision
 
@@ -54,6 +55,7 @@ class NetworkGame:
             receiver = listening(port, interface)
             loop.add_reader(receiver, self._read, receiver, take)
         match.on_change = self.publish
+        self.engine = Engine(match, journal)
 
     def _read(self, receiver, take):
         try:
@@ -83,5 +85,7 @@ class NetworkGame:
             self.match.tick(time.time(), self.frame)
             if not self.is_away:
                 self.person.press(self.match)
+            self.engine.take_all()
+            if not self.is_away:
                 self.publish()
             await asyncio.sleep(EVERY_S)

@@ -2,12 +2,13 @@
 import events
 from laws import (
     BEFORE_HALVES,
-    DIRECT_FREE,
+    BREAK_S,
     FORCE_START,
     GOAL,
     HALT,
     HALVES,
     NORMAL_START,
+    PAUSED,
     PLACEMENT,
     POST_GAME,
     PREPARE_KICKOFF,
@@ -15,18 +16,36 @@ from laws import (
     STOP,
     for_team,
 )
-from protocol import BLUE, name_of_team, opponent_of
+from protocol import BLUE, game_event, name_of_team, opponent_of
+
+
+class Crash(Exception):
+    """What the controller does not survive."""
+
+
+def add_event(listed, name, team):
+    """Appends an event of the controller's own."""
+    event = game_event.GameEventMessage(type=events.TYPES[name])
+    getattr(event, name.lower()).by_team = team
+    listed.append(event)
 
 
 class PersonsActions:
     """The part of Match that does continue actions and changes."""
 
-    def act(self, name, team):
-        """Does a continue action. Returns whether it was possible in this state."""
+    def act(self, name, team, made=lambda: None):
+        """Does a continue action; `made` is called after its change. Like the real controller, it
+        takes the next command of now, and crashes without one."""
+        if name == "NEXT_COMMAND" and self.next_command is None:
+            raise Crash("NEXT_COMMAND without a next command")
+        command = self.next_command
+        self.enqueue(lambda: self._act(name, team, command, made))
+
+    def _act(self, name, team, command, made):
         action = getattr(self, "_" + name.lower(), None)
-        is_possible = action is not None and action(team)
+        is_possible = action is not None and action(command if name == "NEXT_COMMAND" else team)
         self.journal.note("action", name=name, team=name_of_team(team), possible=bool(is_possible))
-        return bool(is_possible)
+        made()
 
     def _halt(self, _team):
         return self._set(HALT)
@@ -38,8 +57,8 @@ class PersonsActions:
         is_possible = self.command == HALT and self.goal is None and self.stage != POST_GAME
         return is_possible and self._set(STOP)
 
-    def _next_command(self, _team):
-        return self.next_command is not None and self._set(self.next_command)
+    def _next_command(self, command):
+        return self._set(command)
 
     def _normal_start(self, _team):
         kind = self.command & ~1
@@ -60,6 +79,7 @@ class PersonsActions:
             return False
         team = events.team_of(self.goal)
         self.goal = None
+        add_event(self.events, "GOAL", team)
         self.teams[team].goals += 1
         self._set(for_team(GOAL, team))
         self._plan(for_team(PREPARE_KICKOFF, opponent_of(team)), (0.0, 0.0))
@@ -68,15 +88,15 @@ class PersonsActions:
     def _reject_goal(self, _team):
         if self.goal is None:
             return False
-        team, where = events.team_of(self.goal), events.location_of(self.goal) or (0.0, 0.0)
+        add_event(self.events, "INVALID_GOAL", events.team_of(self.goal))
         self.goal = None
-        self._plan(for_team(DIRECT_FREE, opponent_of(team)), self.field.free_kick_position(*where))
-        return self._set(STOP)
+        self.on_change()
+        return True
 
     def _next_stage(self, _team):
         if self.stage == POST_GAME:
             return False
-        self._enter(self.stage + 1, 0.0)
+        self._enter(self.stage + 1, BREAK_S if self.stage + 1 in PAUSED else self.half_s)
         if self.stage in (2, 8):
             self.blue_on_positive_half = not self.blue_on_positive_half
         kicking = self.first_kickoff if self.stage in (0, 6) else opponent_of(self.first_kickoff)
@@ -90,6 +110,9 @@ class PersonsActions:
 
     def configure(self, change):
         """Does a change of names, sides or division."""
+        self.enqueue(lambda: self._configure(change))
+
+    def _configure(self, change):
         kind = change.WhichOneof("change")
         body = getattr(change, kind) if kind else None
         self.journal.note("change", name=kind)

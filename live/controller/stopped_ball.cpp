@@ -1,0 +1,80 @@
+#include "live/controller/stopped_ball.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "referee/geometry/restarts.hpp"
+#include "referee/machine/ball_placement.hpp"
+#include "soccer/robot_shape.hpp"
+#include "soccer/units.hpp"
+
+namespace autoref::live {
+namespace {
+
+constexpr double kInPosition_m = 0.1_m;
+constexpr double kTolerance_m = 0.05_m;  // of the distance that robots keep from the ball
+
+}  // namespace
+
+bool is_in_position(const RefereeSignal& signal, const Tracks& tracks) {
+  return tracks.ball && signal.placement &&
+         (tracks.ball->position_m - signal.placement->target_m).norm() < kInPosition_m;
+}
+
+StoppedBall::StoppedBall(const game::GameConfiguration& game, std::vector<GameEvent> events,
+                         const RefereeSignal& signal, const Tracks& tracks)
+    : game_(&game), events_(std::move(events)), signal_(&signal), tracks_(&tracks) {}
+
+bool StoppedBall::was_placed() const {
+  return has_event(GameEventType::kPlacementSucceeded, std::nullopt);
+}
+
+bool StoppedBall::is_at_rest() const {
+  return tracks_->ball && tracks_->ball->velocity_mps.norm() < kBallAtRest_mps;
+}
+
+bool StoppedBall::is_ready() const {
+  if (!signal_->placement) return true;
+  if (!is_left_to_teams()) return is_in_position(*signal_, *tracks_);
+  return is_at_rest() && (was_placed() || referee::ball_may_stay(game_->field, game_->match.rules,
+                                                                 tracks_->ball->position_m,
+                                                                 signal_->placement->target_m));
+}
+
+std::optional<Side> StoppedBall::placer() const {
+  if (!is_left_to_teams() || !tracks_->ball ||
+      referee::is_out_of_reach(game_->field, game_->match.rules, tracks_->ball->position_m))
+    return std::nullopt;
+  const Side kicker = signal_->next_command->side;
+  for (const Side side : {kicker, opponent_of(kicker)}) {
+    if (signal_->can_place_ball[side] && !has_event(GameEventType::kPlacementFailed, side))
+      return side;
+  }
+  return std::nullopt;
+}
+
+bool StoppedBall::are_robots_away() const {
+  if (!tracks_->ball) return true;
+  const double distance_m = game_->match.rules.opponents_to_ball_m + kRobotRadius_m - kTolerance_m;
+  const bool is_free_kick = signal_->next_command->kind == CommandKind::kDirectFree;
+  return std::none_of(kSides.begin(), kSides.end(), [&](Side side) {
+    if (is_free_kick && side == signal_->next_command->side) return false;
+    const TrackedRobots& robots = tracks_->robots[side];
+    return std::any_of(robots.begin(), robots.end(), [&](const TrackedRobot& robot) {
+      return (robot.position_m - tracks_->ball->position_m).norm() < distance_m;
+    });
+  });
+}
+
+bool StoppedBall::is_left_to_teams() const {
+  return game_->match.placement == referee::PlacedBy::kTeams &&
+         referee::is_placed_by_team(signal_->next_command->kind);
+}
+
+bool StoppedBall::has_event(GameEventType type, std::optional<Side> by_team) const {
+  return std::any_of(events_.begin(), events_.end(), [&](const GameEvent& event) {
+    return event.type == type && (!by_team || event.by_team == by_team);
+  });
+}
+
+}  // namespace autoref::live
