@@ -121,13 +121,6 @@ game::GamePrograms programs_of(const game::GameConfiguration& game, const GameOu
   return game::GamePrograms::live(game, files, player.make_network_team);
 }
 
-// Frames per second of wall-clock time; nullopt for as many as possible.
-std::optional<double> pace_of(const game::GameConfiguration& game, const GameOutput& output) {
-  const bool is_paced = !output.speed.empty() || !output.web.address.empty();
-  if (!is_paced || output.speed == "max") return std::nullopt;
-  return game.sim.frame_rate_hz * speed_factor_in(output.speed.empty() ? "1" : output.speed, "max");
-}
-
 }  // namespace
 
 double speed_factor_in(const std::string& text, std::string_view others) {
@@ -174,6 +167,12 @@ void add_speed_option(CLI::App& verb, GameOutput& output) {
                   "Speed relative to real time; max: as fast as possible. By default 1 with --web, "
                   "otherwise max.")
       ->type_name("FACTOR|max");
+}
+
+std::optional<double> pace_of(const game::GameConfiguration& game, const GameOutput& output) {
+  const bool is_paced = !output.speed.empty() || !output.web.address.empty();
+  if (!is_paced || output.speed == "max") return std::nullopt;
+  return game.sim.frame_rate_hz * speed_factor_in(output.speed.empty() ? "1" : output.speed, "max");
 }
 
 game::GameRecord play_game(const game::GameConfiguration& configuration,

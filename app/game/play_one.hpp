@@ -64,6 +64,10 @@ void add_output_options(CLI::App& verb, GameOutput& output);
 // Adds --speed.
 void add_speed_option(CLI::App& verb, GameOutput& output);
 
+// The pace that --speed and --web choose, in frames per second of wall-clock time; nullopt for as
+// many as possible. Throws InputError if the value of --speed is invalid.
+std::optional<double> pace_of(const game::GameConfiguration& game, const GameOutput& output);
+
 // Plays the game to its end, without any output. `frames_per_s` is the pace in wall-clock time;
 // nullopt: as fast as possible.
 game::GameRecord play_game(const game::GameConfiguration& configuration,

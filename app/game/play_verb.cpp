@@ -61,10 +61,11 @@ game::GameRecord play_controlled(const game::GameConfiguration& game,
   live::ControllerPlace place;
   if (!arguments.game_controller.empty())
     place.ci = controller_address(arguments.game_controller, place.ci.port);
+  const std::optional<double> frames_per_s = pace_of(game, arguments.output);
   live::ControlledGame controlled(game, place, check_interrupt);
   GamePlayer player;
   player.play = [&](const game::Observers& observers, game::GamePrograms& programs) {
-    return controlled.play(observers, programs);
+    return controlled.play(observers, programs, frames_per_s);
   };
   game::GameRecord record = play_one(game, arguments.output, inputs, {arguments.commands}, player);
   print_outcome(controlled.report());

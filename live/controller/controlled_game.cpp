@@ -19,6 +19,7 @@
 #include "live/controller/controller_differences.hpp"
 #include "live/controller/controller_operator.hpp"
 #include "live/controller/placement_watch.hpp"
+#include "live/frame_pacer.hpp"
 #include "live/published_tracks.hpp"
 #include "soccer/referee_signal.hpp"
 
@@ -66,12 +67,17 @@ class ControlledGame::Impl final : public game::Observer {
     league::fill_geometry(game.field, game::logged_cameras(game), geometry_);
   }
 
-  game::GameRecord play(game::Observers observers, game::GamePrograms& programs) {
+  game::GameRecord play(game::Observers observers, game::GamePrograms& programs,
+                        std::optional<double> frames_per_s) {
     await([this] { return autoref_.status().is_registered; }, kLongestRegistration);
     observers.add(this);
     game::Game game(game_, observers, programs.maker());
     exchange(game, operator_.set_up(requests_));
+    SteadyFrameClock clock;
+    std::optional<FramePacer> pacer;
+    if (frames_per_s) pacer.emplace(clock, *frames_per_s);
     do {
+      if (pacer) pacer->wait(check_);
       check_();
       programs.before_step(game);
       if (!game.begin_step()) break;
@@ -234,8 +240,9 @@ ControlledGame::ControlledGame(const game::GameConfiguration& game, const Contro
     : impl_(std::make_unique<Impl>(game, place, std::move(check))) {}
 ControlledGame::~ControlledGame() = default;
 
-game::GameRecord ControlledGame::play(game::Observers observers, game::GamePrograms& programs) {
-  return impl_->play(std::move(observers), programs);
+game::GameRecord ControlledGame::play(game::Observers observers, game::GamePrograms& programs,
+                                      std::optional<double> frames_per_s) {
+  return impl_->play(std::move(observers), programs, frames_per_s);
 }
 
 ControlledGameReport ControlledGame::report() const { return impl_->report(); }

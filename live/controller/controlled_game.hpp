@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "game/loop/game_configuration.hpp"
@@ -40,8 +41,10 @@ class ControlledGame {
                  std::function<void()> check);
   ~ControlledGame();
 
-  // Plays the game. Throws InputError if the connection to the controller is lost.
-  game::GameRecord play(game::Observers observers, game::GamePrograms& programs);
+  // Plays the game, at this pace in wall-clock time; nullopt: as fast as possible. Throws
+  // InputError if the connection to the controller is lost.
+  game::GameRecord play(game::Observers observers, game::GamePrograms& programs,
+                        std::optional<double> frames_per_s);
 
   ControlledGameReport report() const;
 
