@@ -113,7 +113,9 @@ double longest_s(const referee::Match& match) {
   const RuleBook& rules = match.rules;
   const bool teams_place = match.placement == referee::PlacedBy::kTeams;
   const double standstill = teams_place ? kStandstillOfTeams : kStandstill;
-  const double stretch = rules.clock_stops ? standstill * waiting_factor(rules) : 1;
+  // The clock of the league's game controller stops whatever the rules.
+  const bool clock_stops = rules.clock_stops || match.control == referee::Control::kGameController;
+  const double stretch = clock_stops ? standstill * waiting_factor(rules) : 1;
   double longest_s = match.halves * (match.half_s * stretch + match.break_s) + kSlack_s +
                      failed_placements_s(match);
   if (rules.has(RuleId::kTimeouts)) longest_s += 2 * (rules.timeouts_s + rules.extra_timeouts_s);

@@ -40,7 +40,7 @@ Addresses addresses_of(const Address& address) {
 
 int milliseconds_of(milliseconds time) { return static_cast<int>(time.count()); }
 
-// Whether the socket becomes ready for `events` within this time. A signal begins the wait anew.
+// Whether the socket becomes ready for `events` within this time. A signal starts the wait again.
 bool is_ready(int socket, short events, milliseconds longest_wait) {
   pollfd entry{socket, events, 0};
   int ready = 0;
@@ -70,13 +70,17 @@ CiConnection::~CiConnection() { close(socket_); }
 
 league::CiOutput CiConnection::exchange(const league::CiInput& input) {
   read_until_silence(kNoWait);
-  std::string bytes;
-  league::append_delimited(input, bytes);
-  write(bytes);
+  send(input);
   std::optional<league::CiOutput> answer = next_output_by(steady_clock::now() + kLongestAnswer);
   if (!answer) fail("no answer");
   std::optional<league::CiOutput> newer = read_until_silence(kNoWait);
   return newer ? *std::move(newer) : *std::move(answer);
+}
+
+void CiConnection::send(const league::CiInput& input) {
+  std::string bytes;
+  league::append_delimited(input, bytes);
+  write(bytes);
 }
 
 std::optional<league::CiOutput> CiConnection::read_until(const Condition& condition,
@@ -110,7 +114,7 @@ void CiConnection::write(const std::string& bytes) {
   std::string_view left = bytes;
   while (!left.empty()) {
     if (!is_ready(socket_, POLLOUT, kLongestAnswer)) fail("it no longer accepts input");
-    const ssize_t sent = send(socket_, left.data(), left.size(), MSG_NOSIGNAL);
+    const ssize_t sent = ::send(socket_, left.data(), left.size(), MSG_NOSIGNAL);
     if (sent < 0) fail(std::strerror(errno));
     left.remove_prefix(static_cast<std::size_t>(sent));
   }

@@ -36,6 +36,9 @@ class CiConnection {
   // newest one. Outputs that arrived before are skipped.
   league::CiOutput exchange(const league::CiInput& input);
 
+  // Sends an input without waiting for an answer.
+  void send(const league::CiInput& input);
+
   using Condition = std::function<bool(const league::CiOutput&)>;
   // Reads outputs until one meets the condition, but at most for this long. Returns the newest one;
   // nullopt if there was none.

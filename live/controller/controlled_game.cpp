@@ -14,13 +14,12 @@
 #include "league/field_message.hpp"
 #include "league/referee_message.hpp"
 #include "league/tracker_message.hpp"
-#include "live/controller/ci_connection.hpp"
-#include "live/controller/controller_client.hpp"
 #include "live/controller/controller_differences.hpp"
 #include "live/controller/controller_operator.hpp"
 #include "live/controller/placement_watch.hpp"
 #include "live/frame_pacer.hpp"
 #include "live/published_tracks.hpp"
+#include "referee/machine/ball_placement.hpp"
 #include "soccer/referee_signal.hpp"
 
 namespace autoref::live {
@@ -30,20 +29,13 @@ namespace {
 constexpr double kStart_s = 1767225600;
 constexpr double kGeometryEvery_s = 1;
 constexpr double kTickEvery_s = 0.025;  // the period of the controller's own clock
-// The controller counts an event once it is this old.
-constexpr double kProposal_s = 1;
+constexpr double kRounding_s = 1e-6;    // of differences of frame times
 // After an event is due, or a time has run out, changes are expected for this long.
 constexpr double kSettling_s = 2 * kTickEvery_s;
 constexpr std::chrono::milliseconds kLongestEffect{2000};  // longest wait for an action's effect
 constexpr std::chrono::milliseconds kLongestReply{500};    // longest wait for the reply to an event
 constexpr std::chrono::seconds kLongestRegistration{5};
 constexpr std::chrono::milliseconds kPoll{1};
-
-bool is_free_kick_or_force_start(const std::optional<Command>& command) {
-  return command &&
-         (command->kind == CommandKind::kForceStart || command->kind == CommandKind::kDirectFree ||
-          command->kind == CommandKind::kIndirectFree);
-}
 
 bool is_before_restart(CommandKind kind) {
   return kind == CommandKind::kHalt || kind == CommandKind::kStop ||
@@ -72,6 +64,7 @@ class ControlledGame::Impl final : public game::Observer {
     await([this] { return autoref_.status().is_registered; }, kLongestRegistration);
     observers.add(this);
     game::Game game(game_, observers, programs.maker());
+    is_set_up_ = true;
     exchange(game, operator_.set_up(requests_));
     SteadyFrameClock clock;
     std::optional<FramePacer> pacer;
@@ -83,19 +76,20 @@ class ControlledGame::Impl final : public game::Observer {
       if (!game.begin_step()) break;
       const bool reports = report_events(game);
       const ControllerOperator::Inputs inputs = operator_.act(packet_, signal_, game.tracks());
-      const bool is_due = game.tracks().time_s - tick_s_ >= kTickEvery_s;
+      const bool is_due = game.tracks().time_s - tick_s_ >= kTickEvery_s - kRounding_s;
       if (reports || is_due || !inputs.empty()) exchange(game, inputs);
       differences_.add(packet_, signal_, game.frame().time_s);
     } while (game.end_step());
     return game.record();
   }
 
-  // Leaves the controller as it was found, as far as that is possible.
   ~Impl() override {
+    if (!is_set_up_) return;
     try {
       league::CiInput input = timed_input(tick_s_);
       *input.mutable_api_inputs() = ControllerOperator::leave();
-      connection_.exchange(input);
+      connection_.send(input);
+      connection_.read_until_silence();
     } catch (const io::InputError&) {  // the connection is lost
     }
   }
@@ -135,7 +129,8 @@ class ControlledGame::Impl final : public game::Observer {
     if (std::optional<GameEvent> event = placement_.update(signal_, game.tracks()))
       events_.push_back(*std::move(event));
     if (events_.empty()) return false;
-    due_s_.push_back(tick_s_ + kProposal_s);
+    due_s_.push_back(tick_s_ + ControllerOperator::kProposal_s);
+    operator_.await_event(due_s_.back() + kSettling_s);
     for (const GameEvent& event : events_) autoref_.report(event);
     sent_ += static_cast<std::int64_t>(events_.size());
     events_.clear();
@@ -179,8 +174,8 @@ class ControlledGame::Impl final : public game::Observer {
   }
 
   // Whether the controller may have made a change of its own in this tick, because an event has
-  // become old enough to count or because a time has run out. In all other ticks, one output is the
-  // whole answer.
+  // become old enough to count or because a time has run out. Other changes of its own may come
+  // later: no action depends on them.
   bool may_change() {
     while (!due_s_.empty() && due_s_.front() + kSettling_s < tick_s_) due_s_.pop_front();
     const bool is_event_due = !due_s_.empty() && due_s_.front() <= tick_s_ + kTickEvery_s;
@@ -209,9 +204,10 @@ class ControlledGame::Impl final : public game::Observer {
   void set_placement() {
     if (!is_before_restart(signal_.command.kind)) signal_.placement.reset();
     if (!signal_.placement) return;
+    const std::optional<Command>& next = signal_.next_command;
     const bool teams_place = game_.match.placement == referee::PlacedBy::kTeams &&
                              (signal_.command.kind == CommandKind::kBallPlacement ||
-                              is_free_kick_or_force_start(signal_.next_command));
+                              (next && referee::is_placed_by_team(next->kind)));
     signal_.placement->by_hand = !teams_place || operator_.places_ball();
   }
 
@@ -229,6 +225,7 @@ class ControlledGame::Impl final : public game::Observer {
   PerSide<TeamRequests> requests_;
   std::vector<GameEvent> events_;  // events to report
   std::int64_t sent_ = 0;
+  bool is_set_up_ = false;        // whether the match has been set up
   double tick_s_ = 0;             // time of the newest input
   std::deque<double> due_s_;      // when reported events are old enough to count
   league::RefereePacket packet_;  // the controller's newest message

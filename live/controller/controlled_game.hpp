@@ -10,14 +10,16 @@
 #include "game/loop/game_record.hpp"
 #include "game/loop/observer.hpp"
 #include "game/team_programs/program_games.hpp"
+#include "live/controller/ci_connection.hpp"
+#include "live/controller/controller_client.hpp"
 #include "live/network/network.hpp"
 
 namespace autoref::live {
 
 // The addresses at which the game controller listens.
 struct ControllerPlace {
-  Address ci{kLoopback, 10009};
-  int autoref_port = 10007;  // port for automatic referees, on the same computer
+  Address ci{kLoopback, kCiPort};
+  int autoref_port = kControllerPort;  // port for automatic referees, on the same computer
 };
 
 // How the game went, apart from the result.
@@ -29,10 +31,10 @@ struct ControlledGameReport {
   std::string differences;  // differing decisions as text (controller_differences.hpp)
 };
 
-// Plays one game. In each frame with events or actions of its operator, and otherwise every 25 ms,
-// the controller gets the tracks; the game follows its newest message from the next frame on.
-// AutoRef judges the same game and reports its events to the controller's port for automatic
-// referees.
+// Plays one game. The controller gets the tracks of each frame with events or actions of its
+// operator, and of the first frame that is at least 25 ms later than the one before; the game
+// follows its newest message from the next frame on. AutoRef judges the same game and reports its
+// events to the controller's port for automatic referees.
 class ControlledGame {
  public:
   // Connects to the controller. `check` is called once per frame and may throw. Throws InputError

@@ -17,12 +17,12 @@ using referee::Event;
 
 constexpr double kBetweenActions_s = 1_s;
 constexpr double kReady_s = 3_s;          // time for robots to go to their positions for a kick-off
-constexpr double kLongestReady_s = 10_s;  // after that, play starts even if robots are not ready
+constexpr double kLongestReady_s = 10_s;  // after that, play starts whatever is not ready
 constexpr double kLongestStop_s = 40_s;   // after that, the operator places the ball
 // Time that the controller's automatic continue gives the teams after a stop and after a halt.
 constexpr double kPreparation_s = 2_s;
 constexpr double kPreparationAfterHalt_s = 10_s;
-constexpr int kMostHalts = 3;
+constexpr int kMostResumptions = 3;
 constexpr int kFriendly = 3;  // the league's number for this type of match
 constexpr int kDivisionA = 1;
 constexpr int kDivisionB = 2;
@@ -55,7 +55,7 @@ std::string possible_goal_in(const league::RefereePacket& packet) {
   return "";
 }
 
-std::optional<ContinueAction::Type> when(bool condition, ContinueAction::Type action) {
+std::optional<ContinueAction::Type> action_if(bool condition, ContinueAction::Type action) {
   return condition ? std::optional(action) : std::nullopt;
 }
 
@@ -113,7 +113,7 @@ ControllerOperator::Inputs ControllerOperator::act(const league::RefereePacket& 
   const std::optional<Action::Type> type = next_action(packet, signal, tracks);
   if (!type) return {};
   acted_s_ = now_s_;
-  before_action_ = shown_in(packet);
+  before_action_ = visible_in(packet);
   Inputs inputs;
   league::ContinueAction& action = *inputs.Add()->mutable_continue_action();
   action.set_type(*type);
@@ -133,16 +133,18 @@ void ControllerOperator::take_time(const RefereeSignal& signal, double now_s) {
   was_halted_ = command_ == CommandKind::kHalt;
   command_ = signal.command.kind;
   command_s_ = now_s;
-  halted_ = 0;
+  resumptions_ = 0;
   places_ball_ = false;
+  if (command_ != CommandKind::kNormalStart) is_penalty_ = command_ == CommandKind::kPreparePenalty;
 }
 
-ControllerOperator::Shown ControllerOperator::shown_in(const league::RefereePacket& packet) {
+ControllerOperator::VisibleState ControllerOperator::visible_in(
+    const league::RefereePacket& packet) {
   return {packet.stage(), packet.command_counter(), packet.game_events_size()};
 }
 
 bool ControllerOperator::is_done(const league::RefereePacket& packet) const {
-  return shown_in(packet) != before_action_;
+  return visible_in(packet) != before_action_;
 }
 
 // The controller's clock says how long the half has been played: under the rules of 2026, it stands
@@ -151,20 +153,32 @@ bool ControllerOperator::is_half_over(const RefereeSignal& signal) const {
   return is_half(signal.stage) && stage_length_s_ - signal.stage_time_left_s >= game_.match.half_s;
 }
 
+bool ControllerOperator::is_penalty_pending(const RefereeSignal& signal) const {
+  return is_penalty_ ||
+         (signal.next_command && signal.next_command->kind == CommandKind::kPreparePenalty);
+}
+
+// The end of a half or of the game, once it is due.
+std::optional<ContinueAction::Type> ControllerOperator::at_end(const RefereeSignal& signal) const {
+  const RuleBook& rules = game_.match.rules;
+  if (referee::wins_at_once(rules, signal.goals)) return Action::END_GAME;
+  if (!is_half_over(signal) || (rules.penalty_prolongs_half && is_penalty_pending(signal)))
+    return std::nullopt;
+  const bool is_last = signal.stage == Stage::kSecondHalf || game_.match.halves == 1;
+  return is_last ? Action::END_GAME : Action::NEXT_STAGE;
+}
+
 std::optional<ContinueAction::Type> ControllerOperator::next_action(
     const league::RefereePacket& packet, const RefereeSignal& signal, const Tracks& tracks) {
   const std::string goal = possible_goal_in(packet);
-  const bool is_goal_open =
-      signal.command.kind == CommandKind::kHalt && !goal.empty() && goal != decided_goal_;
+  const bool is_halted = signal.command.kind == CommandKind::kHalt;
+  const bool is_goal_open = is_halted && !goal.empty() && goal != decided_goal_;
+  if (!is_halted && now_s_ < events_counted_s_) return std::nullopt;
   if (!is_goal_open && is_half(signal.stage)) {
-    const bool is_last = signal.stage == Stage::kSecondHalf || game_.match.halves == 1;
-    const bool is_over = is_half_over(signal);
-    if (referee::wins_at_once(game_.match.rules, signal.goals) || (is_over && is_last))
-      return Action::END_GAME;
-    if (is_over) return Action::NEXT_STAGE;
+    if (const std::optional<Action::Type> end = at_end(signal)) return end;
   }
   if (signal.stage == Stage::kHalfTime) {
-    return when(now_s_ - stage_since_s_ >= game_.match.break_s, Action::NEXT_STAGE);
+    return action_if(now_s_ - stage_since_s_ >= game_.match.break_s, Action::NEXT_STAGE);
   }
   if (!is_half(signal.stage) && !is_about_to_begin(signal.stage)) return std::nullopt;
   if (now_s_ - command_s_ < kBetweenActions_s) return std::nullopt;
@@ -176,6 +190,8 @@ std::optional<ContinueAction::Type> ControllerOperator::next_action(
     case CommandKind::kPrepareKickoff:
     case CommandKind::kPreparePenalty:
       return before_start(signal, tracks);
+    case CommandKind::kTimeout:
+      return action_if(signal.timeout_left_s[signal.command.side] <= 0, Action::TIMEOUT_STOP);
     default:
       return std::nullopt;
   }
@@ -186,12 +202,12 @@ std::optional<ContinueAction::Type> ControllerOperator::next_action(
 std::optional<ContinueAction::Type> ControllerOperator::in_halt(
     const league::RefereePacket& packet) {
   const std::string goal = possible_goal_in(packet);
-  const bool is_open = goal != decided_goal_ || halted_ >= kMostHalts;
+  const bool is_open = goal != decided_goal_ || resumptions_ >= kMostResumptions;
   if (goal.empty() || !is_open) {
-    ++halted_;
+    ++resumptions_;
     return Action::RESUME_FROM_HALT;
   }
-  halted_ = 0;
+  resumptions_ = 0;
   decided_goal_ = goal;
   for_team_ = scorer_in(goal);
   return is_goal_valid_ ? Action::ACCEPT_GOAL : Action::REJECT_GOAL;
@@ -203,26 +219,27 @@ std::optional<ContinueAction::Type> ControllerOperator::in_stop(const league::Re
                                                                 const RefereeSignal& signal,
                                                                 const Tracks& tracks) {
   const double waited_s = now_s_ - command_s_;
-  if (!signal.next_command) return when(waited_s >= kLongestStop_s, Action::FORCE_START);
+  if (!signal.next_command) return action_if(waited_s >= kLongestStop_s, Action::FORCE_START);
   const StoppedBall ball(game_, league::game_events_of(packet), signal, tracks);
   if (!ball.is_ready()) {
     const std::optional<Side> placer = ball.placer();
-    places_ball_ = places_ball_ || !placer || waited_s >= kLongestStop_s;
+    places_ball_ = places_ball_ || !placer || ball.is_out_of_reach() || waited_s >= kLongestStop_s;
     if (places_ball_ || !ball.is_at_rest()) return std::nullopt;
     for_team_ = league_team(*placer);
     return Action::BALL_PLACEMENT_START;
   }
   const double preparation_s = was_halted_ ? kPreparationAfterHalt_s : kPreparation_s;
-  if (!ball.was_placed() && waited_s < preparation_s) return std::nullopt;
-  return when(ball.are_robots_away() || waited_s >= preparation_s + kLongestReady_s,
-              Action::NEXT_COMMAND);
+  if (!ball.was_placed_by(signal.next_command->side) && waited_s < preparation_s)
+    return std::nullopt;
+  return action_if(ball.are_robots_away() || waited_s >= preparation_s + kLongestReady_s,
+                   Action::NEXT_COMMAND);
 }
 
 std::optional<ContinueAction::Type> ControllerOperator::before_start(const RefereeSignal& signal,
                                                                      const Tracks& tracks) const {
   const double waited_s = now_s_ - command_s_;
   const bool is_ready = waited_s >= kReady_s && is_in_position(signal, tracks);
-  return when(is_ready || waited_s >= kLongestReady_s, Action::NORMAL_START);
+  return action_if(is_ready || waited_s >= kLongestReady_s, Action::NORMAL_START);
 }
 
 }  // namespace autoref::live

@@ -26,6 +26,9 @@ class ControllerOperator {
  public:
   using Inputs = google::protobuf::RepeatedPtrField<league::ControllerInput>;
 
+  // The controller counts an event that was reported once it is this old.
+  static constexpr double kProposal_s = 1;
+
   explicit ControllerOperator(const game::GameConfiguration& game);
 
   // The inputs to send before the first frame. These inputs set up a new match with these teams.
@@ -36,6 +39,10 @@ class ControllerOperator {
 
   // Records AutoRef's decision on a shot at goal, to be given when the controller asks for it.
   void on_decision(const referee::Decision& decision);
+
+  // An event was reported that will have counted by this time. Until then, the operator ends no
+  // half and acts only in HALT, since the event can change what is to be done.
+  void await_event(double counted_s) { events_counted_s_ = counted_s; }
 
   // Call once per frame. Returns the inputs to send now, given the controller's newest message and
   // the signal in it.
@@ -52,13 +59,13 @@ class ControllerOperator {
   using Action = league::ContinueAction;
 
   // What an action changes in the controller's messages.
-  struct Shown {
+  struct VisibleState {
     int stage = 0;
     std::uint32_t command_counter = 0;
     int events = 0;
-    bool operator==(const Shown&) const = default;
+    bool operator==(const VisibleState&) const = default;
   };
-  static Shown shown_in(const league::RefereePacket& packet);
+  static VisibleState visible_in(const league::RefereePacket& packet);
 
   std::optional<Action::Type> next_action(const league::RefereePacket& packet,
                                           const RefereeSignal& signal, const Tracks& tracks);
@@ -68,6 +75,8 @@ class ControllerOperator {
                                       const RefereeSignal& signal, const Tracks& tracks);
   std::optional<Action::Type> before_start(const RefereeSignal& signal, const Tracks& tracks) const;
   bool is_half_over(const RefereeSignal& signal) const;
+  bool is_penalty_pending(const RefereeSignal& signal) const;
+  std::optional<Action::Type> at_end(const RefereeSignal& signal) const;
 
   game::GameConfiguration game_;
   double now_s_ = 0;
@@ -79,11 +88,13 @@ class ControllerOperator {
   double command_s_ = 0;     // when the command was first seen
   bool was_halted_ = false;  // whether the command before was HALT
   bool places_ball_ = false;
-  Shown before_action_;
-  double acted_s_ = -1;  // when the operator last acted
+  VisibleState before_action_;
+  double events_counted_s_ = 0;  // when all reported events will have counted
+  bool is_penalty_ = false;      // whether a penalty kick is prepared or being taken
+  double acted_s_ = -1;          // when the operator last acted
   bool is_goal_valid_ = true;
   std::string decided_goal_;  // serialised event of the last goal that was accepted or rejected
-  int halted_ = 0;            // number of attempts to resume from the current halt
+  int resumptions_ = 0;       // number of attempts to resume from the current halt
   int for_team_ = 0;          // team to which the next action applies
 };
 

@@ -11,6 +11,7 @@
 namespace autoref::live {
 namespace {
 
+// AutoRef's choice.
 constexpr double kInPosition_m = 0.1_m;
 constexpr double kTolerance_m = 0.05_m;  // of the distance that robots keep from the ball
 
@@ -25,26 +26,35 @@ StoppedBall::StoppedBall(const game::GameConfiguration& game, std::vector<GameEv
                          const RefereeSignal& signal, const Tracks& tracks)
     : game_(&game), events_(std::move(events)), signal_(&signal), tracks_(&tracks) {}
 
-bool StoppedBall::was_placed() const {
-  return has_event(GameEventType::kPlacementSucceeded, std::nullopt);
+bool StoppedBall::was_placed_by(Side side) const {
+  return has_event(GameEventType::kPlacementSucceeded, side);
 }
 
 bool StoppedBall::is_at_rest() const {
   return tracks_->ball && tracks_->ball->velocity_mps.norm() < kBallAtRest_mps;
 }
 
+bool StoppedBall::is_out_of_reach() const {
+  return is_at_rest() &&
+         referee::is_out_of_reach(game_->field, game_->match.rules, tracks_->ball->position_m);
+}
+
+// After a placement, the placing robot may have moved the ball a little.
 bool StoppedBall::is_ready() const {
   if (!signal_->placement) return true;
   if (!is_left_to_teams()) return is_in_position(*signal_, *tracks_);
-  return is_at_rest() && (was_placed() || referee::ball_may_stay(game_->field, game_->match.rules,
-                                                                 tracks_->ball->position_m,
-                                                                 signal_->placement->target_m));
+  if (!is_at_rest()) return false;
+  const RuleBook& rules = game_->match.rules;
+  const Vec2& ball_m = tracks_->ball->position_m;
+  const Vec2& target_m = signal_->placement->target_m;
+  const bool was_placed = was_placed_by(Side::kWest) || was_placed_by(Side::kEast);
+  const double near_m = was_placed ? rules.placement_not_needed_m : rules.placement_tolerance_m;
+  return (ball_m - target_m).norm() <= near_m ||
+         referee::ball_may_stay(game_->field, rules, ball_m, target_m);
 }
 
 std::optional<Side> StoppedBall::placer() const {
-  if (!is_left_to_teams() || !tracks_->ball ||
-      referee::is_out_of_reach(game_->field, game_->match.rules, tracks_->ball->position_m))
-    return std::nullopt;
+  if (!is_left_to_teams()) return std::nullopt;
   const Side kicker = signal_->next_command->side;
   for (const Side side : {kicker, opponent_of(kicker)}) {
     if (signal_->can_place_ball[side] && !has_event(GameEventType::kPlacementFailed, side))
@@ -71,9 +81,9 @@ bool StoppedBall::is_left_to_teams() const {
          referee::is_placed_by_team(signal_->next_command->kind);
 }
 
-bool StoppedBall::has_event(GameEventType type, std::optional<Side> by_team) const {
+bool StoppedBall::has_event(GameEventType type, Side by_team) const {
   return std::any_of(events_.begin(), events_.end(), [&](const GameEvent& event) {
-    return event.type == type && (!by_team || event.by_team == by_team);
+    return event.type == type && event.by_team == by_team;
   });
 }
 

@@ -1,4 +1,4 @@
-// The ball in a STOP, as a person at the game controller sees it.
+// The ball in a STOP: whether play can resume, and who has to place the ball.
 #pragma once
 
 #include <optional>
@@ -16,27 +16,31 @@ namespace autoref::live {
 // The ball counts as at rest below this speed; AutoRef's choice.
 inline constexpr double kBallAtRest_mps = 0.2_mps;
 
-// Whether the ball lies where the simulator has to put it.
+// Whether the ball is within 0.1 m of its designated position.
 bool is_in_position(const RefereeSignal& signal, const Tracks& tracks);
 
 class StoppedBall {
  public:
-  // `events` are those since play was last on. `signal` must name the next command. The game, the
-  // signal and the tracks must outlive this object.
+  // `events` are those since play was last on; the designated position may have changed in the
+  // meantime. `signal` must name the next command. The game, the signal and the tracks must outlive
+  // this object.
   StoppedBall(const game::GameConfiguration& game, std::vector<GameEvent> events,
               const RefereeSignal& signal, const Tracks& tracks);
 
-  // Whether a team has brought the ball to its position.
-  bool was_placed() const;
+  // Whether the team of this side has placed the ball since play was last on.
+  bool was_placed_by(Side side) const;
 
   bool is_at_rest() const;
+
+  // Whether the ball has come to rest where robots cannot get it.
+  bool is_out_of_reach() const;
 
   // Whether play can resume with the ball in its present position.
   bool is_ready() const;
 
-  // The team that is to place the ball: the one that takes the restart (the draw is west's), or
-  // else its opponents. nullopt if neither may or both have failed, or if robots cannot get the
-  // ball.
+  // The team that is to place the ball: the one that takes the restart, or else its opponents; for
+  // a force start, west comes first. nullopt if teams do not place the ball for this restart, or if
+  // neither may or both have failed.
   std::optional<Side> placer() const;
 
   // Whether all robots that have to keep their distance from the ball do: before a free kick, the
@@ -45,7 +49,7 @@ class StoppedBall {
 
  private:
   bool is_left_to_teams() const;
-  bool has_event(GameEventType type, std::optional<Side> by_team) const;
+  bool has_event(GameEventType type, Side by_team) const;
 
   const game::GameConfiguration* game_;
   std::vector<GameEvent> events_;

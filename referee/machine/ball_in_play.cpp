@@ -101,11 +101,12 @@ void take_again(Finding& finding, const PlayState& play) {
   finding.ball_to_m = play.position_m;
 }
 
-void keep_restart(Finding& finding, const RefereeState& state) {
+bool keep_restart(Finding& finding, const RefereeState& state) {
   const std::optional<Command> pending = pending_restart(state);
-  if (!pending || !state.signal.placement) return;
+  if (!pending || !state.signal.placement) return false;
   finding.restart = *pending;
   finding.ball_to_m = state.signal.placement->target_m;
+  return true;
 }
 
 Retakes retakes_after(const Retakes& before, const Finding& finding) {

@@ -41,9 +41,9 @@ bool may_be_taken_again(const RefereeState& state, const RuleBook& rules);
 // Makes the finding's restart a retake of the current restart, from the same position.
 void take_again(Finding& finding, const PlayState& play);
 
-// Makes the finding's restart the one that is about to be taken, from the same position. The
-// league's game controller does this with kick-offs and penalty kicks.
-void keep_restart(Finding& finding, const RefereeState& state);
+// Makes the finding's restart the one that is about to be taken, from the same position; returns
+// false if there is none. The league's game controller does this with kick-offs and penalty kicks.
+bool keep_restart(Finding& finding, const RefereeState& state);
 
 // The number and kind of retakes to record after the finding has stopped play; none if a different
 // restart follows.

@@ -33,7 +33,8 @@ struct PlayState {
   double began_s = 0;               // when the restart was signalled
   std::optional<Vec2> ball_from_m;  // where the ball was at `began_s`; nullopt until it is seen
   double moved_m = 0;               // largest distance of the ball from there
-  bool lies_outside = false;        // the ball was outside the field at `began_s`, and still is
+  bool lies_outside = false;        // the ball was seen outside the field at `began_s`, and has not
+                                    // been seen on it since
   bool in_play = false;             // the ball has moved, or need not move for this restart
   bool entered_now = false;         // the ball entered play in this frame
   double in_play_since_s = 0;       // meaningless until the ball is in play

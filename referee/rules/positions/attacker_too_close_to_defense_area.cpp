@@ -108,14 +108,14 @@ void add(Finding& finding, const Offence& offence, int fouls) {
 void set_restart(Finding& finding, const RefereeState& state, const RefereeInput& input) {
   const Configuration& c = input.configuration;
   const bool is_stopped = state.machine_state == State::kWaitStop;
-  if (is_stopped && (!finding.offender || needs_preparation(pending_restart(state)))) {
-    keep_restart(finding, state);
-  } else if (finding.offender) {
+  const bool keeps = is_stopped && (!finding.offender || needs_preparation(pending_restart(state)));
+  if (keeps && keep_restart(finding, state)) return;
+  if (finding.offender) {
     const Side kicker = opponent_of(*finding.offender);
     const Vec2 ball_m = input.ball ? input.ball->position_m : Vec2(0, 0);
     finding.restart = {CommandKind::kDirectFree, kicker};
     finding.ball_to_m = free_kick_position(c.field, c.rules, kicker, ball_m);
-  } else {
+  } else if (!is_stopped) {
     take_again(finding, state.play);
   }
 }

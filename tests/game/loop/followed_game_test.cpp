@@ -77,6 +77,13 @@ TEST(CommandedGame, CountsTheGivenGoals) {
   EXPECT_EQ(game.record().goals_a, 2);
 }
 
+TEST(CommandedGame, MayTakeLongerSinceTheControllersClockStops) {
+  referee::Match match = commanded_game().match;
+  const double commanded_s = longest_s(match);
+  match.control = referee::Control::kAutoref;
+  EXPECT_GT(commanded_s, longest_s(match) + match.halves * match.half_s);
+}
+
 TEST(CommandedGame, IsOverAfterTheGame) {
   Game game(commanded_game());
   game.follow(given(CommandKind::kStop, 1));

@@ -106,16 +106,17 @@ TEST(CiConnectionTest, OutputsOfChangesMayComeLater) {
   connection.exchange({});
   const auto is_second = [](const league::CiOutput& output) { return counter_of(output) == 2; };
   EXPECT_EQ(counter_of(connection.read_until(is_second, milliseconds(5000))), 2U);
-  EXPECT_EQ(counter_of(connection.read_until_silence(milliseconds(1000))), 3U);
+  EXPECT_EQ(counter_of(connection.read_until_silence(milliseconds(200))), 3U);
 }
 
 TEST(CiConnectionTest, AConditionThatIsNeverMetIsNotAwaitedForEver) {
   ListedController controller;
-  controller.run({{1}, {2}});
+  controller.run({{1}, {2, milliseconds(100)}});
   CiConnection connection(controller.address());
   connection.exchange({});
+  const auto is_second = [](const league::CiOutput& output) { return counter_of(output) == 2; };
+  connection.read_until(is_second, milliseconds(5000));
   const auto never = [](const league::CiOutput&) { return false; };
-  connection.read_until(never, milliseconds(50));
   EXPECT_EQ(connection.read_until(never, milliseconds(1)), std::nullopt);
   EXPECT_EQ(connection.read_until_silence(), std::nullopt);
 }

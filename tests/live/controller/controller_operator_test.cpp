@@ -183,6 +183,86 @@ TEST_F(ControllerOperatorTest, LetsTheTeamsPlaceTheBallAndThenPlacesIt) {
   EXPECT_EQ(action_at(25), Action::NEXT_COMMAND);
 }
 
+TEST_F(ControllerOperatorTest, PlacesTheBallItselfIfATeamTakesTooLong) {
+  game::GameConfiguration game = short_game(30, 4);
+  game.match.placement = referee::PlacedBy::kTeams;
+  operator_ = ControllerOperator(game);
+  stop_with_ball_at({-1, -1});
+  tracks_.ball->velocity_mps = {1, 0};
+  action_at(0);
+  EXPECT_EQ(action_at(39), Action::TYPE_UNKNOWN);
+  EXPECT_FALSE(operator_.places_ball());
+  EXPECT_EQ(action_at(40), Action::TYPE_UNKNOWN);
+  EXPECT_TRUE(operator_.places_ball());
+}
+
+TEST_F(ControllerOperatorTest, ForcesAStartWithoutANextCommandAfterFortySeconds) {
+  command(CommandKind::kStop);
+  action_at(0);
+  EXPECT_EQ(action_at(39.9), Action::TYPE_UNKNOWN);
+  EXPECT_EQ(action_at(40), Action::FORCE_START);
+}
+
+TEST_F(ControllerOperatorTest, WaitsUntilReportedEventsHaveCounted) {
+  command(CommandKind::kForceStart);
+  action_at(0, 300);
+  operator_.await_event(31);
+  EXPECT_EQ(action_at(30.5, 269.9), Action::TYPE_UNKNOWN);
+  EXPECT_EQ(action_at(31, 269.4), Action::NEXT_STAGE);
+}
+
+TEST_F(ControllerOperatorTest, AHaltIsEndedWhileEventsAreToCount) {
+  command(CommandKind::kHalt);
+  action_at(0);
+  operator_.await_event(2);
+  EXPECT_EQ(action_at(1.1), Action::RESUME_FROM_HALT);
+}
+
+TEST_F(ControllerOperatorTest, LetsAPenaltyKickBeTakenAfterTheTimeUnder2026) {
+  operator_ = ControllerOperator(short_game_by("2026-b", 30, 4));
+  command(CommandKind::kForceStart);
+  action_at(0, 300);
+  command(CommandKind::kStop);
+  signal_.next_command = Command{CommandKind::kPreparePenalty, Side::kWest};
+  EXPECT_EQ(action_at(30, 269.9), Action::TYPE_UNKNOWN);
+  signal_.next_command.reset();
+  command(CommandKind::kPreparePenalty);
+  EXPECT_EQ(action_at(31, 269.9), Action::TYPE_UNKNOWN);
+  command(CommandKind::kNormalStart);
+  EXPECT_EQ(action_at(35, 265), Action::TYPE_UNKNOWN);
+  command(CommandKind::kStop);
+  EXPECT_EQ(action_at(40, 264), Action::NEXT_STAGE);
+}
+
+TEST_F(ControllerOperatorTest, EndsTheGameAtTenGoalsUnder2026) {
+  operator_ = ControllerOperator(short_game_by("2026-b", 30, 4));
+  command(CommandKind::kHalt);
+  signal_.goals = {{10, 9}};
+  action_at(0);
+  EXPECT_EQ(action_at(1.1), Action::RESUME_FROM_HALT);
+  signal_.goals = {{11, 9}};
+  EXPECT_EQ(action_at(2.2), Action::END_GAME);
+}
+
+TEST_F(ControllerOperatorTest, EndsTheBreakAfterItsLength) {
+  game::GameConfiguration game = short_game(30, 4);
+  game.match.break_s = 5;
+  operator_ = ControllerOperator(game);
+  command(CommandKind::kHalt, Stage::kHalfTime);
+  action_at(0);
+  EXPECT_EQ(action_at(4.9), Action::TYPE_UNKNOWN);
+  EXPECT_EQ(action_at(5), Action::NEXT_STAGE);
+}
+
+TEST_F(ControllerOperatorTest, EndsATimeoutWhenItsTimeIsOver) {
+  command(CommandKind::kTimeout);
+  signal_.timeout_left_s[Side::kWest] = 10;
+  action_at(0);
+  EXPECT_EQ(action_at(5), Action::TYPE_UNKNOWN);
+  signal_.timeout_left_s[Side::kWest] = 0;
+  EXPECT_EQ(action_at(10), Action::TIMEOUT_STOP);
+}
+
 TEST_F(ControllerOperatorTest, AnActionIsDoneOnceTheMessagesShowIt) {
   play();
   stop_with_ball_at({1, 1.05});

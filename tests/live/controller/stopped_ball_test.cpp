@@ -57,11 +57,23 @@ TEST_F(StoppedBallTest, IsReadyOnlyInPositionIfTheSimulatorPlacesIt) {
   EXPECT_EQ(ball().placer(), std::nullopt);
 }
 
-TEST_F(StoppedBallTest, IsReadyWhereATeamHasPlacedIt) {
-  put_ball({1, 2.1});
-  add_event(GameEventType::kPlacementSucceeded, Side::kEast);
-  EXPECT_TRUE(ball().was_placed());
+TEST_F(StoppedBallTest, IsReadyNearAPositionBesideAnArea) {
+  const double beside_m = game_.field.half_length_m() - game_.field.defence_area.depth_m - 0.5;
+  signal_.placement->target_m = {beside_m, 0};
+  put_ball({beside_m - 0.1, 0});
   EXPECT_TRUE(ball().is_ready());
+  put_ball({beside_m - 0.19, 0});
+  EXPECT_FALSE(ball().is_ready());
+  add_event(GameEventType::kPlacementSucceeded, Side::kWest);
+  EXPECT_TRUE(ball().was_placed_by(Side::kWest));
+  EXPECT_FALSE(ball().was_placed_by(Side::kEast));
+  EXPECT_TRUE(ball().is_ready());
+}
+
+TEST_F(StoppedBallTest, IsNotReadyWhereItWasPlacedForAnotherPosition) {
+  add_event(GameEventType::kPlacementSucceeded, Side::kEast);
+  signal_.placement->target_m = {-2, 1};
+  EXPECT_FALSE(ball().is_ready());
 }
 
 TEST_F(StoppedBallTest, IsPlacedByTheKickerThenByTheOpponentsThenByNeither) {
@@ -77,10 +89,14 @@ TEST_F(StoppedBallTest, IsNotPlacedByATeamThatMayNot) {
   EXPECT_EQ(ball().placer(), Side::kWest);
 }
 
-TEST_F(StoppedBallTest, IsNotPlacedByTeamsForAKickoffNorBehindAGoal) {
+TEST_F(StoppedBallTest, IsOutOfReachBehindAGoalLineOnceItRests) {
   put_ball({game_.field.half_length_m() + 0.1, 0});
-  EXPECT_EQ(ball().placer(), std::nullopt);
-  put_ball({3, 2});
+  EXPECT_TRUE(ball().is_out_of_reach());
+  put_ball({game_.field.half_length_m() + 0.1, 0}, {0, 1});
+  EXPECT_FALSE(ball().is_out_of_reach());
+}
+
+TEST_F(StoppedBallTest, IsNotPlacedByTeamsForAKickoff) {
   signal_.next_command = Command{CommandKind::kPrepareKickoff, Side::kWest};
   EXPECT_EQ(ball().placer(), std::nullopt);
 }
@@ -99,7 +115,7 @@ TEST_F(StoppedBallTest, OnlyOpponentsHaveToLeaveTheBallOfAFreeKick) {
 TEST_F(StoppedBallTest, CanBeUnseen) {
   tracks_.ball.reset();
   EXPECT_FALSE(ball().is_ready());
-  EXPECT_EQ(ball().placer(), std::nullopt);
+  EXPECT_FALSE(ball().is_out_of_reach());
   EXPECT_TRUE(ball().are_robots_away());
 }
 

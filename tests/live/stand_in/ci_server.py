@@ -44,6 +44,7 @@ class CiServer:
             self.match.reset()
         if entry.HasField("config_delta") and entry.config_delta.HasField("auto_continue"):
             self.match.auto_continue = entry.config_delta.auto_continue
+            self.journal.note("config", auto_continue=self.match.auto_continue)
         if entry.HasField("change"):
             self.match.configure(entry.change)
         if entry.HasField("continue_action"):

@@ -120,7 +120,7 @@ class Match(PersonsActions):
         self.proposals = [one for one in self.proposals if self.now - one.since < 5]
 
     def _accept(self, name, proposal):
-        """A group that is accepted twice, because two ticks were taken before the change, counts
+        """If two ticks are taken before this change, a proposal is accepted twice and its foul counts
         twice."""
         proposal.is_accepted = True
         self.on_change()
