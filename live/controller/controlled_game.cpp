@@ -33,7 +33,8 @@ constexpr double kRounding_s = 1e-6;    // of differences of frame times
 // After an event is due, or a time has run out, changes are expected for this long.
 constexpr double kSettling_s = 2 * kTickEvery_s;
 constexpr std::chrono::milliseconds kLongestEffect{2000};  // longest wait for an action's effect
-constexpr std::chrono::milliseconds kLongestReply{500};    // longest wait for the reply to an event
+// Longest wait for the reply to an event and for the answer to the last input.
+constexpr std::chrono::milliseconds kLongestReply{500};
 constexpr std::chrono::seconds kLongestRegistration{5};
 constexpr std::chrono::milliseconds kPoll{1};
 
@@ -89,7 +90,8 @@ class ControlledGame::Impl final : public game::Observer {
       league::CiInput input = timed_input(tick_s_);
       *input.mutable_api_inputs() = ControllerOperator::leave();
       connection_.send(input);
-      connection_.read_until_silence();
+      const auto is_any = [](const league::CiOutput&) { return true; };
+      connection_.read_until(is_any, kLongestReply);
     } catch (const io::InputError&) {  // the connection is lost
     }
   }
