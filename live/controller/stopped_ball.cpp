@@ -11,15 +11,14 @@
 namespace autoref::live {
 namespace {
 
-// AutoRef's choice.
-constexpr double kInPosition_m = 0.1_m;
-constexpr double kTolerance_m = 0.05_m;  // of the distance that robots keep from the ball
+// Tolerance of the distance that robots keep from the ball; AutoRef's choice.
+constexpr double kTolerance_m = 0.05_m;
 
 }  // namespace
 
 bool is_in_position(const RefereeSignal& signal, const Tracks& tracks) {
   return tracks.ball && signal.placement &&
-         (tracks.ball->position_m - signal.placement->target_m).norm() < kInPosition_m;
+         (tracks.ball->position_m - signal.placement->target_m).norm() < kBallInPosition_m;
 }
 
 StoppedBall::StoppedBall(const game::GameConfiguration& game, std::vector<GameEvent> events,

@@ -16,7 +16,11 @@ namespace autoref::live {
 // The ball counts as at rest below this speed; AutoRef's choice.
 inline constexpr double kBallAtRest_mps = 0.2_mps;
 
-// Whether the ball is within 0.1 m of its designated position.
+// The ball counts as in position within this distance of its designated position, if the simulator
+// or a person places it; AutoRef's choice.
+inline constexpr double kBallInPosition_m = 0.1_m;
+
+// Whether the ball is in its designated position.
 bool is_in_position(const RefereeSignal& signal, const Tracks& tracks);
 
 class StoppedBall {

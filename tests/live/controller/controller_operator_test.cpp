@@ -27,6 +27,12 @@ class ControllerOperatorTest : public testing::Test {
     ++signal_.command_counter;
   }
 
+  void let_teams_place() {
+    game::GameConfiguration game = short_game(30, 4);
+    game.match.placement = referee::PlacedBy::kTeams;
+    operator_ = ControllerOperator(game);
+  }
+
   void play() {
     command(CommandKind::kForceStart);
     action_at(-1);
@@ -162,9 +168,7 @@ TEST_F(ControllerOperatorTest, NeverContinuesWithTheBallElsewhere) {
 }
 
 TEST_F(ControllerOperatorTest, LetsTheTeamsPlaceTheBallAndThenPlacesIt) {
-  game::GameConfiguration game = short_game(30, 4);
-  game.match.placement = referee::PlacedBy::kTeams;
-  operator_ = ControllerOperator(game);
+  let_teams_place();
   const auto next_stop = [&](double time_s) {
     stop_with_ball_at({-1, -1});
     action_at(time_s);
@@ -184,9 +188,7 @@ TEST_F(ControllerOperatorTest, LetsTheTeamsPlaceTheBallAndThenPlacesIt) {
 }
 
 TEST_F(ControllerOperatorTest, PlacesTheBallItselfIfATeamTakesTooLong) {
-  game::GameConfiguration game = short_game(30, 4);
-  game.match.placement = referee::PlacedBy::kTeams;
-  operator_ = ControllerOperator(game);
+  let_teams_place();
   stop_with_ball_at({-1, -1});
   tracks_.ball->velocity_mps = {1, 0};
   action_at(0);

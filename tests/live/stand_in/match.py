@@ -74,7 +74,6 @@ class Match(PersonsActions):
         self.goal = None  # a possible goal that waits for a person
         self.events, self.proposals = [], []
         self.ball = self.start = None
-        self.robots = []
         self.ball_s = 0.0  # since when the ball is near `start`
 
     # What automatic referees report.
@@ -187,7 +186,6 @@ class Match(PersonsActions):
             self.stage_left -= elapsed
         if frame is not None and frame.balls:
             self.ball = frame.balls[0].pos.x, frame.balls[0].pos.y
-            self.robots = frame.robots
         self._settle_proposals()
         self._watch_ball()
         if self.command & ~1 == PLACEMENT and self._since() > PLACEMENT_S:
