@@ -6,6 +6,7 @@
 
 #include "io/errors.hpp"
 #include "io/words.hpp"
+#include "live/live_options.hpp"
 #include "live/web/web_request.hpp"
 
 namespace autoref::app {
@@ -41,6 +42,11 @@ live::Address controller_address(const std::string& text, int port) {
   if (given && colon > 0 && *given >= 1 && *given <= 65535) return {text.substr(0, colon), *given};
   throw io::InputError({"--game-controller"}, "",
                        fmt::format("expected HOST or HOST:PORT, found '{}'", text));
+}
+
+live::Address event_address(const std::string& text) {
+  if (text == "auto") return {"", live::kControllerPort};
+  return controller_address(text, live::kControllerPort);
 }
 
 }  // namespace autoref::app

@@ -30,4 +30,8 @@ std::string broadcast_of(const std::string& interface);
 // InputError naming --game-controller.
 live::Address controller_address(const std::string& text, int port);
 
+// Where the game controller takes events: like controller_address(), or "auto", for which the host
+// is empty.
+live::Address event_address(const std::string& text);
+
 }  // namespace autoref::app

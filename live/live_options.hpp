@@ -30,14 +30,23 @@ struct LivePorts {
   int grsim_status_yellow = 30012;
 };
 
+// Port at which the league's game controller takes events from automatic referees.
+inline constexpr int kControllerPort = 10007;
+
 struct LiveOptions {
   LiveSpeed speed;
   std::string interface = kLoopback;  // address of the interface
   std::string unicast;                // host to send to instead of the multicast groups
   LivePorts ports;
   double lapse_s = 0.1;  // a robot stops after this time without a new command
+  // Where a game controller in command takes events. If the host is empty, it is the sender of the
+  // referee packets.
+  Address controller{"", kControllerPort};
   double answer_s = 10;  // longest wait for a team at unlimited speed
 };
+
+// The name that AutoRef gives itself in its packets.
+inline constexpr const char* kIdentifier = "AutoRef";
 
 inline constexpr const char* kVisionGroup = "224.5.23.2";
 inline constexpr const char* kRefereeGroup = "224.5.23.1";

@@ -13,7 +13,9 @@
 #include "game/settings/assignments.hpp"
 #include "game/settings/game_settings.hpp"
 #include "io/errors.hpp"
+#include "live/referee/referee_outputs.hpp"
 #include "live/simulator/live_game.hpp"
+#include "logs/user_log.hpp"
 #include "soccer/side.hpp"
 
 namespace autoref::app {
@@ -26,6 +28,8 @@ struct LiveArguments {
   std::string speed = "1";        // a factor, "max" or "lockstep"
   live::LiveOptions options;      // options except the speed
   bool broadcasts = false;        // broadcast instead of sending to multicast groups
+  std::string control;            // who commands the game; empty: as in the scenario
+  std::string game_controller;    // auto or HOST[:PORT]; empty: the default
   GameOutput output;
 };
 
@@ -60,6 +64,14 @@ void print_connections(const live::StreamTroubles& troubles) {
                   troubles.refused, troubles.invalid, troubles.unread));
 }
 
+void print_controller(const live::FollowedControllerReport& report) {
+  for (const std::string& fault : logs::texts_of(report.faults))
+    io::write_message(stderr, fmt::format("autoref: {}\n", fault));
+  io::write_message(stderr,
+                    fmt::format("game controller: {}\n", live::controller_line(report.status)));
+  io::write_message(stderr, report.differences);
+}
+
 void print_report(const live::LiveReport& report) {
   const live::Punctuality& punctuality = report.punctuality;
   if (punctuality.frames > 0) {
@@ -74,6 +86,7 @@ void print_report(const live::LiveReport& report) {
     io::write_message(stderr,
                       fmt::format("control port: {} invalid packets\n", report.wrong_control));
   for (const Side side : kSides) print_traffic(side, report);
+  if (report.controller) print_controller(*report.controller);
 }
 
 void add_network_options(CLI::App& verb, LiveArguments& arguments) {
@@ -94,6 +107,15 @@ void add_network_options(CLI::App& verb, LiveArguments& arguments) {
                 "Send these packets to all hosts of the interface's network, if it does not "
                 "forward multicast.")
       ->excludes(unicast);
+  verb.add_option("--control", arguments.control,
+                  "Who commands the game: AutoRef, or the league's game controller, which must be "
+                  "running; by default as in the scenario (match.control).")
+      ->type_name("autoref|game-controller")
+      ->check(one_of({"autoref", "game-controller"}));
+  verb.add_option("--game-controller", arguments.game_controller,
+                  "Where the game controller in command takes AutoRef's calls (port 10007); auto, "
+                  "the default: the computer that sends the referee packets.")
+      ->type_name("auto|HOST[:PORT]");
   port("--vision-port", options.ports.vision, "Port for vision packets, 10006 by default.");
   port("--referee-port", options.ports.referee, "Port for referee packets, 10003 by default.");
   port("--tracker-port", options.ports.tracker, "Port for tracker packets, 10010 by default.");
@@ -115,16 +137,34 @@ void add_network_options(CLI::App& verb, LiveArguments& arguments) {
       ->check(CLI::Range(0.0, 3600.0));
 }
 
-int live_verb(const LiveArguments& arguments) {
-  const game::Assignments assignments = game::assignments_in(arguments.sets);
-  const game::GameConfiguration game =
-      game::resolved(game_in(arguments.file, arguments.seed, assignments));
-  if (game.match.control == referee::Control::kGameController)
-    throw io::InputError({arguments.file}, "match.control",
-                         "a game controller can only command games of autoref play");
+// `control`: who commands the game.
+live::LiveOptions options_of(const LiveArguments& arguments, referee::Control control) {
   live::LiveOptions options = arguments.options;
   options.speed = speed_of(arguments.speed);
   if (arguments.broadcasts) options.unicast = broadcast_of(options.interface);
+  const bool is_controlled = control == referee::Control::kGameController;
+  if (is_controlled && options.speed.pace != live::Pace::kClock) {
+    throw io::InputError({"--speed"}, "",
+                         fmt::format("the game controller's clock cannot follow {}; give a factor, "
+                                     "usually 1",
+                                     arguments.speed));
+  }
+  if (arguments.game_controller.empty()) return options;
+  if (!is_controlled) {
+    throw io::InputError({"--game-controller"}, "",
+                         "AutoRef commands the game; give --control game-controller as well");
+  }
+  options.controller = event_address(arguments.game_controller);
+  return options;
+}
+
+int live_verb(const LiveArguments& arguments) {
+  const game::Assignments assignments = game::assignments_in(arguments.sets);
+  game::GameSettings settings = game_in(arguments.file, arguments.seed, assignments);
+  if (!arguments.control.empty())
+    game::assign({"--control", "match.control", arguments.control}, settings);
+  const game::GameConfiguration game = game::resolved(settings);
+  const live::LiveOptions options = options_of(arguments, game.match.control);
   live::SteadyFrameClock clock;
   live::LiveGame live(game, options, clock, check_interrupt);
   GamePlayer player;
@@ -167,7 +207,9 @@ void add_live_verb(CLI::App& app, Chosen& chosen) {
   verb->footer(
       "A team with the strategy network takes its commands from packets of the league's\n"
       "simulation protocol or of grSim. Yellow is west.\n\n"
-      "Example:\n  autoref live scenarios/paper-game.yaml --set a.strategy=network");
+      "Examples:\n  autoref live scenarios/paper-game.yaml --set a.strategy=network\n"
+      "  autoref live scenarios/paper-game.yaml --set a.strategy=network --control "
+      "game-controller");
   choose(*verb, chosen, arguments, live_verb);
 }
 

@@ -112,6 +112,10 @@ game::GamePrograms programs_of(const game::GameConfiguration& game, const GameOu
     throw io::InputError(
         {"--record"}, "",
         "neither team is a program or on the network, so there is nothing to record");
+  if (game.match.control == referee::Control::kGameController && !output.record.empty())
+    throw io::InputError({"--record"}, "",
+                         "the game controller's commands are not recorded, so the game could not "
+                         "be repeated; use --log");
   if (!commands.file.empty())
     return game::GamePrograms::recorded(game, commands.file, commands.kind);
   game::ProgramFiles files;

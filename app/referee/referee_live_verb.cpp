@@ -40,13 +40,6 @@ constexpr double kLongest_s = 1e9;
 constexpr std::chrono::milliseconds kRedrawEvery{500};
 constexpr const char* kNetwork = "network";  // names the source of settings in messages
 
-// "auto", "HOST" or "HOST:PORT".
-std::optional<live::Address> controller_of(const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  if (text == "auto") return live::Address{"", live::kControllerPort};
-  return controller_address(text, live::kControllerPort);
-}
-
 // A file written line by line, so that nothing is lost if the program ends abnormally.
 class LineFile {
  public:
@@ -225,7 +218,8 @@ game::GameSettings live_game_of(const RefereeLiveArguments& arguments, const std
 live::LiveRefereeOptions options_of(const RefereeLiveArguments& arguments) {
   live::LiveRefereeOptions options = arguments.live;
   options.commands = arguments.control == "autoref";
-  options.controller = controller_of(arguments.game_controller);
+  if (!arguments.game_controller.empty())
+    options.controller = event_address(arguments.game_controller);
   if (arguments.broadcasts) options.unicast = broadcast_of(options.interface);
   if (options.commands && options.controller)
     throw io::InputError({"--game-controller"}, "",

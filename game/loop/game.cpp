@@ -68,7 +68,8 @@ class Game::Impl {
   Impl(GameConfiguration configuration, const Observers& observers, const TeamMaker& make_team)
       : configuration_(std::move(configuration)),
         observers_(observers),
-        most_frames_(static_cast<std::int64_t>(longest_s(configuration_.match) * rate_hz())),
+        most_frames_(static_cast<std::int64_t>(
+            configuration_.longest_s.value_or(longest_s(configuration_.match)) * rate_hz())),
         world_(configuration_.field, configuration_.sim, specs_of(configuration_),
                configuration_.seed),
         camera_(configuration_.sim.vision, configuration_.field, rate_hz(), configuration_.seed),

@@ -50,7 +50,9 @@ struct GameConfiguration {
   std::uint64_t seed = 42;
   std::optional<StartState> start = {};  // nullopt: the game starts with the first kick-off
   std::optional<Scene> scene = {};       // nullopt: the game is not a scene
-  std::string id = {};                   // id of the game in an experiment; empty for a single game
+  // Longest duration in s; nullopt: longest_s(match).
+  std::optional<double> longest_s = {};
+  std::string id = {};  // id of the game in an experiment; empty for a single game
 };
 
 // The rules that the team obeys.

@@ -12,14 +12,15 @@
 #include "game/loop/game_event_fields.hpp"
 #include "io/errors.hpp"
 #include "league/field_message.hpp"
-#include "league/referee_message.hpp"
 #include "league/tracker_message.hpp"
+#include "live/controller/controller_client.hpp"
 #include "live/controller/controller_differences.hpp"
 #include "live/controller/controller_operator.hpp"
+#include "live/controller/followed_signal.hpp"
 #include "live/controller/placement_watch.hpp"
 #include "live/frame_pacer.hpp"
+#include "live/live_options.hpp"
 #include "live/published_tracks.hpp"
-#include "referee/machine/ball_placement.hpp"
 #include "soccer/referee_signal.hpp"
 
 namespace autoref::live {
@@ -38,12 +39,6 @@ constexpr std::chrono::milliseconds kLongestReply{500};
 constexpr std::chrono::seconds kLongestRegistration{5};
 constexpr std::chrono::milliseconds kPoll{1};
 
-bool is_before_restart(CommandKind kind) {
-  return kind == CommandKind::kHalt || kind == CommandKind::kStop ||
-         kind == CommandKind::kPrepareKickoff || kind == CommandKind::kPreparePenalty ||
-         kind == CommandKind::kBallPlacement;
-}
-
 }  // namespace
 
 class ControlledGame::Impl final : public game::Observer {
@@ -53,8 +48,9 @@ class ControlledGame::Impl final : public game::Observer {
       : game_(game),
         check_(std::move(check)),
         connection_(place.ci),
-        autoref_(thread_, {place.ci.host, place.autoref_port}, "AutoRef"),
-        operator_(game) {
+        autoref_(thread_, {place.ci.host, place.autoref_port}, kIdentifier),
+        operator_(game),
+        followed_(game.match.placement) {
     if (game.match.knockout)
       throw io::InputError({"--game-controller"}, "", "games with extra time are not supported");
     league::fill_geometry(game.field, game::logged_cameras(game), geometry_);
@@ -76,10 +72,11 @@ class ControlledGame::Impl final : public game::Observer {
       programs.before_step(game);
       if (!game.begin_step()) break;
       const bool reports = report_events(game);
-      const ControllerOperator::Inputs inputs = operator_.act(packet_, signal_, game.tracks());
+      const ControllerOperator::Inputs inputs =
+          operator_.act(followed_.packet(), followed_.signal(), game.tracks());
       const bool is_due = game.tracks().time_s - tick_s_ >= kTickEvery_s - kRounding_s;
       if (reports || is_due || !inputs.empty()) exchange(game, inputs);
-      differences_.add(packet_, signal_, game.frame().time_s);
+      differences_.add(followed_.packet(), followed_.signal(), game.frame().time_s);
     } while (game.end_step());
     return game.record();
   }
@@ -128,7 +125,7 @@ class ControlledGame::Impl final : public game::Observer {
   // therefore that of the frame in which the event was reported.
   // Returns whether there were any.
   bool report_events(const game::Game& game) {
-    if (std::optional<GameEvent> event = placement_.update(signal_, game.tracks()))
+    if (std::optional<GameEvent> event = placement_.update(followed_.signal(), game.tracks()))
       events_.push_back(*std::move(event));
     if (events_.empty()) return false;
     due_s_.push_back(tick_s_ + ControllerOperator::kProposal_s);
@@ -154,7 +151,7 @@ class ControlledGame::Impl final : public game::Observer {
     const Tracks& tracks = game.tracks();
     league::CiInput input = timed_input(tracks.time_s);
     *input.mutable_api_inputs() = inputs;
-    const bool is_turned = !signal_.blue_on_positive_half;
+    const bool is_turned = !followed_.signal().blue_on_positive_half;
     league::fill_tracker(is_turned ? turned(tracks) : tracks, source_, kStart_s + tracks.time_s,
                          *input.mutable_tracker_packet());
     if (tracks.time_s >= geometry_due_s_) {
@@ -181,36 +178,19 @@ class ControlledGame::Impl final : public game::Observer {
   bool may_change() {
     while (!due_s_.empty() && due_s_.front() + kSettling_s < tick_s_) due_s_.pop_front();
     const bool is_event_due = !due_s_.empty() && due_s_.front() <= tick_s_ + kTickEvery_s;
-    const CommandKind kind = signal_.command.kind;
-    const bool is_timed = packet_.has_current_action_time_remaining() &&
+    const CommandKind kind = followed_.signal().command.kind;
+    const league::RefereePacket& packet = followed_.packet();
+    const bool is_timed = packet.has_current_action_time_remaining() &&
                           (kind == CommandKind::kBallPlacement || !is_before_restart(kind));
-    const double left_s = static_cast<double>(packet_.current_action_time_remaining()) / 1e6;
+    const double left_s = static_cast<double>(packet.current_action_time_remaining()) / 1e6;
     return is_event_due || (is_timed && std::abs(left_s) <= kSettling_s);
   }
 
   void apply(const league::CiOutput& output, game::Game& game) {
-    std::optional<RefereeSignal> signal = league::signal_of(output.referee_msg());
-    if (!signal)
+    if (!followed_.take(output.referee_msg(), game.frame().time_s, operator_.places_ball()))
       throw io::InputError({"--game-controller"}, "",
                            "the game controller sent an unknown command or stage");
-    packet_ = output.referee_msg();
-    const bool is_new = signal->command_counter != signal_.command_counter;
-    const double command_s = is_new ? game.frame().time_s : signal_.command_time_s;
-    signal_ = published(*std::move(signal));
-    signal_.command_time_s = command_s;
-    set_placement();
-    game.follow(signal_);
-  }
-
-  // The controller also names a position during play.
-  void set_placement() {
-    if (!is_before_restart(signal_.command.kind)) signal_.placement.reset();
-    if (!signal_.placement) return;
-    const std::optional<Command>& next = signal_.next_command;
-    const bool teams_place = game_.match.placement == referee::PlacedBy::kTeams &&
-                             (signal_.command.kind == CommandKind::kBallPlacement ||
-                              (next && referee::is_placed_by_team(next->kind)));
-    signal_.placement->by_hand = !teams_place || operator_.places_ball();
+    game.follow(followed_.signal());
   }
 
   game::GameConfiguration game_;
@@ -222,16 +202,15 @@ class ControlledGame::Impl final : public game::Observer {
   ControllerDifferences differences_;
   PlacementWatch placement_;
   league::Geometry geometry_;
-  league::TrackerSource source_{"00000000-0000-4000-8000-000000000000", "AutoRef"};
+  league::TrackerSource source_{"00000000-0000-4000-8000-000000000000", kIdentifier};
   double geometry_due_s_ = 0;
   PerSide<TeamRequests> requests_;
   std::vector<GameEvent> events_;  // events to report
   std::int64_t sent_ = 0;
-  bool is_set_up_ = false;        // whether the match has been set up
-  double tick_s_ = 0;             // time of the newest input
-  std::deque<double> due_s_;      // when reported events are old enough to count
-  league::RefereePacket packet_;  // the controller's newest message
-  RefereeSignal signal_;          // signal in the program's coordinates
+  bool is_set_up_ = false;    // whether the match has been set up
+  double tick_s_ = 0;         // time of the newest input
+  std::deque<double> due_s_;  // when reported events are old enough to count
+  FollowedSignal followed_;
 };
 
 ControlledGame::ControlledGame(const game::GameConfiguration& game, const ControllerPlace& place,

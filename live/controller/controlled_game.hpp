@@ -11,7 +11,7 @@
 #include "game/loop/observer.hpp"
 #include "game/team_programs/program_games.hpp"
 #include "live/controller/ci_connection.hpp"
-#include "live/controller/controller_client.hpp"
+#include "live/live_options.hpp"
 #include "live/network/network.hpp"
 
 namespace autoref::live {

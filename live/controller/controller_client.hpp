@@ -9,8 +9,6 @@
 
 namespace autoref::live {
 
-inline constexpr int kControllerPort = 10007;
-
 struct ControllerStatus {
   bool is_registered = false;
   std::size_t waiting = 0;  // number of events waiting to be sent

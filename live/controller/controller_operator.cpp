@@ -5,6 +5,7 @@
 #include "game/loop/game_event_fields.hpp"
 #include "league/game_event_message.hpp"
 #include "live/controller/stopped_ball.hpp"
+#include "live/live_options.hpp"
 #include "referee/machine/guards.hpp"
 #include "soccer/units.hpp"
 
@@ -18,7 +19,6 @@ using referee::Event;
 constexpr double kBetweenActions_s = 1_s;
 constexpr double kReady_s = 3_s;          // time for robots to go to their positions for a kick-off
 constexpr double kLongestReady_s = 10_s;  // after that, play starts whatever is not ready
-constexpr double kLongestStop_s = 40_s;   // after that, the operator places the ball
 // Time that the controller's automatic continue gives the teams after a stop and after a halt.
 constexpr double kPreparation_s = 2_s;
 constexpr double kPreparationAfterHalt_s = 10_s;
@@ -39,7 +39,7 @@ bool is_about_to_begin(Stage stage) {
 ControllerInput input_of(const league::ControllerChange& change) {
   ControllerInput input;
   *input.mutable_change() = change;
-  input.mutable_change()->set_origin("AutoRef");
+  input.mutable_change()->set_origin(kIdentifier);
   return input;
 }
 
@@ -222,10 +222,9 @@ std::optional<ContinueAction::Type> ControllerOperator::in_stop(const league::Re
   if (!signal.next_command) return action_if(waited_s >= kLongestStop_s, Action::FORCE_START);
   const StoppedBall ball(game_, league::game_events_of(packet), signal, tracks);
   if (!ball.is_ready()) {
-    const std::optional<Side> placer = ball.placer();
-    places_ball_ = places_ball_ || !placer || ball.is_out_of_reach() || waited_s >= kLongestStop_s;
+    places_ball_ = places_ball_ || ball.needs_hand(waited_s);
     if (places_ball_ || !ball.is_at_rest()) return std::nullopt;
-    for_team_ = league_team(*placer);
+    for_team_ = league_team(*ball.placer());
     return Action::BALL_PLACEMENT_START;
   }
   const double preparation_s = was_halted_ ? kPreparationAfterHalt_s : kPreparation_s;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "live/controller/stopped_ball.hpp"
+#include "live/live_options.hpp"
 #include "soccer/robot_shape.hpp"
 #include "soccer/units.hpp"
 
@@ -31,7 +32,7 @@ std::optional<GameEvent> PlacementWatch::update(const RefereeSignal& signal, con
   is_reported_ = true;
   GameEvent event;
   event.type = GameEventType::kPlacementSucceeded;
-  event.origin = {"AutoRef"};
+  event.origin = {kIdentifier};
   event.by_team = signal.command.side;
   event.time_taken_s = tracks.time_s - begun_s_;
   event.precision_m = (tracks.ball->position_m - signal.placement->target_m).norm();

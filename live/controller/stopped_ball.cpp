@@ -62,6 +62,10 @@ std::optional<Side> StoppedBall::placer() const {
   return std::nullopt;
 }
 
+bool StoppedBall::needs_hand(double waited_s) const {
+  return !placer() || is_out_of_reach() || waited_s >= kLongestStop_s;
+}
+
 bool StoppedBall::are_robots_away() const {
   if (!tracks_->ball) return true;
   const double distance_m = game_->match.rules.opponents_to_ball_m + kRobotRadius_m - kTolerance_m;

@@ -20,6 +20,9 @@ inline constexpr double kBallAtRest_mps = 0.2_mps;
 // or a person places it; AutoRef's choice.
 inline constexpr double kBallInPosition_m = 0.1_m;
 
+// Longest wait for somebody else to go on in a STOP; AutoRef's choice.
+inline constexpr double kLongestStop_s = 40_s;
+
 // Whether the ball is in its designated position.
 bool is_in_position(const RefereeSignal& signal, const Tracks& tracks);
 
@@ -46,6 +49,11 @@ class StoppedBall {
   // a force start, west comes first. nullopt if teams do not place the ball for this restart, or if
   // neither may or both have failed.
   std::optional<Side> placer() const;
+
+  // Whether the ball has to be placed by hand because no robot will do it: no team can or may, the
+  // ball is out of their reach, or play has been stopped for kLongestStop_s. `waited_s` is the time
+  // since the STOP. The ball must not be ready.
+  bool needs_hand(double waited_s) const;
 
   // Whether all robots that have to keep their distance from the ball do: before a free kick, the
   // opponents, and otherwise everybody.

@@ -10,6 +10,7 @@
 #include "league/log_contents.hpp"
 #include "league/record_reader.hpp"
 #include "live/controller/placement_watch.hpp"
+#include "live/network/record_source.hpp"
 #include "live/referee/referee_outputs.hpp"
 #include "live/referee/vision_quality.hpp"
 #include "logs/facts_collector.hpp"
@@ -31,7 +32,6 @@ constexpr std::size_t kMostGathered = 50'000;  // maximum number of packets
 // Parsed packets take two to three times as much memory, and malicious ones thirty times as much:
 // at most 3 GB.
 constexpr std::size_t kMostGathered_bytes = 100'000'000;
-constexpr double kNs = 1e-9;
 
 std::vector<RecordGroup> groups_of(const LiveRefereeOptions& options) {
   std::vector<RecordGroup> groups;
@@ -257,7 +257,7 @@ class LiveReferee::Impl {
     received_bytes_ += record->bytes.size();
     LiveMessage live;
     league::parse(record->kind, record->bytes, live.message);
-    live.time_s = static_cast<double>(record->arrived_ns - first_ns_) * kNs;
+    live.time_s = record->arrived_after_s(first_ns_);
     live.host = record->host;
     return live;
   }

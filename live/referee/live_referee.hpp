@@ -10,7 +10,6 @@
 
 #include "live/controller/controller_client.hpp"
 #include "live/live_options.hpp"
-#include "live/referee/record_source.hpp"
 #include "live/referee/vision_quality.hpp"
 #include "logs/recorded_facts.hpp"
 #include "referee/decision.hpp"

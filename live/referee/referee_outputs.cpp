@@ -15,7 +15,6 @@ namespace {
 
 constexpr double kRefereePacketEvery_s = 0.025;
 constexpr double kNoGeometry_s = 1e9;  // vision sends the field's geometry
-constexpr const char* kIdentifier = "AutoRef";
 
 Address destination_of(const LiveRefereeOptions& options, const char* group, int port) {
   return {options.unicast.empty() ? group : options.unicast, port};
@@ -34,9 +33,7 @@ std::string name_or(const std::string& name, const char* colour) {
 
 RefereeOutputs::RefereeOutputs(const LiveRefereeOptions& options, const Field& field,
                                const PerSide<std::string>& names)
-    : commands_(options.commands),
-      is_host_known_(options.controller && !options.controller->host.empty()),
-      source_{random_uuid(), kIdentifier} {
+    : commands_(options.commands), source_{random_uuid(), kIdentifier} {
   if (commands_) {
     const auto team = [&](Side side) { return league::LoggedTeam{names[side]}; };
     packets_.emplace(field, std::vector<CameraPosition>{},
@@ -49,9 +46,7 @@ RefereeOutputs::RefereeOutputs(const LiveRefereeOptions& options, const Field& f
   if (sends_tracks && options.source == league::FrameSource::kVision)
     tracker_.emplace(options.interface,
                      destination_of(options, kVisionGroup, options.ports.tracker));
-  if (!options.controller) return;
-  thread_.emplace();
-  controller_.emplace(*thread_, *options.controller, kIdentifier);
+  if (options.controller) controller_.emplace(*options.controller, source_.uuid);
 }
 
 void RefereeOutputs::set_start(const std::optional<double>& start_unix_s) {
@@ -59,9 +54,7 @@ void RefereeOutputs::set_start(const std::optional<double>& start_unix_s) {
 }
 
 void RefereeOutputs::note_referee(const std::string& host) {
-  if (!controller_ || is_host_known_ || host == controller_host_) return;
-  controller_host_ = host;
-  controller_->set_host(host);
+  if (controller_) controller_->note_referee(host);
 }
 
 void RefereeOutputs::send_tracks(const Tracks& tracks, bool is_turned) {
@@ -94,10 +87,8 @@ void RefereeOutputs::on_referee(double time_s, const league::RefereePacket& pack
   referee_->send(bytes_);
 }
 
-void RefereeOutputs::report(GameEvent event) {
-  if (!controller_) return;
-  event.id = fmt::format("{}-{}", source_.uuid, ++reported_);
-  controller_->report(event);
+void RefereeOutputs::report(const GameEvent& event) {
+  if (controller_) controller_->report(event);
 }
 
 std::optional<ControllerStatus> RefereeOutputs::controller_status() const {

@@ -8,7 +8,7 @@
 #include "league/game_packets.hpp"
 #include "league/messages/tracker.pb.h"
 #include "league/tracker_message.hpp"
-#include "live/controller/controller_client.hpp"
+#include "live/controller/controller_reporter.hpp"
 #include "live/network/network.hpp"
 #include "live/referee/live_referee.hpp"
 #include "referee/decision.hpp"
@@ -45,7 +45,7 @@ class RefereeOutputs final : league::PacketSink {
   void send_signal(const RefereeSignal& signal, double time_s);
 
   // Reports an event to the game controller.
-  void report(GameEvent event);
+  void report(const GameEvent& event);
 
   std::optional<ControllerStatus> controller_status() const;
 
@@ -54,17 +54,13 @@ class RefereeOutputs final : league::PacketSink {
   void on_referee(double time_s, const league::RefereePacket& packet) override;
 
   bool commands_;
-  bool is_host_known_;
   double start_unix_s_ = 0;
   double latest_s_ = 0;
   league::TrackerSource source_;
   std::optional<league::GamePackets> packets_;
   std::optional<DatagramSender> referee_;
   std::optional<DatagramSender> tracker_;
-  std::optional<NetworkThread> thread_;
-  std::optional<ControllerClient> controller_;
-  std::string controller_host_;
-  int reported_ = 0;
+  std::optional<ControllerReporter> controller_;
   league::TrackerPacket tracker_packet_;
   std::string bytes_;
 };

@@ -35,12 +35,13 @@ league::BallModel ball_model_of(const sim::BallParameters& ball) {
 GamePublisher::GamePublisher(const game::GameConfiguration& game, const LiveOptions& options,
                              double start_unix_s)
     : options_(options),
+      sends_signal_(game.match.control == referee::Control::kAutoref),
       start_unix_s_(start_unix_s),
       rate_hz_(game.sim.frame_rate_hz),
       latency_frames_(sim::split_latency(game.sim).frames),
       packets_(game.field, game::logged_cameras(game), published_teams(game),
                {1.0, kRefereeEvery_s, start_unix_s}),
-      source_{tracker_uuid(options.speed.pace == Pace::kLockStep), "AutoRef",
+      source_{tracker_uuid(options.speed.pace == Pace::kLockStep), kIdentifier,
               game.sim.vision.reports_height},
       vision_(options.interface, destination(options, kVisionGroup, options.ports.vision)),
       referee_(options.interface, destination(options, kRefereeGroup, options.ports.referee)),
@@ -59,7 +60,7 @@ void GamePublisher::on_frame(const Frame& frame, const RefereeSignal& signal,
 
 void GamePublisher::on_decision(const referee::Decision& decision) {
   if (decision.command) newest_.commands.push_back(*decision.command);
-  if (std::optional<GameEvent> event = game::game_event_of(decision, start_unix_s_ + waited_s()))
+  if (std::optional<GameEvent> event = game::game_event_of(decision, start_unix_s()))
     newest_.events.push_back(*std::move(event));
 }
 
@@ -142,7 +143,7 @@ void GamePublisher::on_vision(double time_s, const league::VisionPacket& packet)
 }
 
 void GamePublisher::on_referee(double /*time_s*/, const league::RefereePacket& packet) {
-  send(packet, referee_);
+  if (sends_signal_) send(packet, referee_);
 }
 
 template <typename Message>

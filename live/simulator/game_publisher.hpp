@@ -20,7 +20,8 @@ namespace autoref::live {
 // All packets of a frame are delayed like the teams' view of the game (sim.latency_s, whole
 // frames), so that nobody learns of a decision before receiving the frame that led to it. The times
 // in the packets are those of the frame. Referee packets follow every 25 ms of the game, and
-// tracker packets with every frame.
+// tracker packets with every frame. If a game controller commands the game, it sends the referee
+// packets instead.
 class GamePublisher final : public game::Observer, league::PacketSink {
  public:
   // `start_unix_s` is the time of the game's first frame in all packets. Throws InputError if the
@@ -31,6 +32,9 @@ class GamePublisher final : public game::Observer, league::PacketSink {
   void on_other_detections(const OtherDetections& others) override { newest_.others = others; }
   void on_frame(const Frame& frame, const RefereeSignal& signal, const sim::World& world) override;
   void on_decision(const referee::Decision& decision) override;
+
+  // The Unix time that later packets give for the game's first frame.
+  double start_unix_s() const { return start_unix_s_ + waited_s(); }
 
   // Publishes the world while the game waits. The times of later packets are shifted accordingly.
   void add_waiting_frame(const sim::WorldState& world, const RefereeSignal& signal);
@@ -72,6 +76,7 @@ class GamePublisher final : public game::Observer, league::PacketSink {
   void send(const Message& message, DatagramSender& sender);
 
   LiveOptions options_;
+  bool sends_signal_;
   double start_unix_s_;
   double rate_hz_;
   int latency_frames_;

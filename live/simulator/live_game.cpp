@@ -20,6 +20,7 @@ namespace autoref::live {
 namespace {
 
 constexpr double kAfterEnd_s = 1;
+constexpr double kLongestControlled_s = 86'400;  // a match with people takes as long as it takes
 constexpr std::chrono::milliseconds kSlice{50};  // length of a wait before checking for interrupts
 constexpr std::chrono::milliseconds kLastSlice{500};  // time for the last requests after the game
 // The time of the first frame in lock-step, so that the packets are the same in each run: 1 January
@@ -54,6 +55,10 @@ class LiveGame::Impl {
                 options.speed.pace == Pace::kLockStep ? &lock_step_ : nullptr}),
         clock_(&clock),
         pacer_(clock, game.sim.frame_rate_hz * options.speed.factor) {
+    if (game.match.control == referee::Control::kGameController) {
+      controller_.emplace(game, options);
+      game_.longest_s = kLongestControlled_s;
+    }
     for (const Side side : kSides) states_[side].wheels = wheels_of(game::team_on(game, side));
   }
 
@@ -64,23 +69,28 @@ class LiveGame::Impl {
 
   game::GameRecord play(game::Observers observers, game::GamePrograms& programs) {
     observers.add(&publisher_);
+    if (controller_) observers.add(&*controller_);
     game::Game game(game_, observers, programs.maker());
     if (options_.speed.pace == Pace::kLockStep) {
       publisher_.send_standing_field(waiting_signal(game));
     } else {
-      await_teams(game);
+      await_start(game);
     }
     if (change_robots(programs)) game = game::Game(game_, observers, programs.maker());
+    if (controller_) controller_->follow(game);
     be_prompt();  // call this after starting programs, since they would inherit the scheduling
     for (;;) {
       // Count the packets before the frame is sent: a fast team may answer immediately.
       const PerSide<std::int64_t> before = slots_.packets();
       if (!game.begin_step()) break;
       check_();
+      print_notices();
       publisher_.publish(game.tracks());
+      if (controller_) controller_->report(game, publisher_.start_unix_s());
       const PerSide<RobotReports> reports = reports_of(game_, game.world());
       ports_.report(reports);
       wait(game.frame().number, before, reports);
+      if (controller_) controller_->follow(game);
       collect_commands(game, before);
       if (!game.end_step()) break;
       control(game, programs);
@@ -90,8 +100,15 @@ class LiveGame::Impl {
   }
 
   LiveReport report() const {
-    return {pacer_.punctuality(), publisher_.dropped(),   ports_.traffic(),
-            ports_.troubles(),    ports_.wrong_control(), ages_};
+    LiveReport report{pacer_.punctuality(),
+                      publisher_.dropped(),
+                      ports_.traffic(),
+                      ports_.troubles(),
+                      ports_.wrong_control(),
+                      ages_,
+                      {}};
+    if (controller_) report.controller = controller_->summary();
+    return report;
   }
 
  private:
@@ -105,10 +122,11 @@ class LiveGame::Impl {
     return signal;
   }
 
-  // Sends the field in its state before the game until every team has commanded a robot.
-  void await_teams(const game::Game& game) {
+  // Sends the field in its state before the game until the game controller has a match, or until
+  // every team has commanded a robot.
+  void await_start(const game::Game& game) {
     const RefereeSignal waiting = waiting_signal(game);
-    while (!slots_.wait({{0, 0}}, is_network_, CommandSlots::Clock::now() + frame_period())) {
+    while (!may_start()) {
       check_();
       print_notices();
       publisher_.add_waiting_frame(game.world().state(), waiting);
@@ -116,8 +134,18 @@ class LiveGame::Impl {
     pacer_.set_rate(game_.sim.frame_rate_hz * options_.speed.factor);
   }
 
-  // Prints why packets do not let the game continue.
+  // Returns after the period of a frame, or as soon as the game may start.
+  bool may_start() {
+    if (!controller_)
+      return slots_.wait({{0, 0}}, is_network_, CommandSlots::Clock::now() + frame_period());
+    clock_->sleep_until(clock_->now() + frame_period());
+    return controller_->awaits_game();
+  }
+
+  // Prints what prevents the game from starting or continuing.
   void print_notices() {
+    if (const auto notice = controller_ ? controller_->take_notice() : std::nullopt)
+      io::write_message(stderr, fmt::format("autoref: {}\n", *notice));
     for (const std::string& notice : ports_.take_notices())
       io::write_message(stderr, fmt::format("autoref: {}\n", notice));
   }
@@ -213,6 +241,7 @@ class LiveGame::Impl {
         control(request, game, programs);
       if (!is_paused_) return;
       check_();
+      if (controller_) controller_->follow(game);
       publisher_.add_waiting_frame(game.world().state(), game.signal());
       clock_->sleep_until(clock_->now() + frame_period());
     } while (true);
@@ -271,6 +300,7 @@ class LiveGame::Impl {
   RobotUpdates robot_updates_;
   LockStep lock_step_;
   GamePublisher publisher_;
+  std::optional<FollowedController> controller_;  // nullopt unless it commands the game
   NetworkThread thread_;
   TeamPorts ports_;
   FrameClock* clock_;

@@ -5,11 +5,13 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "game/loop/game_configuration.hpp"
 #include "game/loop/game_record.hpp"
 #include "game/loop/observer.hpp"
 #include "game/team_programs/program_games.hpp"
+#include "live/controller/followed_controller.hpp"
 #include "live/frame_pacer.hpp"
 #include "live/live_options.hpp"
 #include "live/simulator/team_ports.hpp"
@@ -27,6 +29,7 @@ struct LiveReport {
   // Number of frames in which a network team's newest packet was 0 frames old, 1 frame old, or
   // older.
   PerSide<std::array<std::int64_t, 3>> command_ages;
+  std::optional<FollowedControllerReport> controller;  // nullopt unless it commands the game
 };
 
 // Plays one game. In each frame, the camera sees the world, the referee decides, and vision,
@@ -34,10 +37,15 @@ struct LiveReport {
 // world advances with their newest commands. At unlimited speed, the next frame is due when every
 // network team has sent a packet since this one. In lock-step, it is due when every network team
 // (and the control port if it takes part) has requested it.
+//
+// If the league's game controller commands the game (referee::Control::kGameController), the game
+// begins as soon as the controller has a match, waits for no team, and ends after POST_GAME, or as
+// void after a day.
 class LiveGame {
  public:
-  // Opens the ports of the network teams. `check` is called about once per frame and can throw, for
-  // example because the user interrupts. Throws InputError if the network cannot be used.
+  // Opens the ports of the network teams. A game under a game controller must be paced by the
+  // clock. `check` is called about once per frame and can throw, for example because the user
+  // interrupts. Throws InputError if the network cannot be used.
   LiveGame(const game::GameConfiguration& game, const LiveOptions& options, FrameClock& clock,
            std::function<void()> check);
   ~LiveGame();

@@ -1,4 +1,4 @@
-#include "live/referee/record_source.hpp"
+#include "live/network/record_source.hpp"
 
 #include <poll.h>
 #include <sys/socket.h>

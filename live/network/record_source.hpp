@@ -20,6 +20,11 @@ struct ReceivedRecord {
   league::MessageKind kind = league::MessageKind::kUnknown;
   std::string bytes;
   std::string host;  // host that sent the packet
+
+  // The time from `first_ns` to the arrival, in s.
+  double arrived_after_s(std::int64_t first_ns) const {
+    return static_cast<double>(arrived_ns - first_ns) * 1e-9;
+  }
 };
 
 // A multicast group to listen to. Packets that are broadcast to its port are received as well.

@@ -1,0 +1,120 @@
+#include "live/controller/followed_controller.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "game/loop/game_event_fields.hpp"
+#include "league/game_event_message.hpp"
+#include "live/controller/stopped_ball.hpp"
+#include "live/published_tracks.hpp"
+
+namespace autoref::live {
+namespace {
+
+constexpr int kMostPackets = 4096;  // taken at a time, so that a flood does not stop the game
+constexpr std::chrono::seconds kLongestSilence{2};
+constexpr std::chrono::seconds kCheckEvery{1};
+
+std::string source_text(const LiveOptions& options) {
+  return fmt::format("{}:{} on {} (--interface, --referee-port)", kRefereeGroup,
+                     options.ports.referee, options.interface);
+}
+
+}  // namespace
+
+FollowedController::FollowedController(const game::GameConfiguration& game,
+                                       const LiveOptions& options)
+    : game_(game),
+      source_text_(source_text(options)),
+      source_(options.interface, {{league::MessageKind::kReferee2013, kRefereeGroup,
+                                   options.ports.referee, "--referee-port"}}),
+      reader_(*this, false),
+      reporter_(options.controller, random_uuid()),
+      followed_(game.match.placement) {}
+
+void FollowedController::take_packets() {
+  for (int i = 0; i < kMostPackets; ++i) {
+    const std::optional<ReceivedRecord> record = source_.next(RecordSource::Clock::now());
+    if (!record) return;
+    if (!first_ns_) first_ns_ = record->arrived_ns;
+    const league::ReadResult result = reader_.read(
+        record->kind, record->bytes, record->arrived_after_s(*first_ns_), record->host);
+    if (result == league::ReadResult::kUsed) reporter_.note_referee(record->host);
+  }
+}
+
+void FollowedController::on_referee(double /*time_s*/, const league::RefereePacket& packet) {
+  if (!followed_.take(packet, now_s_, places_ball_)) return;
+  heard_ = Clock::now();
+  signals_.push_back(followed_.signal());
+}
+
+bool FollowedController::awaits_game() {
+  take_packets();
+  if (signals_.empty()) return false;
+  signals_.erase(signals_.begin(), signals_.end() - 1);
+  return signals_.back().stage != Stage::kPostGame;
+}
+
+void FollowedController::follow(game::Game& game) {
+  has_begun_ = true;
+  now_s_ = game.frame().time_s;
+  watch_ball(game.tracks());
+  take_packets();
+  for (const RefereeSignal& signal : signals_) game.follow(signal);
+  if (!signals_.empty()) differences_.add(followed_.packet(), followed_.signal(), now_s_);
+  signals_.clear();
+}
+
+void FollowedController::watch_ball(const Tracks& tracks) {
+  const RefereeSignal& signal = followed_.signal();
+  if (signal.command_counter != command_counter_) places_ball_ = false;
+  command_counter_ = signal.command_counter;
+  if (signal.command.kind != CommandKind::kStop || !signal.next_command) return;
+  const StoppedBall ball(game_, league::game_events_of(followed_.packet()), signal, tracks);
+  places_ball_ =
+      places_ball_ || (!ball.is_ready() && ball.needs_hand(now_s_ - signal.command_time_s));
+}
+
+void FollowedController::on_decision(const referee::Decision& decision) {
+  decisions_.push_back(decision);
+  differences_.on_decision(decision);
+}
+
+void FollowedController::report(const game::Game& game, double start_unix_s) {
+  for (const referee::Decision& decision : decisions_) {
+    if (std::optional<GameEvent> event = game::game_event_of(decision, start_unix_s))
+      reporter_.report(*std::move(event));
+  }
+  decisions_.clear();
+  if (std::optional<GameEvent> placed = placement_.update(game.signal(), game.tracks()))
+    reporter_.report(*std::move(placed));
+}
+
+std::optional<std::string> FollowedController::take_notice() {
+  const Clock::time_point now = Clock::now();
+  if (now - checked_ < kCheckEvery) return std::nullopt;
+  checked_ = now;
+  std::string before = std::exchange(problem_, problem());
+  return problem_.empty() || problem_ == before ? std::nullopt : std::optional(problem_);
+}
+
+std::string FollowedController::problem() const {
+  if (!first_ns_) return "waiting for the game controller's packets at " + source_text_;
+  if (Clock::now() - heard_ > kLongestSilence) {
+    return fmt::format("no packets from the game controller at {}; its last command stays in force",
+                       source_text_);
+  }
+  if (!has_begun_ && followed_.signal().stage == Stage::kPostGame)
+    return "the game controller's match is over; waiting for a new one";
+  const ControllerStatus status = reporter_.status();
+  if (status.is_registered || status.problem.empty()) return {};
+  return fmt::format("the game controller takes no events: {}", status.problem);
+}
+
+FollowedControllerReport FollowedController::summary() const {
+  return {reporter_.status(), reader_.faults(), differences_.text()};
+}
+
+}  // namespace autoref::live
