@@ -50,6 +50,11 @@ void print_traffic(Side side, const live::LiveReport& report) {
       fmt::format("{}: {} packets, {} invalid, {} from another computer; commands at most one "
                   "frame old in {:.1f} % of the frames\n",
                   colour_of(side), traffic.packets, traffic.wrong, traffic.foreign, 100 * recent));
+  if (traffic.absent > 0) {
+    io::write_message(
+        stderr, fmt::format("{}: {} commands for robots that the team does not have (first: {})\n",
+                            colour_of(side), traffic.absent, traffic.first_absent));
+  }
   if (!traffic.last_error.empty())
     io::write_message(stderr,
                       fmt::format("{}: last error: {}\n", colour_of(side), traffic.last_error));

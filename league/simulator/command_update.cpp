@@ -1,5 +1,6 @@
 #include "league/simulator/command_update.hpp"
 
+#include <fmt/format.h>
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -65,6 +66,18 @@ RobotCommand command_of(const CommandUpdate& held, const Vec2& heading,
   command.kick_mps = command.chip ? ground_speed_mps(speed_mps, angle_rad) : speed_mps;
   command.dribble = held.dribble.value_or(false);
   return command;
+}
+
+void add_absent(std::uint32_t robot, int robots, CommandPacket& packet) {
+  if (packet.absent++ == 0) packet.first_absent = robot;
+  add_error(packet.errors, kNoSuchRobot,
+            fmt::format("unknown robot {}; the team has {}", robot, robots));
+}
+
+const PacketError* wrong_in(const CommandPacket& packet) {
+  const auto error = std::find_if(packet.errors.begin(), packet.errors.end(),
+                                  [](const PacketError& one) { return one.code != kNoSuchRobot; });
+  return error == packet.errors.end() ? nullptr : &*error;
 }
 
 }  // namespace autoref::league

@@ -73,8 +73,16 @@ struct PacketError {
 // The contents of a packet with commands.
 struct CommandPacket {
   std::vector<CommandUpdate> updates;
-  std::vector<PacketError> errors;
+  std::vector<PacketError> errors;  // including those for robots that the team does not have
+  int absent = 0;                   // number of commands for robots that the team does not have
+  std::uint32_t first_absent = 0;   // the first of these robots' numbers; valid if absent > 0
 };
+
+// Adds an error for a command to a robot that the team, which has `robots` robots, does not have.
+void add_absent(std::uint32_t robot, int robots, CommandPacket& packet);
+
+// The first error other than commands for robots that the team does not have; null without one.
+const PacketError* wrong_in(const CommandPacket& packet);
 
 // A request to move the ball, in the coordinates of vision. Members that are not set leave the
 // value unchanged.
@@ -106,6 +114,9 @@ inline constexpr std::size_t kMostUpdates = 64;  // largest number of updates in
 
 // The error code for a packet that is not of the type that its port expects.
 inline constexpr const char* kNotAMessage = "PACKET";
+
+// The error code for a robot that does not exist.
+inline constexpr const char* kNoSuchRobot = "ROBOT_ID";
 
 // Whether the packet was of the type that its port expects.
 inline bool is_readable(const CommandPacket& packet) {

@@ -51,8 +51,7 @@ void set_kick(const grsim::RobotCommand& command, CommandUpdate& update) {
 
 void add_grsim(const grsim::RobotCommand& command, int robots, CommandPacket& packet) {
   if (command.id() >= static_cast<std::uint32_t>(robots)) {
-    return add_error(packet.errors, "ROBOT_ID",
-                     fmt::format("unknown robot {}; the team has {}", command.id(), robots));
+    return add_absent(command.id(), robots, packet);
   }
   CommandUpdate update;
   update.robot = static_cast<int>(command.id());

@@ -71,8 +71,7 @@ bool is_angle(float angle_deg) { return angle_deg >= 0 && angle_deg <= kSteepest
 // Adds the update of a command, or an error.
 void add(const simulation::RobotCommand& command, int robots, CommandPacket& packet) {
   if (command.id() >= static_cast<std::uint32_t>(robots)) {
-    return add_error(packet.errors, "ROBOT_ID",
-                     fmt::format("unknown robot {}; the team has {}", command.id(), robots));
+    return add_absent(command.id(), robots, packet);
   }
   CommandUpdate update;
   update.robot = static_cast<int>(command.id());

@@ -168,7 +168,8 @@ class RequestReader {
 
   std::optional<RobotId> known(const simulation::SimulatedRobotId& id) {
     const std::optional<RobotId> robot = id_of(id, robots_);
-    if (!robot) refuse("ROBOT_ID", fmt::format("unknown robot {} of team {}", id.id(), id.team()));
+    if (!robot)
+      refuse(kNoSuchRobot, fmt::format("unknown robot {} of team {}", id.id(), id.team()));
     return robot;
   }
 

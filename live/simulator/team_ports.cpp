@@ -144,11 +144,26 @@ void TeamPorts::count(Side side, league::CommandPacket& packet, const Address& f
     league::add_error(packet.errors, "NO_COMMANDS",
                       "the packet neither commands a robot nor asks for a step");
   ++traffic_[side].packets;
+  if (packet.absent > 0) count_absent(side, packet, from);
   if (packet.errors.empty()) return;
-  ++traffic_[side].wrong;
-  const std::string& error = packet.errors.front().message;
-  traffic_[side].last_error = fmt::format("{} (from {}:{})", error, from.host, from.port);
-  if (!is_present_[side]) note_stranger(side, from, error);
+  if (const league::PacketError* error = league::wrong_in(packet)) {
+    ++traffic_[side].wrong;
+    traffic_[side].last_error =
+        fmt::format("{} (from {}:{})", error->message, from.host, from.port);
+  }
+  if (!is_present_[side]) note_stranger(side, from, packet.errors.front().message);
+}
+
+// Must be called with the lock held.
+void TeamPorts::count_absent(Side side, const league::CommandPacket& packet, const Address& from) {
+  TeamTraffic& traffic = traffic_[side];
+  traffic.absent += packet.absent;
+  if (!is_present_[side] || !traffic.first_absent.empty()) return;
+  traffic.first_absent =
+      fmt::format("robot {}, from {}:{}", packet.first_absent, from.host, from.port);
+  notices_.push_back(fmt::format(
+      "{} has no robot {}, but {}:{} commands it; such commands are ignored and counted",
+      colour_of(side), packet.first_absent, from.host, from.port));
 }
 
 void TeamPorts::count_wrong_control() {

@@ -29,7 +29,9 @@ namespace autoref::live {
 // The traffic that has arrived for a team.
 struct TeamTraffic {
   std::int64_t packets = 0;  // packets that were read, with or without errors
-  std::int64_t wrong = 0;    // number of packets with at least one error
+  std::int64_t wrong = 0;    // number of packets with errors other than absent robots
+  std::int64_t absent = 0;   // number of commands for robots that the team does not have
+  std::string first_absent;  // the first of these robots, and who commanded it
   // Number of packets dropped because they came from another computer than the team's.
   std::int64_t foreign = 0;
   std::string last_error;  // last error with its sender; empty: none
@@ -122,6 +124,7 @@ class TeamPorts {
   // Counts the packet. Adds an error if it commands no robot and its team has not commanded any
   // yet.
   void count(Side side, league::CommandPacket& packet, const Address& from, bool has_commands);
+  void count_absent(Side side, const league::CommandPacket& packet, const Address& from);
   void count_wrong_control();
   void note_stranger(Side side, const Address& from, const std::string& error);
   // Applies the commands; the packet counts as the team's answer to a frame.

@@ -67,8 +67,43 @@ TEST_F(TeamPortsTest, AConnectionCommandsRobots) {
   ASSERT_EQ(response.errors_size(), 1);
   EXPECT_EQ(response.errors(0).code(), "ROBOT_ID");
   EXPECT_EQ(slots_.collect_commands(Side::kWest, 0, {})[0].velocity_mps.x(), 0.5);
-  EXPECT_EQ(ports_->traffic()[Side::kWest].packets, 1);
-  EXPECT_EQ(ports_->traffic()[Side::kWest].wrong, 1);
+  const TeamTraffic traffic = ports_->traffic()[Side::kWest];
+  EXPECT_EQ(traffic.packets, 1);
+  EXPECT_EQ(traffic.wrong, 0);
+  EXPECT_EQ(traffic.absent, 1);
+}
+
+simulation::RobotControl commands_of_robots(std::initializer_list<std::uint32_t> numbers) {
+  simulation::RobotControl request;
+  for (const std::uint32_t number : numbers) request.add_robot_commands()->set_id(number);
+  return request;
+}
+
+TEST_F(TeamPortsTest, CommandsForAbsentRobotsCountNotThePacketsAndTheFirstIsReported) {
+  Caller team(options_.ports.yellow);
+  for (int i = 0; i < 2; ++i) {
+    team.say(commands_of_robots({0, 8, 1, 11}).SerializeAsString());
+    team.hear();
+  }
+  TeamTraffic traffic = ports_->traffic()[Side::kWest];
+  EXPECT_EQ(traffic.packets, 2);
+  EXPECT_EQ(traffic.wrong, 0);
+  EXPECT_EQ(traffic.absent, 4);
+  EXPECT_EQ(traffic.last_error, "");
+  const std::string sender = "127.0.0.1:" + std::to_string(team.port());
+  EXPECT_EQ(traffic.first_absent, "robot 8, from " + sender);
+  EXPECT_EQ(ports_->take_notices(),
+            std::vector<std::string>{"yellow has no robot 8, but " + sender +
+                                     " commands it; such commands are ignored and counted"});
+  simulation::RobotControl wrong = commands_of_robots({8, 0});
+  wrong.mutable_robot_commands(1)->set_kick_angle(100);
+  team.say(wrong.SerializeAsString());
+  team.hear();
+  traffic = ports_->traffic()[Side::kWest];
+  EXPECT_EQ(traffic.wrong, 1);
+  EXPECT_EQ(traffic.absent, 5);
+  EXPECT_TRUE(traffic.last_error.starts_with("kick_angle of robot 0")) << traffic.last_error;
+  EXPECT_TRUE(ports_->take_notices().empty());
 }
 
 // Returns the code of the first error in the response; empty if there is none.
@@ -94,7 +129,8 @@ TEST_F(TeamPortsTest, OnlyCommandsShowThatATeamIsThere) {
     EXPECT_EQ(slots_.packets()[Side::kWest], 0);
   }
   EXPECT_EQ(ports_->traffic()[Side::kWest].packets, 6);
-  EXPECT_EQ(ports_->traffic()[Side::kWest].wrong, 6);
+  EXPECT_EQ(ports_->traffic()[Side::kWest].wrong, 5);
+  EXPECT_EQ(ports_->traffic()[Side::kWest].absent, 1);
   stranger.say(command_of_robot(0));
   EXPECT_EQ(error_code(stranger.hear()), "");
   EXPECT_EQ(slots_.packets()[Side::kWest], 1);
