@@ -112,7 +112,8 @@ std::optional<RefereeSignal> signal_of(const RefereePacket& packet) {
   read_team(packet.blue(), Side::kEast, signal);
   if (packet.has_designated_position()) {
     const DesignatedPosition& position = packet.designated_position();
-    signal.placement = Placement{{to_m(position.x()), to_m(position.y())}};
+    const Vec2 target_m(to_m(position.x()), to_m(position.y()));
+    if (target_m.allFinite()) signal.placement = Placement{target_m};
   }
   if (packet.has_blue_team_on_positive_half())
     signal.blue_on_positive_half = packet.blue_team_on_positive_half();

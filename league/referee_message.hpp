@@ -23,8 +23,8 @@ void fill_referee(const RefereeSignal& signal, const PerSide<LoggedTeam>& teams,
 // The signal in a packet; nullopt if its command or stage is not one of the league's (the numbers
 // of 2013 are still in use). If the packet lacks the number of robots allowed, as packets before
 // 2018 do, it is kMaxRobots. A keeper whose number is outside the league's range counts as not
-// named. If the packet does not say which end is blue's, blue is assumed to be on the positive
-// half.
+// named, and a position that is not finite counts as not given. If the packet does not say which
+// end is blue's, blue is assumed to be on the positive half.
 std::optional<RefereeSignal> signal_of(const RefereePacket& packet);
 
 // The time in seconds from the packet's command to the packet itself, both on the sender's clock;

@@ -85,7 +85,7 @@ struct Match {
     visitor(self.control,
             {"control",
              "who commands the game; human and none only in recorded games, game-controller only "
-             "in play"});
+             "in play and live"});
     visitor(self.least_confidence, {"least_confidence", kFraction,
                                     "minimum confidence at which the referee calls a foul"});
     visitor(self.placement, {"placement", "who places the ball for free kicks and force starts"});

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "soccer/robot_shape.hpp"
+
 namespace autoref {
 
 // A signed distance, negative inside. The quarter-circle area is half a capsule: the points within
@@ -26,6 +28,12 @@ double distance_to_defence_area(const Field& field, Side side, const Vec2& point
 bool is_on_field(const Field& field, const Vec2& point_m) {
   return std::abs(point_m.x()) <= field.half_length_m() &&
          std::abs(point_m.y()) <= field.half_width_m();
+}
+
+Vec2 inside_walls(const Field& field, const Vec2& point_m) {
+  const double x_m = field.wall_x_m() - kRobotRadius_m;
+  const double y_m = field.wall_y_m() - kRobotRadius_m;
+  return {std::clamp(point_m.x(), -x_m, x_m), std::clamp(point_m.y(), -y_m, y_m)};
 }
 
 }  // namespace autoref

@@ -119,4 +119,7 @@ double distance_to_defence_area(const Field& field, Side side, const Vec2& point
 // Whether the point lies within the outer edges of the lines.
 bool is_on_field(const Field& field, const Vec2& point_m);
 
+// The point, moved inside the walls if a robot could not be centred there.
+Vec2 inside_walls(const Field& field, const Vec2& point_m);
+
 }  // namespace autoref

@@ -13,7 +13,7 @@
 #include "game/settings/assignments.hpp"
 #include "game/settings/game_settings.hpp"
 #include "io/errors.hpp"
-#include "live/referee/referee_outputs.hpp"
+#include "live/controller/controller_client.hpp"
 #include "live/simulator/live_game.hpp"
 #include "logs/user_log.hpp"
 #include "soccer/side.hpp"
@@ -113,8 +113,8 @@ void add_network_options(CLI::App& verb, LiveArguments& arguments) {
                 "forward multicast.")
       ->excludes(unicast);
   verb.add_option("--control", arguments.control,
-                  "Who commands the game: AutoRef, or the league's game controller, which must be "
-                  "running; by default as in the scenario (match.control).")
+                  "Who commands the game: AutoRef, or the league's game controller on the network; "
+                  "by default as in the scenario (match.control).")
       ->type_name("autoref|game-controller")
       ->check(one_of({"autoref", "game-controller"}));
   verb.add_option("--game-controller", arguments.game_controller,

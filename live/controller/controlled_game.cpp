@@ -50,7 +50,7 @@ class ControlledGame::Impl final : public game::Observer {
         connection_(place.ci),
         autoref_(thread_, {place.ci.host, place.autoref_port}, kIdentifier),
         operator_(game),
-        followed_(game.match.placement) {
+        followed_(game) {
     if (game.match.knockout)
       throw io::InputError({"--game-controller"}, "", "games with extra time are not supported");
     league::fill_geometry(game.field, game::logged_cameras(game), geometry_);
@@ -187,10 +187,11 @@ class ControlledGame::Impl final : public game::Observer {
   }
 
   void apply(const league::CiOutput& output, game::Game& game) {
-    if (!followed_.take(output.referee_msg(), game.frame().time_s, operator_.places_ball()))
+    if (!followed_.take(output.referee_msg(), game.frame().time_s))
       throw io::InputError({"--game-controller"}, "",
                            "the game controller sent an unknown command or stage");
-    game.follow(followed_.signal());
+    const RefereeSignal& signal = followed_.signal();
+    game.follow(operator_.places_ball() ? with_ball_placed_by_hand(signal) : signal);
   }
 
   game::GameConfiguration game_;

@@ -211,4 +211,15 @@ void ControllerClient::report(const GameEvent& event) {
 
 ControllerStatus ControllerClient::status() const { return impl_->status(); }
 
+std::string controller_line(const ControllerStatus& controller) {
+  std::string line = controller.is_registered ? "registered" : "not connected";
+  const ControllerCounts& counts = controller.counts;
+  line += fmt::format("; events: {} accepted, {} rejected, {} waiting, {} dropped", counts.accepted,
+                      counts.rejected, controller.waiting, counts.dropped);
+  if (controller.losses > 0) line += fmt::format("; {} connections lost", controller.losses);
+  if (!controller.problem.empty()) line += "; " + controller.problem;
+  if (!counts.last_rejection.empty()) line += "; last rejection: " + counts.last_rejection;
+  return line;
+}
+
 }  // namespace autoref::live

@@ -17,6 +17,9 @@ struct ControllerStatus {
   std::int64_t losses = 0;  // number of lost connections
 };
 
+// "registered; 12 events accepted, 1 rejected ...".
+std::string controller_line(const ControllerStatus& controller);
+
 // Works in the network's thread. If the connection is lost or refused, the client tries again every
 // second.
 class ControllerClient {

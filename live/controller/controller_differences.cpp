@@ -59,12 +59,13 @@ void ControllerDifferences::compare(const RefereeSignal& signal, double time_s) 
     stopped_s_.reset();
     call_.reset();
   } else if (is_play_stopped(kind)) {
-    if (!stopped_s_) stopped_s_ = time_s;
+    if (has_played_ && !stopped_s_) stopped_s_ = time_s;
   } else if (stopped_s_ && is_restart_command(kind)) {
     compare_restart(signal.command, *stopped_s_);
     stopped_s_.reset();
     call_.reset();
   }
+  has_played_ = has_played_ || !is_play_stopped(kind);
 }
 
 void ControllerDifferences::compare_restart(Command restart, double stopped_s) {

@@ -47,6 +47,7 @@ class ControllerDifferences {
 
   std::optional<OwnCall> call_;  // AutoRef's call since play was last on
   std::optional<std::uint32_t> command_counter_;
+  bool has_played_ = false;          // whether play has been on; an earlier stop cannot be judged
   std::optional<double> stopped_s_;  // when the controller stopped play, since play was last on
   std::string reason_;               // the controller's last event
   std::optional<Vec2> position_m_;

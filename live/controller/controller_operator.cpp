@@ -222,7 +222,7 @@ std::optional<ContinueAction::Type> ControllerOperator::in_stop(const league::Re
   if (!signal.next_command) return action_if(waited_s >= kLongestStop_s, Action::FORCE_START);
   const StoppedBall ball(game_, league::game_events_of(packet), signal, tracks);
   if (!ball.is_ready()) {
-    places_ball_ = places_ball_ || ball.needs_hand(waited_s);
+    places_ball_ = places_ball_ || ball.needs_placement_by_hand(waited_s);
     if (places_ball_ || !ball.is_at_rest()) return std::nullopt;
     for_team_ = league_team(*ball.placer());
     return Action::BALL_PLACEMENT_START;

@@ -12,7 +12,9 @@
 namespace autoref::live {
 namespace {
 
-constexpr int kMostPackets = 4096;  // taken at a time, so that a flood does not stop the game
+// Packets taken at a time, so that a flood does not stop the game. The controller sends 40 a second
+// and one for each change.
+constexpr int kMostPackets = 256;
 constexpr std::chrono::seconds kLongestSilence{2};
 constexpr std::chrono::seconds kCheckEvery{1};
 
@@ -31,7 +33,7 @@ FollowedController::FollowedController(const game::GameConfiguration& game,
                                    options.ports.referee, "--referee-port"}}),
       reader_(*this, false),
       reporter_(options.controller, random_uuid()),
-      followed_(game.match.placement) {}
+      followed_(game) {}
 
 void FollowedController::take_packets() {
   for (int i = 0; i < kMostPackets; ++i) {
@@ -45,36 +47,54 @@ void FollowedController::take_packets() {
 }
 
 void FollowedController::on_referee(double /*time_s*/, const league::RefereePacket& packet) {
-  if (!followed_.take(packet, now_s_, places_ball_)) return;
+  if (!followed_.take(packet, now_s_)) return;
+  is_heard_ = true;
   heard_ = Clock::now();
   signals_.push_back(followed_.signal());
 }
 
-bool FollowedController::awaits_game() {
+bool FollowedController::has_match() {
   take_packets();
   if (signals_.empty()) return false;
   signals_.erase(signals_.begin(), signals_.end() - 1);
-  return signals_.back().stage != Stage::kPostGame;
+  const RefereeSignal& signal = signals_.back();
+  const bool is_before_first =
+      signal.stage == Stage::kFirstHalfPre && signal.command.kind == CommandKind::kHalt;
+  return signal.stage != Stage::kPostGame && !is_before_first;
 }
 
 void FollowedController::follow(game::Game& game) {
   has_begun_ = true;
   now_s_ = game.frame().time_s;
-  watch_ball(game.tracks());
   take_packets();
-  for (const RefereeSignal& signal : signals_) game.follow(signal);
   if (!signals_.empty()) differences_.add(followed_.packet(), followed_.signal(), now_s_);
+  for (const RefereeSignal& signal : signals_) game.follow(signal);
   signals_.clear();
+  watch_ball(game.tracks());
+  if (is_placed_by_hand_) game.follow(with_ball_placed_by_hand(followed_.signal()));
 }
 
+// A person who has begun to place the ball goes on until the command, the restart or the position
+// changes.
 void FollowedController::watch_ball(const Tracks& tracks) {
   const RefereeSignal& signal = followed_.signal();
-  if (signal.command_counter != command_counter_) places_ball_ = false;
-  command_counter_ = signal.command_counter;
-  if (signal.command.kind != CommandKind::kStop || !signal.next_command) return;
+  const auto target_m = [](const RefereeSignal& one) {
+    return one.placement ? std::optional(one.placement->target_m) : std::nullopt;
+  };
+  const bool is_same = stopped_ && stopped_->command_counter == signal.command_counter &&
+                       stopped_->next_command == signal.next_command &&
+                       target_m(*stopped_) == target_m(signal);
+  is_placed_by_hand_ = (is_same && is_placed_by_hand_) || needs_placement_by_hand(tracks);
+  if (!is_same) stopped_ = signal;
+}
+
+bool FollowedController::needs_placement_by_hand(const Tracks& tracks) const {
+  const RefereeSignal& signal = followed_.signal();
+  const CommandKind kind = signal.command.kind;
+  if (kind != CommandKind::kStop && kind != CommandKind::kBallPlacement) return false;
   const StoppedBall ball(game_, league::game_events_of(followed_.packet()), signal, tracks);
-  places_ball_ =
-      places_ball_ || (!ball.is_ready() && ball.needs_hand(now_s_ - signal.command_time_s));
+  if (kind == CommandKind::kBallPlacement) return ball.is_out_of_reach();
+  return !ball.is_ready() && ball.needs_placement_by_hand(now_s_ - signal.command_time_s);
 }
 
 void FollowedController::on_decision(const referee::Decision& decision) {
@@ -101,13 +121,16 @@ std::optional<std::string> FollowedController::take_notice() {
 }
 
 std::string FollowedController::problem() const {
-  if (!first_ns_) return "waiting for the game controller's packets at " + source_text_;
+  if (!is_heard_) return "waiting for the game controller's packets at " + source_text_;
   if (Clock::now() - heard_ > kLongestSilence) {
     return fmt::format("no packets from the game controller at {}; its last command stays in force",
                        source_text_);
   }
-  if (!has_begun_ && followed_.signal().stage == Stage::kPostGame)
-    return "the game controller's match is over; waiting for a new one";
+  if (!has_begun_) {
+    return followed_.signal().stage == Stage::kPostGame
+               ? "the game controller's match is over; waiting for a new one"
+               : "waiting for the game controller's first command after HALT";
+  }
   const ControllerStatus status = reporter_.status();
   if (status.is_registered || status.problem.empty()) return {};
   return fmt::format("the game controller takes no events: {}", status.problem);

@@ -32,16 +32,17 @@ struct FollowedControllerReport {
 
 // Receives the controller's referee packets, which the game follows, and reports the events that
 // AutoRef calls, and successful ball placements, to the controller. Robots have to place the ball
-// if the game leaves this to the teams; otherwise, and if no robot will (StoppedBall::needs_hand),
-// it is placed by hand.
+// if the game leaves this to the teams; otherwise, and if no robot will
+// (StoppedBall::needs_placement_by_hand), it is placed by hand.
 class FollowedController final : public game::Observer, league::LogVisitor {
  public:
   // Throws InputError if the packets cannot be received.
   FollowedController(const game::GameConfiguration& game, const LiveOptions& options);
 
   // Takes the packets that have arrived. Returns whether the controller has a match that is not
-  // over. Before the game, call this until it returns true, and then follow().
-  bool awaits_game();
+  // over and has given a command since the HALT before its first half. Before the game, call this
+  // until it returns true, and then follow().
+  bool has_match();
 
   // Takes the packets that have arrived, and lets the game follow them.
   void follow(game::Game& game);
@@ -63,6 +64,7 @@ class FollowedController final : public game::Observer, league::LogVisitor {
   void on_referee(double time_s, const league::RefereePacket& packet) override;
   void take_packets();
   void watch_ball(const Tracks& tracks);
+  bool needs_placement_by_hand(const Tracks& tracks) const;
   std::string problem() const;
 
   game::GameConfiguration game_;
@@ -77,9 +79,11 @@ class FollowedController final : public game::Observer, league::LogVisitor {
   double now_s_ = 0;                          // the game's time
   std::vector<RefereeSignal> signals_;        // signals that the game has not followed yet
   std::vector<referee::Decision> decisions_;  // decisions that have not been reported yet
-  std::uint32_t command_counter_ = 0;
-  bool places_ball_ = false;  // whether the ball is placed by hand because no robot will
+  std::optional<RefereeSignal> stopped_;      // the signal for which the ball was last looked at
+  // Whether the ball is placed by hand because no robot will.
+  bool is_placed_by_hand_ = false;
   Clock::time_point heard_ = Clock::now();
+  bool is_heard_ = false;               // whether a packet could be used
   bool has_begun_ = false;              // whether the game has begun
   Clock::time_point checked_ = heard_;  // when take_notice() last looked for problems
   std::string problem_;                 // what it found then

@@ -23,7 +23,11 @@ bool is_in_position(const RefereeSignal& signal, const Tracks& tracks) {
 
 StoppedBall::StoppedBall(const game::GameConfiguration& game, std::vector<GameEvent> events,
                          const RefereeSignal& signal, const Tracks& tracks)
-    : game_(&game), events_(std::move(events)), signal_(&signal), tracks_(&tracks) {}
+    : game_(&game),
+      events_(std::move(events)),
+      signal_(&signal),
+      next_(signal.next_command.value_or(Command{CommandKind::kForceStart})),
+      tracks_(&tracks) {}
 
 bool StoppedBall::was_placed_by(Side side) const {
   return has_event(GameEventType::kPlacementSucceeded, side);
@@ -54,7 +58,7 @@ bool StoppedBall::is_ready() const {
 
 std::optional<Side> StoppedBall::placer() const {
   if (!is_left_to_teams()) return std::nullopt;
-  const Side kicker = signal_->next_command->side;
+  const Side kicker = next_.side;
   for (const Side side : {kicker, opponent_of(kicker)}) {
     if (signal_->can_place_ball[side] && !has_event(GameEventType::kPlacementFailed, side))
       return side;
@@ -62,16 +66,16 @@ std::optional<Side> StoppedBall::placer() const {
   return std::nullopt;
 }
 
-bool StoppedBall::needs_hand(double waited_s) const {
+bool StoppedBall::needs_placement_by_hand(double waited_s) const {
   return !placer() || is_out_of_reach() || waited_s >= kLongestStop_s;
 }
 
 bool StoppedBall::are_robots_away() const {
   if (!tracks_->ball) return true;
   const double distance_m = game_->match.rules.opponents_to_ball_m + kRobotRadius_m - kTolerance_m;
-  const bool is_free_kick = signal_->next_command->kind == CommandKind::kDirectFree;
+  const bool is_free_kick = next_.kind == CommandKind::kDirectFree;
   return std::none_of(kSides.begin(), kSides.end(), [&](Side side) {
-    if (is_free_kick && side == signal_->next_command->side) return false;
+    if (is_free_kick && side == next_.side) return false;
     const TrackedRobots& robots = tracks_->robots[side];
     return std::any_of(robots.begin(), robots.end(), [&](const TrackedRobot& robot) {
       return (robot.position_m - tracks_->ball->position_m).norm() < distance_m;
@@ -81,7 +85,7 @@ bool StoppedBall::are_robots_away() const {
 
 bool StoppedBall::is_left_to_teams() const {
   return game_->match.placement == referee::PlacedBy::kTeams &&
-         referee::is_placed_by_team(signal_->next_command->kind);
+         referee::is_placed_by_team(next_.kind);
 }
 
 bool StoppedBall::has_event(GameEventType type, Side by_team) const {

@@ -29,8 +29,8 @@ bool is_in_position(const RefereeSignal& signal, const Tracks& tracks);
 class StoppedBall {
  public:
   // `events` are those since play was last on; the designated position may have changed in the
-  // meantime. `signal` must name the next command. The game, the signal and the tracks must outlive
-  // this object.
+  // meantime. If the signal does not name the next command, it counts as a force start. The game,
+  // the signal and the tracks must outlive this object.
   StoppedBall(const game::GameConfiguration& game, std::vector<GameEvent> events,
               const RefereeSignal& signal, const Tracks& tracks);
 
@@ -53,7 +53,7 @@ class StoppedBall {
   // Whether the ball has to be placed by hand because no robot will do it: no team can or may, the
   // ball is out of their reach, or play has been stopped for kLongestStop_s. `waited_s` is the time
   // since the STOP. The ball must not be ready.
-  bool needs_hand(double waited_s) const;
+  bool needs_placement_by_hand(double waited_s) const;
 
   // Whether all robots that have to keep their distance from the ball do: before a free kick, the
   // opponents, and otherwise everybody.
@@ -66,6 +66,7 @@ class StoppedBall {
   const game::GameConfiguration* game_;
   std::vector<GameEvent> events_;
   const RefereeSignal* signal_;
+  Command next_;  // the restart
   const Tracks* tracks_;
 };
 

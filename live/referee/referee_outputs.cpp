@@ -112,17 +112,6 @@ std::string state_line(const LiveRefereeStatus& status) {
                      signal.goals[Side::kEast], name_or(status.names[Side::kEast], "blue"));
 }
 
-std::string controller_line(const ControllerStatus& controller) {
-  std::string line = controller.is_registered ? "registered" : "not connected";
-  const ControllerCounts& counts = controller.counts;
-  line += fmt::format("; events: {} accepted, {} rejected, {} waiting, {} dropped", counts.accepted,
-                      counts.rejected, controller.waiting, counts.dropped);
-  if (controller.losses > 0) line += fmt::format("; {} connections lost", controller.losses);
-  if (!controller.problem.empty()) line += "; " + controller.problem;
-  if (!counts.last_rejection.empty()) line += "; last rejection: " + counts.last_rejection;
-  return line;
-}
-
 std::string status_text(const LiveRefereeStatus& status, const std::deque<std::string>& calls,
                         std::size_t columns) {
   std::string text;

@@ -72,9 +72,6 @@ std::string call_line(const referee::Decision& decision);
 // "stage FIRST_HALF, STOP, yellow 1 : 0 blue".
 std::string state_line(const LiveRefereeStatus& status);
 
-// "registered; 12 events accepted, 1 rejected ...".
-std::string controller_line(const ControllerStatus& controller);
-
 // The whole status display: text with line breaks, at most `columns` wide. `calls` are the latest
 // calls, the newest last.
 std::string status_text(const LiveRefereeStatus& status, const std::deque<std::string>& calls,

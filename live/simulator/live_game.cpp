@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -54,8 +55,10 @@ class LiveGame::Impl {
                {&slots_, &requests_, &robot_updates_,
                 options.speed.pace == Pace::kLockStep ? &lock_step_ : nullptr}),
         clock_(&clock),
-        pacer_(clock, game.sim.frame_rate_hz * options.speed.factor) {
+        pacer_(clock, game.sim.frame_rate_hz * options.speed.factor),
+        waiting_pacer_(clock, game.sim.frame_rate_hz) {
     if (game.match.control == referee::Control::kGameController) {
+      assert(options.speed.pace == Pace::kClock);
       controller_.emplace(game, options);
       game_.longest_s = kLongestControlled_s;
     }
@@ -100,15 +103,13 @@ class LiveGame::Impl {
   }
 
   LiveReport report() const {
-    LiveReport report{pacer_.punctuality(),
-                      publisher_.dropped(),
-                      ports_.traffic(),
-                      ports_.troubles(),
-                      ports_.wrong_control(),
-                      ages_,
-                      {}};
-    if (controller_) report.controller = controller_->summary();
-    return report;
+    return {pacer_.punctuality(),
+            publisher_.dropped(),
+            ports_.traffic(),
+            ports_.troubles(),
+            ports_.wrong_control(),
+            ages_,
+            controller_ ? std::optional(controller_->summary()) : std::nullopt};
   }
 
  private:
@@ -138,8 +139,8 @@ class LiveGame::Impl {
   bool may_start() {
     if (!controller_)
       return slots_.wait({{0, 0}}, is_network_, CommandSlots::Clock::now() + frame_period());
-    clock_->sleep_until(clock_->now() + frame_period());
-    return controller_->awaits_game();
+    waiting_pacer_.wait();
+    return controller_->has_match();
   }
 
   // Prints what prevents the game from starting or continuing.
@@ -236,15 +237,17 @@ class LiveGame::Impl {
   // Carries out the requests of the control port. While the speed is 0, the field is sent
   // unchanged.
   void control(game::Game& game, game::GamePrograms& programs) {
-    do {
+    for (bool is_first = true;; is_first = false) {
       for (const league::SimulatorRequest& request : requests_.take_all())
         control(request, game, programs);
-      if (!is_paused_) return;
+      if (!is_paused_ || game.is_over()) return;
       check_();
+      print_notices();
       if (controller_) controller_->follow(game);
+      if (is_first) waiting_pacer_.set_rate(game_.sim.frame_rate_hz);
+      waiting_pacer_.wait();
       publisher_.add_waiting_frame(game.world().state(), game.signal());
-      clock_->sleep_until(clock_->now() + frame_period());
-    } while (true);
+    }
   }
 
   void control(const league::SimulatorRequest& request, game::Game& game,
@@ -305,6 +308,7 @@ class LiveGame::Impl {
   TeamPorts ports_;
   FrameClock* clock_;
   FramePacer pacer_;
+  FramePacer waiting_pacer_;  // paces the frames that are sent while the game waits
   bool is_paused_ = false;
   double speed_ = 0;  // requested at the control port; 0: never
   PerSide<SideState> states_;

@@ -39,8 +39,8 @@ struct LiveReport {
 // (and the control port if it takes part) has requested it.
 //
 // If the league's game controller commands the game (referee::Control::kGameController), the game
-// begins as soon as the controller has a match, waits for no team, and ends after POST_GAME, or as
-// void after a day.
+// begins as soon as the controller has a match (FollowedController::has_match), waits for no team,
+// and ends after POST_GAME, or as void after a day.
 class LiveGame {
  public:
   // Opens the ports of the network teams. A game under a game controller must be paced by the

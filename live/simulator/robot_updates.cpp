@@ -44,12 +44,6 @@ class Turn {
   bool blue_on_positive_half_;
 };
 
-Vec2 inside_walls(const Vec2& position_m, const Field& field) {
-  const double x_m = field.wall_x_m() - kRobotRadius_m;
-  const double y_m = field.wall_y_m() - kRobotRadius_m;
-  return {std::clamp(position_m.x(), -x_m, x_m), std::clamp(position_m.y(), -y_m, y_m)};
-}
-
 struct ChangeOf {
   const sim::WorldState& world;
   const Field& field;
@@ -57,7 +51,7 @@ struct ChangeOf {
 
   std::optional<game::WorldChange> operator()(const league::BallTeleport& teleport) const {
     sim::BallState ball = world.ball;
-    ball.position_m = inside_walls(turn.with(teleport.x_m, teleport.y_m, ball.position_m), field);
+    ball.position_m = inside_walls(field, turn.with(teleport.x_m, teleport.y_m, ball.position_m));
     ball.velocity_mps = turn.with(teleport.vx_mps, teleport.vy_mps, ball.velocity_mps);
     ball.height_m = std::max(0.0, teleport.height_m.value_or(ball.height_m));
     ball.vertical_mps = teleport.vertical_mps.value_or(ball.vertical_mps);
@@ -75,7 +69,7 @@ struct ChangeOf {
     sim::RobotState state;
     state.number = teleport.robot.number;
     if (found != robots.end()) state = *found;
-    state.position_m = inside_walls(turn.with(teleport.x_m, teleport.y_m, state.position_m), field);
+    state.position_m = inside_walls(field, turn.with(teleport.x_m, teleport.y_m, state.position_m));
     state.velocity_mps = turn.with(teleport.vx_mps, teleport.vy_mps, state.velocity_mps);
     if (teleport.heading_rad) state.heading = turn(heading_of(*teleport.heading_rad));
     state.angular_velocity_radps = teleport.angular_radps.value_or(state.angular_velocity_radps);

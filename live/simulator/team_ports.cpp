@@ -97,6 +97,7 @@ TeamPorts::TeamPorts(NetworkThread& thread, const LiveOptions& options,
       is_network_(network_sides(game)),
       robots_(robot_counts(game)),
       field_(game.field),
+      is_awaited_(game.match.control == referee::Control::kAutoref),
       targets_(targets) {
   if (is_network_[Side::kWest]) listen(thread, Side::kWest, options.ports.yellow, "--yellow-port");
   if (is_network_[Side::kEast]) listen(thread, Side::kEast, options.ports.blue, "--blue-port");
@@ -174,10 +175,12 @@ void TeamPorts::count_wrong_control() {
 // Must be called with the lock held.
 void TeamPorts::note_stranger(Side side, const Address& from, const std::string& error) {
   if (std::exchange(is_noted_[side], true)) return;
+  const std::string what =
+      is_awaited_ ? fmt::format("does not start the game: {}; still waiting for {}", error,
+                                targets_.lock_step == nullptr ? "commands" : "a request for a step")
+                  : fmt::format("commands no robot: {}", error);
   notices_.push_back(
-      fmt::format("a packet for {} from {}:{} does not start the game: {}; still waiting for {}",
-                  colour_of(side), from.host, from.port, error,
-                  targets_.lock_step == nullptr ? "commands" : "a request for a step"));
+      fmt::format("a packet for {} from {}:{} {}", colour_of(side), from.host, from.port, what));
 }
 
 std::vector<std::string> TeamPorts::take_notices() {

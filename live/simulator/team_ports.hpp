@@ -135,6 +135,7 @@ class TeamPorts {
   PerSide<bool> is_network_;
   PerSide<int> robots_;
   Field field_;
+  bool is_awaited_;  // whether the game waits for the teams
   PortTargets targets_;
   mutable std::mutex mutex_;
   PerSide<RobotReports> reports_;

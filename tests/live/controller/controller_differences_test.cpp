@@ -70,5 +70,18 @@ TEST_F(ControllerDifferencesTest, ContainARestartWithoutACall) {
             "DIRECT_FREE_YELLOW after no event, which AutoRef did not call");
 }
 
+TEST(ControllerDifferences, AreNoneForARestartThatWasPendingAtFirst) {
+  ControllerDifferences differences;
+  RefereeSignal signal;
+  signal.stage = Stage::kFirstHalf;
+  for (const CommandKind kind :
+       {CommandKind::kHalt, CommandKind::kStop, CommandKind::kDirectFree}) {
+    signal.command = {kind, Side::kWest};
+    ++signal.command_counter;
+    differences.add({}, signal, signal.command_counter);
+  }
+  EXPECT_EQ(differences.restarts(), 0);
+}
+
 }  // namespace
 }  // namespace autoref::live

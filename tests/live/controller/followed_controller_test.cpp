@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <optional>
+#include <string>
 #include <thread>
 
 #include "benchmarks/beside_live_game.hpp"
@@ -48,14 +50,41 @@ class FollowedControllerTest : public testing::Test {
     return true;
   }
 
-  // Plays on until the game has followed the signal.
-  void play_with_signal(game::Game& game, FollowedController& controller) {
+  // Begins a game that is stopped.
+  void begin() {
+    controller_.emplace(configuration_, options_);
+    game_.emplace(configuration_, &*controller_);
+    signal_.stage = Stage::kFirstHalf;
+    signal_.command = {CommandKind::kStop};
+    ASSERT_TRUE(send_until([&] { return controller_->has_match(); }));
+    controller_->follow(*game_);
+  }
+
+  // Plays on while the signal is sent until the condition holds; returns whether it does.
+  template <typename Condition>
+  bool play_until(const Condition& condition) {
+    return send_until([&] {
+      game_->step();
+      controller_->follow(*game_);
+      return condition();
+    });
+  }
+
+  void follow_signal() {
     ++signal_.command_counter;
-    ASSERT_TRUE(send_until([&] {
-      game.step();
-      controller.follow(game);
-      return game.signal().command_counter == signal_.command_counter;
-    }));
+    ASSERT_TRUE(
+        play_until([&] { return game_->signal().command_counter == signal_.command_counter; }));
+  }
+
+  void stop_before_free_kick() {
+    signal_.command = {CommandKind::kStop};
+    signal_.next_command = Command{CommandKind::kDirectFree, Side::kEast};
+    signal_.placement = Placement{{2, 1}};
+    follow_signal();
+  }
+
+  bool is_ball_placed() const {
+    return (game_->world().state().ball.position_m - signal_.placement->target_m).norm() < 0.1;
   }
 
   game::GameConfiguration configuration_;
@@ -63,56 +92,64 @@ class FollowedControllerTest : public testing::Test {
   RefereeSignal signal_;
   double sent_s_ = 1;
   std::optional<DatagramSender> sender_;
+  std::optional<FollowedController> controller_;
+  std::optional<game::Game> game_;
 };
 
-TEST_F(FollowedControllerTest, AwaitsAMatchThatIsNotOver) {
+TEST_F(FollowedControllerTest, HasAMatchFromTheFirstCommandToItsEnd) {
   FollowedController controller(configuration_, options_);
-  EXPECT_FALSE(controller.awaits_game());
+  EXPECT_FALSE(controller.has_match());
+  const auto says = [&](const std::string& wanted) {
+    return send_until([&] {
+      EXPECT_FALSE(controller.has_match());
+      return controller.take_notice() == wanted;
+    });
+  };
   signal_.stage = Stage::kPostGame;
-  std::optional<std::string> notice;
-  EXPECT_TRUE(send_until([&] {
-    EXPECT_FALSE(controller.awaits_game());
-    notice = controller.take_notice();
-    return notice.has_value();
-  }));
-  EXPECT_EQ(notice, "the game controller's match is over; waiting for a new one");
+  EXPECT_TRUE(says("the game controller's match is over; waiting for a new one"));
   signal_.stage = Stage::kFirstHalfPre;
-  EXPECT_TRUE(send_until([&] { return controller.awaits_game(); }));
+  EXPECT_TRUE(says("waiting for the game controller's first command after HALT"));
+  signal_.command = {CommandKind::kStop};
+  EXPECT_TRUE(send_until([&] { return controller.has_match(); }));
 }
 
-TEST_F(FollowedControllerTest, BallIsPlacedByHandIfNoTeamCanPlaceIt) {
-  FollowedController controller(configuration_, options_);
-  game::Game game(configuration_, &controller);
-  signal_.stage = Stage::kFirstHalf;
-  ASSERT_TRUE(send_until([&] { return controller.awaits_game(); }));
-  controller.follow(game);
-  signal_.command = {CommandKind::kStop};
-  signal_.next_command = Command{CommandKind::kDirectFree, Side::kEast};
-  signal_.placement = Placement{{2, 1}};
-  play_with_signal(game, controller);
-  const auto ball_is_placed = [&] {
-    return (game.world().state().ball.position_m - signal_.placement->target_m).norm() < 0.1;
-  };
-  EXPECT_FALSE(game.signal().placement->by_hand);
-  EXPECT_FALSE(ball_is_placed());
+TEST_F(FollowedControllerTest, BallIsPlacedByHandIfNoTeamMayPlaceIt) {
+  begin();
+  stop_before_free_kick();
+  EXPECT_FALSE(game_->signal().placement->by_hand);
+  EXPECT_FALSE(is_ball_placed());
   signal_.can_place_ball = {{false, false}};
-  EXPECT_TRUE(send_until([&] {
-    game.step();
-    controller.follow(game);
-    return ball_is_placed();
-  }));
+  EXPECT_TRUE(play_until([&] { return is_ball_placed(); }));
+}
+
+TEST_F(FollowedControllerTest, BallIsPlacedByHandDuringAPlacementIfItIsOutOfReach) {
+  begin();
+  stop_before_free_kick();
+  sim::BallState behind_goal_line = game_->world().state().ball;
+  behind_goal_line.position_m = {configuration_.field.half_length_m() + 0.15, 0.3};
+  behind_goal_line.velocity_mps = {0, 0};
+  game_->put_ball(behind_goal_line);
+  signal_.command = {CommandKind::kBallPlacement, Side::kEast};
+  follow_signal();
+  EXPECT_TRUE(play_until([&] { return is_ball_placed(); }));
+}
+
+TEST_F(FollowedControllerTest, AnotherRestartIsLeftToTheTeamsAgain) {
+  begin();
+  stop_before_free_kick();
+  signal_.next_command = Command{CommandKind::kPrepareKickoff, Side::kEast};
+  EXPECT_TRUE(play_until([&] { return game_->signal().placement->by_hand; }));
+  signal_.next_command = Command{CommandKind::kDirectFree, Side::kEast};
+  signal_.placement = Placement{{-2, 1}};
+  EXPECT_TRUE(play_until([&] { return !game_->signal().placement->by_hand; }));
 }
 
 TEST_F(FollowedControllerTest, GameIsPlayedInTheProgramsCoordinates) {
-  FollowedController controller(configuration_, options_);
-  game::Game game(configuration_, &controller);
   signal_.blue_on_positive_half = false;
-  signal_.command = {CommandKind::kStop};
   signal_.placement = Placement{{2, 1}};
-  ASSERT_TRUE(send_until([&] { return controller.awaits_game(); }));
-  controller.follow(game);
-  game.step();
-  EXPECT_EQ(game.signal().placement->target_m, Vec2(2, 1));
+  begin();
+  game_->step();
+  EXPECT_EQ(game_->signal().placement->target_m, Vec2(2, 1));
 }
 
 }  // namespace

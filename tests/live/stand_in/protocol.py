@@ -16,13 +16,13 @@ def _compile():
     sys.path.insert(0, target.name)
     modules = [
         importlib.import_module(f"messages.{name}_pb2")
-        for name in ("game_controller", "game_event", "referee", "tracker", "vision")
+        for name in ("game_controller", "game_event", "referee", "simulation", "tracker", "vision")
     ]
     target.cleanup()
     return modules
 
 
-controller, game_event, referee, tracker, vision = _compile()
+controller, game_event, referee, simulation, tracker, vision = _compile()
 
 LONGEST_MESSAGE = 1 << 20
 
