@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "league/game_event_message.hpp"
+#include "live/controller/followed_signal.hpp"
 #include "logs/game_event_comparison.hpp"
 
 namespace autoref::live {
@@ -65,7 +66,7 @@ void ControllerDifferences::compare(const RefereeSignal& signal, double time_s) 
     stopped_s_.reset();
     call_.reset();
   }
-  has_played_ = has_played_ || !is_play_stopped(kind);
+  has_played_ = has_played_ || !is_before_restart(kind);
 }
 
 void ControllerDifferences::compare_restart(Command restart, double stopped_s) {

@@ -75,7 +75,7 @@ TEST(ControllerDifferences, AreNoneForARestartThatWasPendingAtFirst) {
   RefereeSignal signal;
   signal.stage = Stage::kFirstHalf;
   for (const CommandKind kind :
-       {CommandKind::kHalt, CommandKind::kStop, CommandKind::kDirectFree}) {
+       {CommandKind::kBallPlacement, CommandKind::kStop, CommandKind::kDirectFree}) {
     signal.command = {kind, Side::kWest};
     ++signal.command_counter;
     differences.add({}, signal, signal.command_counter);

@@ -11,6 +11,7 @@ from protocol import tracker, vision
 
 REFEREE, VISION_GROUP = ("224.5.23.1", 10003), "224.5.23.2"
 EVERY_S = 0.025
+TRACKER_SILENCE_S = 1  # after which another tracker is followed, as by the real controller
 
 
 def listening(port, interface):
@@ -44,7 +45,7 @@ class Person:
 class NetworkGame:
     def __init__(self, match, journal, interface):
         self.match, self.journal = match, journal
-        self.frame, self.source = None, None
+        self.frame, self.source, self.tracked_s = None, None, -TRACKER_SILENCE_S
         self.is_away = False
         self.person = Person()
         self.sender = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
@@ -65,11 +66,15 @@ class NetworkGame:
 
     def _take_tracks(self, data):
         packet = tracker.TrackerPacket.FromString(data)
-        self.source = self.source or packet.uuid
-        if packet.uuid == self.source and packet.HasField("tracked_frame"):
-            if self.frame is None:
-                self.journal.note("tracker", source=packet.source_name.decode())
-            self.frame = packet.tracked_frame
+        now = time.monotonic()
+        if not packet.HasField("tracked_frame"):
+            return
+        if packet.uuid != self.source:
+            if now - self.tracked_s < TRACKER_SILENCE_S:
+                return
+            self.source = packet.uuid
+            self.journal.note("tracker", source=packet.source_name.decode())
+        self.frame, self.tracked_s = packet.tracked_frame, now
 
     def _take_vision(self, data):
         packet = vision.VisionPacket.FromString(data)
