@@ -70,18 +70,19 @@ void FollowedController::follow(game::Game& game) {
   if (!signals_.empty()) differences_.add(followed_.packet(), followed_.signal(), now_s_);
   for (const RefereeSignal& signal : signals_) game.follow(signal);
   signals_.clear();
-  watch_ball(game.tracks());
+  update_placement(game.tracks());
   if (is_placed_by_hand_) game.follow(with_ball_placed_by_hand(followed_.signal()));
 }
 
 // A person who has begun to place the ball goes on until the command, the restart or the position
 // changes.
-void FollowedController::watch_ball(const Tracks& tracks) {
+void FollowedController::update_placement(const Tracks& tracks) {
   const RefereeSignal& signal = followed_.signal();
   const auto target_m = [](const RefereeSignal& one) {
     return one.placement ? std::optional(one.placement->target_m) : std::nullopt;
   };
   const bool is_same = stopped_ && stopped_->command_counter == signal.command_counter &&
+                       stopped_->command == signal.command &&
                        stopped_->next_command == signal.next_command &&
                        target_m(*stopped_) == target_m(signal);
   is_placed_by_hand_ = (is_same && is_placed_by_hand_) || needs_placement_by_hand(tracks);

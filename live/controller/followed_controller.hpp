@@ -63,7 +63,7 @@ class FollowedController final : public game::Observer, league::LogVisitor {
   void on_decision(const referee::Decision& decision) override;
   void on_referee(double time_s, const league::RefereePacket& packet) override;
   void take_packets();
-  void watch_ball(const Tracks& tracks);
+  void update_placement(const Tracks& tracks);
   bool needs_placement_by_hand(const Tracks& tracks) const;
   std::string problem() const;
 

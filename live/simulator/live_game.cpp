@@ -12,6 +12,7 @@
 #include "io/errors.hpp"
 #include "live/frame_pacer.hpp"
 #include "live/simulator/command_slots.hpp"
+#include "live/simulator/control_requests.hpp"
 #include "live/simulator/game_publisher.hpp"
 #include "live/simulator/robot_reports.hpp"
 #include "live/simulator/robot_updates.hpp"

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -14,8 +15,6 @@
 namespace autoref::live {
 namespace {
 
-constexpr std::chrono::seconds kSilence{2};
-constexpr std::size_t kMostRequests = 64;
 constexpr double kSameLength_m = 0.002;
 constexpr std::size_t kControlPort = 2;  // index of a receiver, like kGrsimPort
 constexpr std::size_t kGrsimPort = 3;
@@ -56,35 +55,6 @@ std::string response_to(const league::CommandPacket& packet,
 }
 
 }  // namespace
-
-bool SourceLock::admits(const std::string& host, std::chrono::steady_clock::time_point now,
-                        bool has_commands) {
-  if (host != host_ && !host_.empty() && now - last_ < kSilence) return false;
-  if (host != host_ && !has_commands) return true;
-  host_ = host;
-  last_ = now;
-  return true;
-}
-
-bool ControlRequests::add(league::SimulatorRequest request) {
-  const std::lock_guard lock(mutex_);
-  if (requests_.size() == kMostRequests) return false;
-  requests_.push_back(std::move(request));
-  return true;
-}
-
-std::vector<league::SimulatorRequest> ControlRequests::take_all() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(requests_, {});
-}
-
-std::optional<double> ControlRequests::speed() const {
-  const std::lock_guard lock(mutex_);
-  std::optional<double> speed;
-  for (const league::SimulatorRequest& request : requests_)
-    speed = request.speed ? request.speed : speed;
-  return speed;
-}
 
 PerSide<bool> network_sides(const game::GameConfiguration& game) {
   return {

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <bitset>
-#include <chrono>
 #include <cstdint>
 #include <mutex>
 #include <optional>
@@ -17,8 +16,10 @@
 #include "league/simulator/grsim_packet.hpp"
 #include "live/live_options.hpp"
 #include "live/network/network.hpp"
+#include "live/network/source_lock.hpp"
 #include "live/network/stream_server.hpp"
 #include "live/simulator/command_slots.hpp"
+#include "live/simulator/control_requests.hpp"
 #include "live/simulator/lock_step.hpp"
 #include "live/simulator/robot_reports.hpp"
 #include "live/simulator/robot_updates.hpp"
@@ -35,36 +36,6 @@ struct TeamTraffic {
   // Number of packets dropped because they came from another computer than the team's.
   std::int64_t foreign = 0;
   std::string last_error;  // last error with its sender; empty: none
-};
-
-// Admits packets from one computer: the first computer that sends commands, until it has been
-// silent for 2 s.
-class SourceLock {
- public:
-  // A packet without commands is admitted unless another computer is in command, but does not lock
-  // out others.
-  bool admits(const std::string& host, std::chrono::steady_clock::time_point now,
-              bool has_commands = true);
-
-  const std::string& host() const { return host_; }  // empty if no computer has sent commands yet
-
- private:
-  std::string host_;
-  std::chrono::steady_clock::time_point last_{};
-};
-
-// Requests to the simulator that are waiting for the game's thread, at most 64.
-class ControlRequests {
- public:
-  // Called in the network's thread. Returns false if 64 requests are already waiting.
-  bool add(league::SimulatorRequest request);
-  std::vector<league::SimulatorRequest> take_all();
-  // The speed in the latest waiting request that sets one, if any.
-  std::optional<double> speed() const;
-
- private:
-  mutable std::mutex mutex_;
-  std::vector<league::SimulatorRequest> requests_;
 };
 
 // The objects to which the ports pass their packets.

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "io/errors.hpp"
-#include "live/simulator/team_ports.hpp"
 
 namespace autoref::live {
 namespace {
@@ -76,24 +75,6 @@ TEST(Network, APortInUseIsAnErrorThatNamesItsOption) {
 TEST(Network, AnAddressThatIsNoneIsAnError) {
   EXPECT_THROW(DatagramSender("localhost", {kLoopback, 1}), io::InputError);
   EXPECT_THROW(DatagramSender(kLoopback, {"somewhere", 1}), io::InputError);
-}
-
-TEST(SourceLock, AdmitsOneComputerUntilItIsSilent) {
-  const auto start = std::chrono::steady_clock::now();
-  SourceLock lock;
-  EXPECT_TRUE(lock.admits("10.0.0.1", start));
-  EXPECT_FALSE(lock.admits("10.0.0.2", start + std::chrono::milliseconds(1900)));
-  EXPECT_TRUE(lock.admits("10.0.0.1", start + std::chrono::milliseconds(1950)));
-  EXPECT_FALSE(lock.admits("10.0.0.2", start + std::chrono::milliseconds(3900)));
-  EXPECT_TRUE(lock.admits("10.0.0.2", start + std::chrono::milliseconds(3960)));
-}
-
-TEST(SourceLock, PacketsWithoutCommandsExcludeNobody) {
-  const auto start = std::chrono::steady_clock::now();
-  SourceLock lock;
-  EXPECT_TRUE(lock.admits("10.0.0.1", start, false));
-  EXPECT_TRUE(lock.admits("10.0.0.2", start, true));
-  EXPECT_FALSE(lock.admits("10.0.0.1", start, false));
 }
 
 }  // namespace
