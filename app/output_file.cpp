@@ -1,9 +1,10 @@
 #include "app/output_file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <utility>
 
@@ -65,26 +66,56 @@ void check_outputs(const std::vector<NamedFile>& outputs, const std::vector<std:
 }
 
 std::optional<io::PendingFile>& open_output(std::optional<io::PendingFile>& file, const char* flag,
-                                            const std::string& path) {
+                                            const std::string& path, io::FileKind kind) {
   if (path.empty()) return file;
   try {
-    return file.emplace(path, io::FileKind::kFileOrPipe), file;
+    return file.emplace(path, kind), file;
   } catch (const io::InputOutputError& error) {
     throw io::InputError({flag}, "", error.what());
   }
 }
 
-LineOutput::LineOutput(const char* flag, const std::string& path) : path_(path) {
-  open_output(file_, flag, path);
-  struct stat status {};
-  is_regular_ = file_ && fstat(file_->descriptor(), &status) == 0 && S_ISREG(status.st_mode);
+LineOutput::LineOutput(const char* flag, const std::string& path, Appears appears)
+    : path_(path), appears_(appears) {
+  const bool is_growing = appears == Appears::kAtOnce;
+  open_output(file_, flag, path, is_growing ? io::FileKind::kGrowing : io::FileKind::kFileOrPipe);
+}
+
+void LineOutput::begin() {
+  if (!file_ || appears_ != Appears::kAtOnce || std::exchange(has_begun_, true)) return;
+  write_waiting();
 }
 
 void LineOutput::add(std::string_view line) {
+  if (!file_) return;
   waiting_.append(line).append(1, '\n');
-  if (!is_regular_ || waiting_.size() <= kMostWaiting_bytes) return;
-  io::write_all(file_->descriptor(), waiting_, path_);
-  waiting_.clear();
+  const bool is_due =
+      appears_ == Appears::kAtOnce ? has_begun_ : waiting_.size() > kMostWaiting_bytes;
+  if (is_due) write_waiting();
+}
+
+void LineOutput::write_waiting() {
+  if (file_->is_file()) {
+    file_->write(waiting_);
+    waiting_.clear();
+  } else if (appears_ == Appears::kAtOnce) {
+    write_what_fits();
+  }
+}
+
+// A terminal or a device may take everything; a pipe may be full.
+void LineOutput::write_what_fits() {
+  const int descriptor = file_->descriptor();
+  const int flags = fcntl(descriptor, F_GETFL);
+  fcntl(descriptor, F_SETFL, flags | O_NONBLOCK);
+  const ssize_t count = io::write_without_signal(descriptor, waiting_);
+  const int error_number = errno;
+  fcntl(descriptor, F_SETFL, flags);
+  if (count >= 0) {
+    waiting_.erase(0, static_cast<std::size_t>(count));
+  } else if (error_number != EAGAIN && error_number != EINTR) {
+    throw io::io_error(path_ + " cannot be written", error_number);
+  }
 }
 
 void LineOutput::commit() {

@@ -26,22 +26,34 @@ void check_outputs(const std::vector<NamedFile>& outputs, const std::vector<std:
 // Opens the file before any work is done, so that a wrong name is reported immediately. Leaves
 // `file` empty if the path is empty. Throws InputError naming `flag`.
 std::optional<io::PendingFile>& open_output(std::optional<io::PendingFile>& file, const char* flag,
-                                            const std::string& path);
+                                            const std::string& path,
+                                            io::FileKind kind = io::FileKind::kFileOrPipe);
 
-// An output file that grows line by line. Lines are written to disk in batches, so a long game
-// needs no more memory than a short one. The file appears under its name at commit(). If it is not
-// a regular file but, for example, a pipe, all lines are written at commit(), since its reader must
-// not delay the game.
+// When the lines of an output file appear under its name.
+enum class Appears {
+  kAtEnd,   // all at once at commit()
+  kAtOnce,  // each as it is added, so that none is lost if the program is killed
+};
+
+// An output file that grows line by line. If the lines appear at the end, they are written to disk
+// in batches, so a long game needs no more memory than a short one. A reader must not delay the
+// game: if the file is, for example, a pipe, lines that appear at the end are all written at
+// commit(), and lines that appear at once wait while the pipe is full.
 class LineOutput {
  public:
   static constexpr std::size_t kMostWaiting_bytes = 64 * 1024;  // kept for a regular file
 
   // Opens no file if the path is empty. Throws InputError naming `flag`.
-  LineOutput(const char* flag, const std::string& path);
+  LineOutput(const char* flag, const std::string& path, Appears appears = Appears::kAtEnd);
 
   bool is_open() const { return file_.has_value(); }
 
-  // Adds a line, given without its line break. The file must be open. Throws InputOutputError.
+  // Removes the former content of a file whose lines appear at once, and writes the lines added
+  // before. Does nothing for other files. Throws InputOutputError.
+  void begin();
+
+  // Adds a line, given without its line break. Does nothing if no file is open. Throws
+  // InputOutputError.
   void add(std::string_view line);
 
   // Does nothing if no file is open. Throws InputOutputError.
@@ -51,9 +63,13 @@ class LineOutput {
   std::size_t waiting_bytes() const { return waiting_.size(); }
 
  private:
+  void write_waiting();
+  void write_what_fits();
+
   std::string path_;
+  Appears appears_;
   std::optional<io::PendingFile> file_;
-  bool is_regular_ = false;
+  bool has_begun_ = false;
   std::string waiting_;
 };
 

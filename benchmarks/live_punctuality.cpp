@@ -14,9 +14,6 @@ using LiveClock = std::chrono::steady_clock;
 
 constexpr double kPacketRate_hz = 60;
 
-// Thrown in the game's loop when its time is over.
-struct MeasuringIsOver {};
-
 game::GameConfiguration measured_configuration(double seconds, bool on_network) {
   game::GameConfiguration game;
   game.match.half_s = seconds + 1;  // so that the game does not end by itself
@@ -31,18 +28,15 @@ live::Punctuality punctuality_of(const game::GameConfiguration& game,
                                  const live::LiveOptions& options, double seconds) {
   live::SteadyFrameClock clock;
   const LiveClock::time_point start = LiveClock::now();
-  const auto check = [&] {
-    if (LiveClock::now() - start >= std::chrono::duration<double>(seconds)) throw MeasuringIsOver();
+  const auto is_over = [&] {
+    return LiveClock::now() - start >= std::chrono::duration<double>(seconds);
   };
-  live::LiveGame live(game, options, clock, check);
+  live::LiveGame live(game, options, clock, is_over);
   game::GamePrograms programs = game::GamePrograms::live(
       game, {}, [&](const game::TeamConfiguration&, const strategies::TeamContext& context) {
         return live.make_network_team(context);
       });
-  try {
-    live.play(nullptr, programs);
-  } catch (const MeasuringIsOver&) {
-  }
+  live.play(nullptr, programs);
   return live.report().punctuality;
 }
 

@@ -2,6 +2,8 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <pthread.h>
+#include <signal.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -9,9 +11,11 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <ctime>
 #include <string_view>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include "io/errors.hpp"
 
@@ -175,17 +179,35 @@ void write_all(int descriptor, std::string_view text, const fs::path& path) {
   }
 }
 
+ssize_t write_without_signal(int descriptor, std::string_view bytes) {
+  sigset_t pipe_signal;
+  sigset_t former;
+  sigemptyset(&pipe_signal);
+  sigaddset(&pipe_signal, SIGPIPE);
+  pthread_sigmask(SIG_BLOCK, &pipe_signal, &former);
+  const ssize_t written = write(descriptor, bytes.data(), bytes.size());
+  const int error_number = errno;
+  if (written < 0 && error_number == EPIPE) {
+    const timespec now{};
+    sigtimedwait(&pipe_signal, nullptr, &now);
+  }
+  pthread_sigmask(SIG_SETMASK, &former, nullptr);
+  errno = error_number;
+  return written;
+}
+
 PendingFile::PendingFile(fs::path path, FileKind kind, double patience_s)
     : path_(std::move(path)), part_(path_) {
   std::error_code error;
   const fs::file_status status = fs::status(path_, error);
-  const bool is_own = kind == FileKind::kFile;
-  if (is_own || !fs::exists(status) || fs::is_regular_file(status)) part_ += ".part";
-  if (is_direct()) {
+  was_missing_ = fs::symlink_status(path_, error).type() == fs::file_type::not_found;
+  is_file_ = kind == FileKind::kFile || !fs::exists(status) || fs::is_regular_file(status);
+  if (is_file_ && kind != FileKind::kGrowing) part_ += ".part";
+  if (is_file_) {
+    wait_for_part(patience_s);
+  } else {
     descriptor_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
     if (descriptor_ < 0) throw cannot_write(path_);
-  } else {
-    wait_for_part(patience_s);
   }
 }
 
@@ -195,21 +217,22 @@ void PendingFile::wait_for_part(double patience_s) {
   const auto until = Clock::now() + std::chrono::duration<double>(patience_s);
   while (!take_part()) {
     if (Clock::now() > until) {
-      throw InputOutputError(
-          fmt::format("{} is in use: another process writes {}", part_.string(), path_.string()));
+      throw InputOutputError(fmt::format("{} is in use: another process writes {}", part_.string(),
+                                         is_direct() ? "it" : path_.string()));
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
 }
 
 bool PendingFile::take_part() {
-  descriptor_ = open_regular_file(part_, O_WRONLY | O_CREAT | O_NOFOLLOW);
+  const int follow = is_direct() ? 0 : O_NOFOLLOW;
+  descriptor_ = open_regular_file(part_, O_WRONLY | O_CREAT | follow);
   if (descriptor_ < 0) throw cannot_write(path_);
   const bool is_locked = flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
   const bool is_busy = !is_locked && (errno == EWOULDBLOCK || errno == EINTR);
   // The previous holder of the lock may have renamed or removed the file in the meantime.
   const bool is_gone = is_locked && !is_open_as(part_, descriptor_);
-  if (is_locked && !is_gone && ftruncate(descriptor_, 0) == 0) return true;
+  if (is_locked && !is_gone && (is_direct() || ftruncate(descriptor_, 0) == 0)) return true;
   const int error_number = errno;
   close(descriptor_);
   descriptor_ = -1;
@@ -220,12 +243,23 @@ bool PendingFile::take_part() {
 PendingFile::~PendingFile() {
   if (descriptor_ < 0) return;
   // Unlink while the lock is held: afterwards the name may already belong to another process.
-  if (!is_direct()) unlink(part_.c_str());
+  if (!is_direct() || (was_missing_ && !has_begun_)) unlink(part_.c_str());
   close(descriptor_);
 }
 
-void PendingFile::commit(std::string_view text) {
+void PendingFile::begin() {
+  if (!is_direct() || std::exchange(has_begun_, true)) return;
+  // Only files have a length that can be set.
+  if (ftruncate(descriptor_, 0) != 0 && errno != EINVAL) throw cannot_write(path_);
+}
+
+void PendingFile::write(std::string_view text) {
+  begin();
   write_all(descriptor_, text, path_);
+}
+
+void PendingFile::commit(std::string_view text) {
+  write(text);
   if (is_direct()) return;
   // rename() replaces the file atomically: readers see either the old or the new content, never
   // parts of it. Without fsync(), a power failure could leave an empty file under that name.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <stdlib.h>
+#include <sys/types.h>
 #include <cerrno>
 #include <filesystem>
 #include <functional>
@@ -78,15 +79,22 @@ bool read_pieces(const std::filesystem::path& path, const TakePiece& take);
 // Writes all of `text` to a descriptor. Throws InputOutputError naming `path`.
 void write_all(int descriptor, std::string_view text, const std::filesystem::path& path);
 
+// Like write(2) to a pipe. If its reader is gone, returns -1 with EPIPE but raises no signal.
+ssize_t write_without_signal(int descriptor, std::string_view bytes);
+
 // What a file name may refer to.
 enum class FileKind {
   kFile,        // a file in one of AutoRef's folders
   kFileOrPipe,  // named by the user: can also be a pipe or a device such as /dev/stdout
+  // Like kFileOrPipe, but a file's content appears as it is written, and stays if the process is
+  // killed.
+  kGrowing,
 };
 
-// New content for a file, which appears under its final name only at commit(). If the user names
-// something else (a pipe or /dev/stdout, for example), commit() writes to it directly. A process
-// killed before commit() leaves `path`.part behind, which the next process overwrites.
+// New content for a file, which appears under its final name only at commit(), or as it is written
+// (FileKind::kGrowing). If the user names something else (a pipe or /dev/stdout, for example), the
+// content is written to it directly. A process killed before commit() leaves `path`.part behind,
+// which the next process overwrites.
 class PendingFile {
  public:
   // Throws InputOutputError if the file cannot be created, or if another process is still writing
@@ -97,18 +105,31 @@ class PendingFile {
   PendingFile(const PendingFile&) = delete;
   PendingFile& operator=(const PendingFile&) = delete;
 
+  // False for a pipe or a device.
+  bool is_file() const { return is_file_; }
+
   // The descriptor to write to, for content that is written in parts. Valid until commit().
   int descriptor() const { return descriptor_; }
+
+  // Removes the former content of a growing file; call this before writing to its descriptor. A
+  // file that never begins stays as it was. Further calls do nothing, as for other files.
+  void begin();
+
+  // Begins and writes a part of the content.
+  void write(std::string_view text);
 
   void commit(std::string_view text = {});
 
  private:
   bool is_direct() const { return part_ == path_; }
   void wait_for_part(double patience_s);
-  bool take_part();  // returns false if another process holds the temporary file
+  bool take_part();  // returns false if another process holds the file
 
   std::filesystem::path path_;
-  std::filesystem::path part_;  // temporary file, renamed at commit()
+  std::filesystem::path part_;  // temporary file, renamed at commit(); `path` if there is none
+  bool was_missing_ = false;    // whether there was nothing at `path`
+  bool is_file_ = true;
+  bool has_begun_ = false;
   int descriptor_ = -1;
 };
 

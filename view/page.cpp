@@ -1,5 +1,7 @@
 #include "view/page.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <vector>
@@ -8,6 +10,7 @@
 #include "soccer/referee_signal.hpp"
 #include "soccer/robot_shape.hpp"
 #include "view/field_marks.hpp"
+#include "view/live_messages.hpp"
 #include "view/packed_column.hpp"
 #include "view/page_parts.hpp"
 
@@ -193,6 +196,11 @@ io::Json compared_json(const ComparedCall& call) {
 std::string page_of(const PageContent& content) {
   return page_with({io::json_text(game_json(content)), base64_of(content.recording.bytes()), "",
                     std::string(page_style()), joined(page_script(), page_start())});
+}
+
+std::string page_part(const GameRecording& part) {
+  return fmt::format("<script type=\"application/json\" class=\"part\">{}</script>\n",
+                     escaped_for_script(part_message(part)));
 }
 
 std::string html_text(std::string_view text) {

@@ -51,6 +51,10 @@ struct PageContent {
 // The page: HTML with style, script (view/page/) and the game's data.
 std::string page_of(const PageContent& content);
 
+// The text to append to a page while the game goes on: the part of the game since the page's own
+// recording or the part before.
+std::string page_part(const GameRecording& part);
+
 // A page without a game, which shows the game that its server sends (live_messages.hpp).
 std::string live_page();
 

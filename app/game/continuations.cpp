@@ -25,7 +25,7 @@ using experiments::Continuation;
 Continuation continuation_of(const game::GameConfiguration& game) {
   experiments::ContinuationObserver observer;
   game::GamePrograms programs = game::GamePrograms::live(game, {});
-  const game::GameRecord record = play_game(game, &observer, programs);
+  const game::GameRecord record = play_game(game, &observer, programs).record;
   return observer.continuation(game, record);
 }
 

@@ -171,7 +171,7 @@ int live_verb(const LiveArguments& arguments) {
   const game::GameConfiguration game = game::resolved(settings);
   const live::LiveOptions options = options_of(arguments, game.match.control);
   live::SteadyFrameClock clock;
-  live::LiveGame live(game, options, clock, check_interrupt);
+  live::LiveGame live(game, options, clock, is_interrupted);
   GamePlayer player;
   player.make_network_team = [&](const game::TeamConfiguration&,
                                  const strategies::TeamContext& context) {

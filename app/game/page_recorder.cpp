@@ -18,6 +18,7 @@ namespace autoref::app {
 namespace {
 
 constexpr std::chrono::seconds kFarewell{1};
+constexpr double kGrowEvery_s = 1;
 
 }  // namespace
 
@@ -58,43 +59,51 @@ view::ChainKinds chain_kinds() {
   return {all_names<game::ChainStart>(), all_names<game::ChainEnd>()};
 }
 
-PageRecorder::PageRecorder(const game::GameConfiguration& game) : game_(&game) {
+PageRecorder::PageRecorder(const game::GameConfiguration& game, io::PendingFile* growing)
+    : game_(&game), growing_(growing) {
   if (game.scene) return;  // it ends long before a game would
   win_probability_.emplace(game, [this](double time_s, const game::WinProbability& probability) {
-    recording_.add(view::RecordedWinProbability{time_s, probability.west, probability.draw});
+    add(view::RecordedWinProbability{time_s, probability.west, probability.draw});
   });
 }
 
 void PageRecorder::on_frame(const Frame& frame, const RefereeSignal& signal,
                             const sim::World& /*world*/) {
-  recording_.add(published(frame, signal.blue_on_positive_half));
-  recording_.add(frame.time_s, published(signal));
+  add(published(frame, signal.blue_on_positive_half));
+  add(frame.time_s, published(signal));
   blue_on_positive_half_ = signal.blue_on_positive_half;
+  if (growing_ != nullptr && newest_.last_s() - newest_.first_s() >= kGrowEvery_s) grow();
 }
 
-void PageRecorder::on_decision(const referee::Decision& decision) {
-  recording_.add(recorded(decision));
+void PageRecorder::grow() {
+  if (!std::exchange(has_grown_, true)) growing_->write(view::page_of(content({})));
+  growing_->write(view::page_part(newest_.take_recording()));
 }
+
+void PageRecorder::on_decision(const referee::Decision& decision) { add(recorded(decision)); }
 
 void PageRecorder::on_action(const game::BallAction& action) {
-  recording_.add(recorded(action, game_->sim.frame_rate_hz, blue_on_positive_half_));
+  add(recorded(action, game_->sim.frame_rate_hz, blue_on_positive_half_));
 }
 
 void PageRecorder::on_chain(const game::PossessionChain& chain) {
-  recording_.add(recorded(chain, game_->sim.frame_rate_hz));
+  add(recorded(chain, game_->sim.frame_rate_hz));
 }
 
 // The teams change ends during breaks, so they have not done so since the shot.
 void PageRecorder::on_shot(const game::Shot& shot) {
-  recording_.add(recorded(shot, game_->sim.frame_rate_hz, blue_on_positive_half_));
+  add(recorded(shot, game_->sim.frame_rate_hz, blue_on_positive_half_));
+}
+
+view::PageContent PageRecorder::content(const view::GameRecording& recording) const {
+  return {recording,        game_->field, game::shown_names(*game_),
+          facts_of(*game_), std::nullopt, chain_kinds()};
 }
 
 std::string PageRecorder::page(const game::GameRecord& record) const {
-  const game::GameConfiguration& game = *game_;
-  std::vector<view::PageFact> facts = facts_of(game);
-  facts.insert(facts.end() - 1, {"state", io::hash_text(record.state_hash)});
-  return view::page_of({recording_, game.field, game::shown_names(game), std::move(facts),
-                        std::nullopt, chain_kinds()});
+  view::PageContent all = content(recording_);
+  all.facts.insert(all.facts.end() - 1, {"state", io::hash_text(record.state_hash)});
+  return view::page_of(all);
 }
 
 std::vector<view::PageFact> facts_of(const game::GameConfiguration& game) {

@@ -11,6 +11,7 @@
 #include "game/loop/observer.hpp"
 #include "game/loop/win_probability_observer.hpp"
 #include "game/play_counts/possession_chains.hpp"
+#include "io/files.hpp"
 #include "live/web/live_page.hpp"
 #include "view/game_recording.hpp"
 #include "view/page.hpp"
@@ -33,8 +34,9 @@ view::ChainKinds chain_kinds();
 
 class PageRecorder final : public game::Observer {
  public:
-  // `game` must outlive the recorder.
-  explicit PageRecorder(const game::GameConfiguration& game);
+  // `growing`: a growing file to which the game is also written while it is played, as a page that
+  // lacks at most its last second; null: none. `game` and `growing` must outlive the recorder.
+  explicit PageRecorder(const game::GameConfiguration& game, io::PendingFile* growing = nullptr);
   PageRecorder(const PageRecorder&) = delete;
   PageRecorder& operator=(const PageRecorder&) = delete;
 
@@ -51,8 +53,19 @@ class PageRecorder final : public game::Observer {
   std::string page(const game::GameRecord& record) const;
 
  private:
+  template <typename... Entry>
+  void add(const Entry&... entry) {
+    recording_.add(entry...);
+    if (growing_ != nullptr) newest_.add(entry...);
+  }
+  view::PageContent content(const view::GameRecording& recording) const;
+  void grow();
+
   const game::GameConfiguration* game_;
+  io::PendingFile* growing_;
   view::GameRecording recording_;
+  view::GameRecording newest_;  // what the growing file does not have yet
+  bool has_grown_ = false;
   std::optional<game::WinProbabilityObserver> win_probability_;  // nullopt for a scene
   bool blue_on_positive_half_ = true;                            // in the last frame
 };

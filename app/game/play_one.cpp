@@ -28,21 +28,41 @@
 namespace autoref::app {
 namespace {
 
-// The output files of a game. They appear when the game is over.
+// The output files of a game.
 struct GameFiles {
-  explicit GameFiles(const GameOutput& output)
-      : events("--events", output.events),
-        game_events("--game-events", output.game_events),
-        chains("--chains", output.chains),
-        actions("--actions", output.actions) {
-    open_output(view, "--view", output.view);
+  GameFiles(const GameOutput& output, Appears appears)
+      : events("--events", output.events, appears),
+        game_events("--game-events", output.game_events, appears),
+        chains("--chains", output.chains, appears),
+        actions("--actions", output.actions, appears),
+        view_path(output.view) {
+    const bool is_growing = appears == Appears::kAtOnce;
+    open_output(view, "--view", view_path,
+                is_growing ? io::FileKind::kGrowing : io::FileKind::kFileOrPipe);
+    is_view_growing = is_growing && view && view->is_file();
+  }
+
+  void begin() {
+    for (LineOutput* file : {&events, &game_events, &chains, &actions}) file->begin();
+  }
+
+  void commit() {
+    for (LineOutput* file : {&events, &game_events, &chains, &actions}) file->commit();
+  }
+
+  void commit_page(const std::string& page) {
+    // The page that grew is replaced by a smaller one with the same game.
+    if (is_view_growing) view.emplace(view_path, io::FileKind::kFileOrPipe);
+    view->commit(page);
   }
 
   LineOutput events;
   LineOutput game_events;
   LineOutput chains;
   LineOutput actions;
+  std::string view_path;
   std::optional<io::PendingFile> view;
+  bool is_view_growing = false;
 };
 
 volatile std::sig_atomic_t interrupted = 0;
@@ -52,21 +72,24 @@ void end_soon(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
-// Writes the game's files while it is played. After Ctrl-C, ends the game at its next frame.
+// Writes the game's files while it is played.
 class GameOutputs final : public game::Observer {
  public:
-  GameOutputs(GameFiles& files, const game::GameConfiguration& game)
+  // `checks_interrupt`: whether on_frame() throws Interrupted after Ctrl-C.
+  GameOutputs(GameFiles& files, const game::GameConfiguration& game, bool checks_interrupt)
       : files_(&files),
+        checks_interrupt_(checks_interrupt),
         events_(game::event_game_of(game)),
         chain_columns_(game::chain_columns(events_, game.sim.frame_rate_hz)),
         action_columns_(game::action_columns(events_, game.sim.frame_rate_hz)) {
     note_interrupts();
-    if (files.chains.is_open()) files.chains.add(io::csv_line(io::heads_of(chain_columns_)));
-    if (files.actions.is_open()) files.actions.add(io::csv_line(io::heads_of(action_columns_)));
+    files.chains.add(io::csv_line(io::heads_of(chain_columns_)));
+    files.actions.add(io::csv_line(io::heads_of(action_columns_)));
   }
   void on_frame(const Frame& /*frame*/, const RefereeSignal& /*signal*/,
                 const sim::World& /*world*/) override {
-    check_interrupt();
+    if (checks_interrupt_) check_interrupt();
+    files_->begin();
   }
   void on_decision(const referee::Decision& decision) override {
     if (files_->events.is_open()) files_->events.add(game::decision_json(decision, events_));
@@ -89,13 +112,27 @@ class GameOutputs final : public game::Observer {
   }
 
   GameFiles* files_;
+  bool checks_interrupt_;
   game::EventGame events_;
   io::TableColumns<game::ChainRow> chain_columns_;
   io::TableColumns<game::BallAction> action_columns_;
   int chains_ = 0;  // number of chains so far
 };
 
-void check_files(const GameOutput& output, const std::vector<std::string>& inputs) {
+void check_record(const game::GameConfiguration& game) {
+  if (!game::has_programs(game))
+    throw io::InputError(
+        {"--record"}, "",
+        "neither team is a program or on the network, so there is nothing to record");
+  if (game.match.control == referee::Control::kGameController)
+    throw io::InputError({"--record"}, "",
+                         "the game controller's commands are not recorded, so the game could not "
+                         "be repeated; use --log");
+}
+
+void check_files(const game::GameConfiguration& game, const GameOutput& output,
+                 const std::vector<std::string>& inputs) {
+  if (!output.record.empty()) check_record(game);
   check_outputs({{"--events", output.events},
                  {"--game-events", output.game_events},
                  {"--chains", output.chains},
@@ -108,19 +145,11 @@ void check_files(const GameOutput& output, const std::vector<std::string>& input
 
 game::GamePrograms programs_of(const game::GameConfiguration& game, const GameOutput& output,
                                const RecordedCommands& commands, const GamePlayer& player) {
-  if (!game::has_programs(game) && !output.record.empty())
-    throw io::InputError(
-        {"--record"}, "",
-        "neither team is a program or on the network, so there is nothing to record");
-  if (game.match.control == referee::Control::kGameController && !output.record.empty())
-    throw io::InputError({"--record"}, "",
-                         "the game controller's commands are not recorded, so the game could not "
-                         "be repeated; use --log");
   if (!commands.file.empty())
     return game::GamePrograms::recorded(game, commands.file, commands.kind);
   game::ProgramFiles files;
   files.commands = output.record;
-  files.commands_kind = io::FileKind::kFileOrPipe;
+  files.commands_kind = player.play ? io::FileKind::kGrowing : io::FileKind::kFileOrPipe;
   files.show_stderr = true;
   return game::GamePrograms::live(game, files, player.make_network_team);
 }
@@ -144,8 +173,10 @@ void note_interrupts() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, end_soon);
 }
 
+bool is_interrupted() { return interrupted != 0; }
+
 void check_interrupt() {
-  if (interrupted != 0) throw io::Interrupted();
+  if (is_interrupted()) throw io::Interrupted();
 }
 
 void add_output_options(CLI::App& verb, GameOutput& output) {
@@ -179,7 +210,7 @@ std::optional<double> pace_of(const game::GameConfiguration& game, const GameOut
   return game.sim.frame_rate_hz * speed_factor_in(output.speed.empty() ? "1" : output.speed, "max");
 }
 
-game::GameRecord play_game(const game::GameConfiguration& configuration,
+game::PlayedGame play_game(const game::GameConfiguration& configuration,
                            const game::Observers& observers, game::GamePrograms& programs,
                            std::optional<double> frames_per_s) {
   game::Game game(programs.configured(configuration), observers, programs.maker());
@@ -188,21 +219,22 @@ game::GameRecord play_game(const game::GameConfiguration& configuration,
   if (frames_per_s) pacer.emplace(clock, *frames_per_s);
   do {
     if (pacer) pacer->wait();
-    programs.before_step(game);
+    if (!programs.before_step(game)) return {game.record(), true};
   } while (game.step());
-  return game.record();
+  return {game.record()};
 }
 
 game::GameRecord play_one(const game::GameConfiguration& game, const GameOutput& output,
                           const std::vector<std::string>& inputs, const RecordedCommands& commands,
                           const GamePlayer& player) {
-  check_files(output, inputs);
-  GameFiles files(output);
+  check_files(game, output, inputs);
+  const bool is_repeatable = !player.play;
+  GameFiles files(output, is_repeatable ? Appears::kAtEnd : Appears::kAtOnce);
   std::optional<game::LogRecorder> log;
   if (!output.log.empty()) log.emplace(output.log, game);
-  PageRecorder page(game);
+  PageRecorder page(game, files.is_view_growing ? &*files.view : nullptr);
   const std::optional<double> frames_per_s = pace_of(game, output);
-  GameOutputs outputs(files, game);
+  GameOutputs outputs(files, game, is_repeatable);
   GameOnWeb game_on_web(game, output.web);
   game::Observers observers(game_on_web.observer());
   if (files.view) observers.add(&page);
@@ -210,9 +242,9 @@ game::GameRecord play_one(const game::GameConfiguration& game, const GameOutput&
   observers.add(&outputs);
   const auto start = std::chrono::steady_clock::now();
   game::GamePrograms programs = programs_of(game, output, commands, player);
-  game::GameRecord record = player.play ? player.play(observers, programs)
-                                        : play_game(game, observers, programs, frames_per_s);
-  if (!programs.finish(record)) {
+  const game::PlayedGame played = player.play ? player.play(observers, programs)
+                                              : play_game(game, observers, programs, frames_per_s);
+  if (!programs.finish(played.record, played.is_interrupted)) {
     throw io::InputError({commands.file.string()}, "",
                          "its commands lead to a different final state: they come from another "
                          "game, other settings or another build");
@@ -221,16 +253,20 @@ game::GameRecord play_one(const game::GameConfiguration& game, const GameOutput&
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   game_on_web.end();
   if (log) log->close();
-  files.events.commit();
-  files.game_events.commit();
-  files.chains.commit();
-  files.actions.commit();
-  if (files.view) files.view->commit(page.page(record));
-  const experiments::GameReport report{game, record, wall_s, io::build_id()};
+  files.commit();
+  if (files.view) files.commit_page(page.page(played.record));
+  const experiments::GameReport report{game, played.record, wall_s, io::build_id(),
+                                       played.is_interrupted};
   fmt::print("{}\n", output.json
                          ? experiments::json_of(report)
                          : io::wrapped(experiments::text_of(report), io::text_width(stdout)));
-  return record;
+  if (programs.is_cut()) {
+    io::write_message(stderr, fmt::format("autoref: {} has no end, since the recording program was "
+                                          "killed; the final state was not compared\n",
+                                          commands.file.string()));
+  }
+  if (played.is_interrupted && commands.file.empty()) throw io::Interrupted();
+  return played.record;
 }
 
 }  // namespace autoref::app

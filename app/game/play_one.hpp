@@ -37,10 +37,12 @@ struct GameOutput {
   bool json = false;
 };
 
-// A way to play a game other than play() (game.hpp).
+// A way to play a game other than play() (game.hpp): with programs or people on the network. Such a
+// game ends when the user interrupts (is_interrupted()). It cannot be repeated, so its files appear
+// as they are written, and are kept.
 struct GamePlayer {
   game::TeamMaker make_network_team;
-  std::function<game::GameRecord(const game::Observers& observers, game::GamePrograms& programs)>
+  std::function<game::PlayedGame(const game::Observers& observers, game::GamePrograms& programs)>
       play;
 };
 
@@ -54,8 +56,10 @@ struct RecordedCommands {
 // game hangs.
 void note_interrupts();
 
-// Throws Interrupted if the user has pressed Ctrl-C since note_interrupts(), which play_one()
-// calls.
+// Whether the user has pressed Ctrl-C since note_interrupts(), which play_one() calls.
+bool is_interrupted();
+
+// Throws Interrupted if the user has pressed Ctrl-C.
 void check_interrupt();
 
 // Adds the flags of GameOutput except --speed.
@@ -68,19 +72,21 @@ void add_speed_option(CLI::App& verb, GameOutput& output);
 // many as possible. Throws InputError if the value of --speed is invalid.
 std::optional<double> pace_of(const game::GameConfiguration& game, const GameOutput& output);
 
-// Plays the game to its end, without any output. `frames_per_s` is the pace in wall-clock time;
-// nullopt: as fast as possible.
-game::GameRecord play_game(const game::GameConfiguration& configuration,
+// Plays the game to its end or, if recorded commands are played, to that of an interrupted game,
+// without any output. `frames_per_s` is the pace in wall-clock time; nullopt: as fast as possible.
+game::PlayedGame play_game(const game::GameConfiguration& configuration,
                            const game::Observers& observers, game::GamePrograms& programs,
                            std::optional<double> frames_per_s = std::nullopt);
 
 // Plays the game, prints its report, and writes its decisions, its log and its page as requested.
-// After Ctrl-C, throws Interrupted and writes neither decisions nor page; the log then contains the
-// game up to that time. `inputs` are the files from which the game was read; they must not be
-// overwritten. Throws InputError before the game starts if an output file is one of `inputs` or is
-// also another output.
+// After Ctrl-C, throws Interrupted. A game with a `player` then has its report and all its files,
+// up to that time; if the program is killed, at most the last second is missing. Of other games,
+// which can be repeated, only the log remains. `inputs` are the files from which the game was read;
+// they must not be overwritten. Throws InputError before the game starts if an output file is one
+// of `inputs` or is also another output.
 //
-// Throws InputError if `commands` were recorded in another game.
+// Throws InputError if `commands` were recorded in another game. Commands of an interrupted game
+// are played as far as they go.
 game::GameRecord play_one(const game::GameConfiguration& game, const GameOutput& output,
                           const std::vector<std::string>& inputs,
                           const RecordedCommands& commands = {}, const GamePlayer& player = {});

@@ -62,7 +62,7 @@ game::GameRecord play_controlled(const game::GameConfiguration& game,
   if (!arguments.game_controller.empty())
     place.ci = controller_address(arguments.game_controller, place.ci.port);
   const std::optional<double> frames_per_s = pace_of(game, arguments.output);
-  live::ControlledGame controlled(game, place, check_interrupt);
+  live::ControlledGame controlled(game, place, is_interrupted);
   GamePlayer player;
   player.play = [&](const game::Observers& observers, game::GamePrograms& programs) {
     return controlled.play(observers, programs, frames_per_s);

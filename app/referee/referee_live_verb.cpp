@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <deque>
-#include <fstream>
 #include <memory>
 #include <optional>
 
@@ -39,30 +38,6 @@ constexpr std::size_t kShownCalls = 8;
 constexpr double kLongest_s = 1e9;
 constexpr std::chrono::milliseconds kRedrawEvery{500};
 constexpr const char* kNetwork = "network";  // names the source of settings in messages
-
-// A file written line by line, so that nothing is lost if the program ends abnormally.
-class LineFile {
- public:
-  LineFile(const char* flag, const std::string& path) : flag_(flag), path_(path) {
-    if (path.empty()) return;
-    file_.open(path, std::ios::trunc);
-    check();
-  }
-  void write(const std::string& line) {
-    if (path_.empty()) return;
-    file_ << line << '\n' << std::flush;
-    check();
-  }
-
- private:
-  void check() const {
-    if (!file_) throw io::InputError({flag_}, "", fmt::format("cannot write to {}", path_));
-  }
-
-  const char* flag_;
-  std::string path_;
-  std::ofstream file_;
-};
 
 // Shows the referee's work: a continuously redrawn view on a terminal, otherwise one line per call.
 class RefereeScreen {
@@ -153,8 +128,8 @@ class WaitingNote {
 class LiveRefereeOutput {
  public:
   LiveRefereeOutput(const RefereeLiveArguments& arguments, std::string prefix)
-      : events_("--events", arguments.events),
-        game_events_("--game-events", arguments.game_events),
+      : events_("--events", arguments.events, Appears::kAtOnce),
+        game_events_("--game-events", arguments.game_events, Appears::kAtOnce),
         screen_(std::move(prefix)) {}
 
   // Shows the game to browsers at `web`, unless its address is empty.
@@ -166,13 +141,15 @@ class LiveRefereeOutput {
   }
 
   live::LiveRefereeCallbacks watch() {
+    events_.begin();
+    game_events_.begin();
     live::LiveRefereeCallbacks watch;
     watch.on_game_event = [this](const GameEvent& event) {
-      game_events_.write(game::game_event_json(event));
+      game_events_.add(game::game_event_json(event));
     };
     watch.on_decision = [this](const referee::Decision& decision) {
       screen_.report(decision);
-      events_.write(game::decision_json(decision, events_of_game_));
+      events_.add(game::decision_json(decision, events_of_game_));
       if (page_) page_->add(recorded(decision));
     };
     watch.on_frame = [this](const Frame& frame, const RefereeSignal& signal) {
@@ -188,11 +165,13 @@ class LiveRefereeOutput {
   void end() {
     if (page_) page_->end();
     screen_.end();
+    events_.commit();
+    game_events_.commit();
   }
 
  private:
-  LineFile events_;
-  LineFile game_events_;
+  LineOutput events_;
+  LineOutput game_events_;
   RefereeScreen screen_;
   game::EventGame events_of_game_;
   std::optional<live::WebView> page_;

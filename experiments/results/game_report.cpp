@@ -14,6 +14,8 @@
 namespace autoref::experiments {
 namespace {
 
+constexpr std::string_view kInterrupted = "interrupted";  // in place of an EndReason
+
 std::string scene_end_text(game::SceneEnd end) {
   switch (end) {
     case game::SceneEnd::kTime:
@@ -186,7 +188,7 @@ std::string json_of(const GameReport& report) {
       {"goals_a", record.goals_a},
       {"goals_b", record.goals_b},
       {"goals_by_half", record.goals_by_half},
-      {"end_reason", name_of(record.end_reason)},
+      {"end_reason", report.is_interrupted ? kInterrupted : name_of(record.end_reason)},
       {"shootout", record.shootout ? io::Json(*record.shootout) : io::Json()},
       {"status", name_of(record.status)},
       {"void_reason", record.void_reason.empty() ? io::Json() : io::Json(record.void_reason)},
@@ -223,7 +225,8 @@ std::string text_of(const GameReport& report) {
   }
   const std::string rules = not_official_text(game::rule_changes_in(game));
   if (!rules.empty()) text += "\n" + rules;
-  text += fmt::format("\nended: {}", end_text(game, record));
+  text += fmt::format("\nended: {}",
+                      report.is_interrupted ? "the game was interrupted" : end_text(game, record));
   text += fmt::format("\ncalls: {}", calls_text(record));
   text += counts_text(record);
   text += fmt::format("\n{:.0f} s played, ball in play {:.0f} s; took {:.2f} s, {:.0f} x real time",

@@ -4,7 +4,6 @@
 #include <string>
 #include <string_view>
 
-#include "game/loop/game.hpp"
 #include "game/loop/game_configuration.hpp"
 #include "game/loop/game_record.hpp"
 
@@ -20,6 +19,7 @@ struct GameReport {
   const game::GameRecord& record;
   double wall_s = 0;
   std::string_view build;
+  bool is_interrupted = false;  // then the record is that of the frames so far
 };
 
 // The report as a JSON object on one line.

@@ -66,6 +66,12 @@ struct GameRecord {
   int attempts = 1;
 };
 
+// A game that may have been interrupted before its end.
+struct PlayedGame {
+  GameRecord record;
+  bool is_interrupted = false;  // `record` is then that of the frames so far
+};
+
 // A count of a game that belongs to neither an event nor a team, such as "stops".
 struct GameTotal {
   std::string_view name;

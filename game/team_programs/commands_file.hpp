@@ -4,7 +4,8 @@
 // took effect. An entry begins with a byte:
 //   bits 0-1  0 a change of the world before the teams' next entries, 1 an entry of team a, 2 an
 //             entry of team b, 3 the end: 8 bytes with the game's final state follow
-//   bit 2     requests follow: keeper and robot that leaves (int8, -1: none), timeout (uint8)
+//   bit 2     requests follow: keeper and robot that leaves (int8, -1: none), timeout (uint8); of
+//             the end: the game was interrupted here
 //   bit 3     a fault follows: its length (uint16) and text; the team's last entry
 // Unless there is a fault, a uint16 follows: bit n is set if robot n's command differs from its
 // previous one, which is initially all zero. Each of these robots then has a byte:
@@ -20,13 +21,11 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <filesystem>
-#include <optional>
+#include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "game/team_programs/world_change.hpp"
-#include "io/files.hpp"
 #include "soccer/robot_command.hpp"
 
 namespace autoref::game {
@@ -38,79 +37,35 @@ struct TeamEntry {
   std::string fault;  // empty unless the team failed; at most 4000 bytes are kept
 };
 
-// Whether the commands and requests of both entries are equal.
+// Whether both are equal in the file; entries, regardless of faults.
+bool is_same(const RobotCommand& a, const RobotCommand& b);
+bool is_same(const TeamRequests& a, const TeamRequests& b);
 bool is_same(const TeamEntry& a, const TeamEntry& b);
 
-class CommandsWriter {
- public:
-  // The file appears at close(), like every PendingFile. Throws InputOutputError.
-  explicit CommandsWriter(const std::filesystem::path& path,
-                          io::FileKind kind = io::FileKind::kFile);
-  ~CommandsWriter();
-  CommandsWriter(const CommandsWriter&) = delete;
-  CommandsWriter& operator=(const CommandsWriter&) = delete;
+// The numbers of the format above, for its writer and its reader.
+struct CommandsFormat {
+  static constexpr std::string_view kHeader = "autoref-commands 1\n";
+  static constexpr std::size_t kLongestFault = 4000;
 
-  // `team` is 'a' or 'b'. Throws InputOutputError.
-  void add(char team, const TeamEntry& entry);
+  static constexpr unsigned kTeamBits = 3;
+  static constexpr unsigned kChange = 0;  // bits 0-1; the kinds in bits 2-3
+  static constexpr unsigned kEnd = 3;
+  static constexpr unsigned kChangeShift = 2;
+  static constexpr unsigned kBall = 0;
+  static constexpr unsigned kPlaced = 1;
+  static constexpr unsigned kRemoved = 2;
+  static constexpr unsigned kChangedRobot = kChange | 3U << kChangeShift;  // the first byte
+  static constexpr unsigned kHasRequests = 4;
+  static constexpr unsigned kIsInterrupted = 4;  // of the end
+  static constexpr unsigned kHasFault = 8;
+  static constexpr unsigned kHasChip = 16;
+  static constexpr unsigned kHasDribble = 32;
 
-  // Adds a robot that was changed before the game; call this before all other functions. Throws
-  // InputOutputError.
-  void add(const ChangedRobot& changed);
-
-  // Adds a change before the next step. Throws InputOutputError.
-  void add(const WorldChange& change);
-
-  // Throws InputOutputError.
-  void close(std::uint64_t final_state);
-
- private:
-  void write();
-  [[noreturn]] void fail() const;
-
-  std::filesystem::path path_;
-  io::PendingFile pending_;
-  void* file_ = nullptr;  // a gzFile that writes to the file
-  std::array<TeamEntry, 2> last_;
-  std::string bytes_;
-};
-
-class CommandsReader {
- public:
-  // Throws InputError if `path` is not a file of commands, and InputOutputError if the file cannot
-  // be read.
-  explicit CommandsReader(std::filesystem::path path, io::FileKind kind = io::FileKind::kFile);
-  ~CommandsReader();
-  CommandsReader(const CommandsReader&) = delete;
-  CommandsReader& operator=(const CommandsReader&) = delete;
-
-  // Applies the changes made to robots before the game; call this before all other functions.
-  // Throws InputError if the file is damaged or `game` does not have these robots.
-  void change_robots(GameConfiguration& game);
-
-  // The next entry, which must be an entry of `team`. Throws InputError if it is not, or if the
-  // file is damaged or at its end. An entry of another team or an early end means that the file
-  // belongs to another game.
-  const TeamEntry& next(char team);
-
-  // The next entry if it is a change of the world; nullopt for another entry or the end. Throws
-  // InputError if the file is damaged.
-  std::optional<WorldChange> next_change();
-
-  // The final state of the game. Throws InputError if the file has further entries.
-  std::uint64_t final_state();
-
- private:
-  [[noreturn]] void refuse(const std::string& what) const;
-  void read(void* bytes, std::size_t size);
-  template <typename Number>
-  Number number();
-  int robot();  // reads a robot's number; -1: none
-  void read_command(RobotCommand& command);
-  Vec2 vector();
-
-  std::filesystem::path path_;
-  void* file_ = nullptr;  // a gzFile
-  std::array<TeamEntry, 2> last_;
+  // The index of an entry of team 'a' or 'b'; its bits 0-1 are one more.
+  static constexpr std::size_t index_of(char team) { return team == 'a' ? 0 : 1; }
+  // A command's numbers and a robot's limits in the file's order.
+  static std::array<float, 4> numbers_of(const RobotCommand& command);
+  static std::array<double*, 9> limits_of(ChangedRobot& robot);
 };
 
 }  // namespace autoref::game

@@ -185,9 +185,12 @@ std::unique_ptr<strategies::Strategy> GamePrograms::make_live(
   return std::make_unique<ProgramTeam>(spec, context);
 }
 
-void GamePrograms::before_step(Game& game) {
-  if (!reader_) return;
-  while (const std::optional<WorldChange> change = reader_->next_change()) apply(*change, game);
+bool GamePrograms::before_step(Game& game) {
+  if (!reader_) return true;
+  const std::optional<std::vector<WorldChange>> changes = reader_->read_step();
+  if (!changes) return false;
+  for (const WorldChange& change : *changes) apply(change, game);
+  return true;
 }
 
 void GamePrograms::change(const WorldChange& change, Game& game) {
@@ -195,9 +198,9 @@ void GamePrograms::change(const WorldChange& change, Game& game) {
   if (writer_) writer_->add(change);
 }
 
-bool GamePrograms::finish(const GameRecord& record) {
-  if (writer_) std::exchange(writer_, nullptr)->close(record.state_hash);
-  return !reader_ || reader_->final_state() == record.state_hash;
+bool GamePrograms::finish(const GameRecord& record, bool is_interrupted) {
+  if (writer_) std::exchange(writer_, nullptr)->close(record.state_hash, is_interrupted);
+  return !reader_ || is_cut() || reader_->final_state() == record.state_hash;
 }
 
 std::optional<bool> repeats(const GameConfiguration& game, const std::filesystem::path& commands,

@@ -9,7 +9,8 @@
 #include "game/loop/game_record.hpp"
 #include "game/loop/observer.hpp"
 #include "game/loop/team_controller.hpp"
-#include "game/team_programs/commands_file.hpp"
+#include "game/team_programs/commands_reader.hpp"
+#include "game/team_programs/commands_writer.hpp"
 #include "game/team_programs/program_spec.hpp"
 
 namespace autoref::game {
@@ -56,19 +57,23 @@ class GamePrograms {
   // The TeamMaker for Game. This object must outlive the teams that it makes.
   TeamMaker maker();
 
-  // Applies the recorded changes of the world. Call this before each step. Throws like
-  // CommandsReader.
-  void before_step(Game& game);
+  // Applies the recorded changes of the world. Call this before each step. Returns false if the
+  // recorded game was interrupted here (CommandsReader::read_step); then do not step the game.
+  // Throws like CommandsReader.
+  bool before_step(Game& game);
   // Changes the world between two steps and records the change. Throws like CommandsWriter.
   void change(const WorldChange& change, Game& game);
 
   // Whether a program was killed from outside while its commands were being recorded.
   bool was_killed() const { return was_killed_; }
 
-  // Completes the file of commands; call this with the final record. If the game was played from
-  // recorded commands, returns whether it ended in the recorded state. Throws like CommandsWriter
-  // and CommandsReader.
-  bool finish(const GameRecord& record);
+  // Completes the file of commands; call this with the final record, or with that of an interrupted
+  // game. If the game was played from recorded commands, returns whether it ended in the recorded
+  // state, or true if that is unknown (is_cut()). Throws like CommandsWriter and CommandsReader.
+  bool finish(const GameRecord& record, bool is_interrupted = false);
+
+  // Whether the game is played from recorded commands and their file has turned out to be cut.
+  bool is_cut() const { return reader_ && reader_->is_cut(); }
 
  private:
   std::unique_ptr<strategies::Strategy> make(const TeamConfiguration& team,

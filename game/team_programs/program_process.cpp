@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "io/errors.hpp"
+#include "io/files.hpp"
 
 namespace autoref::game {
 namespace {
@@ -73,24 +74,6 @@ class Pipe {
  private:
   std::array<int, 2> ends_{-1, -1};
 };
-
-// Writes to a pipe. If its reader is gone, returns -1 with EPIPE but raises no signal.
-ssize_t write_without_signal(int descriptor, std::string_view bytes) {
-  sigset_t pipe_signal;
-  sigset_t former;
-  sigemptyset(&pipe_signal);
-  sigaddset(&pipe_signal, SIGPIPE);
-  pthread_sigmask(SIG_BLOCK, &pipe_signal, &former);
-  const ssize_t written = write(descriptor, bytes.data(), bytes.size());
-  const int error_number = errno;
-  if (written < 0 && error_number == EPIPE) {
-    const timespec now{};
-    sigtimedwait(&pipe_signal, nullptr, &now);
-  }
-  pthread_sigmask(SIG_SETMASK, &former, nullptr);
-  errno = error_number;
-  return written;
-}
 
 std::string start_failure(const ProgramSpec& spec, const SupervisorReport& report) {
   const char* reason = strerror(report.value);
@@ -192,7 +175,7 @@ void ProgramProcess::write(std::string_view bytes) {
 }
 
 void ProgramProcess::send_pending() {
-  const ssize_t written = write_without_signal(in_, pending_);
+  const ssize_t written = io::write_without_signal(in_, pending_);
   if (written > 0) pending_.erase(0, static_cast<std::size_t>(written));
   if (written < 0 && errno != EAGAIN && errno != EINTR) close_input();
 }
@@ -299,7 +282,7 @@ std::string ProgramProcess::end(double grace_s) {
   // Unread output must not keep the program from ending.
   close_once(out_);
   if (!take_report(after(grace_s)) && grace_s > 0.0) {
-    write_without_signal(life_, "T");
+    io::write_without_signal(life_, "T");
     take_report(after(grace_s));
   }
   close_once(life_);

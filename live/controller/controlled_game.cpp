@@ -44,9 +44,9 @@ constexpr std::chrono::milliseconds kPoll{1};
 class ControlledGame::Impl final : public game::Observer {
  public:
   Impl(const game::GameConfiguration& game, const ControllerPlace& place,
-       std::function<void()> check)
+       std::function<bool()> is_interrupted)
       : game_(game),
-        check_(std::move(check)),
+        is_interrupted_(std::move(is_interrupted)),
         connection_(place.ci),
         autoref_(thread_, {place.ci.host, place.autoref_port}, kIdentifier),
         operator_(game),
@@ -56,9 +56,10 @@ class ControlledGame::Impl final : public game::Observer {
     league::fill_geometry(game.field, game::logged_cameras(game), geometry_);
   }
 
-  game::GameRecord play(game::Observers observers, game::GamePrograms& programs,
+  game::PlayedGame play(game::Observers observers, game::GamePrograms& programs,
                         std::optional<double> frames_per_s) {
     await([this] { return autoref_.status().is_registered; }, kLongestRegistration);
+    if (is_interrupted_()) throw io::Interrupted();
     observers.add(this);
     game::Game game(game_, observers, programs.maker());
     is_set_up_ = true;
@@ -67,9 +68,8 @@ class ControlledGame::Impl final : public game::Observer {
     std::optional<FramePacer> pacer;
     if (frames_per_s) pacer.emplace(clock, *frames_per_s);
     do {
-      if (pacer) pacer->wait(check_);
-      check_();
-      programs.before_step(game);
+      if (pacer) pacer->wait();
+      if (is_interrupted_() || !programs.before_step(game)) return {game.record(), true};
       if (!game.begin_step()) break;
       const bool reports = report_events(game);
       const ControllerOperator::Inputs inputs =
@@ -78,7 +78,7 @@ class ControlledGame::Impl final : public game::Observer {
       if (reports || is_due || !inputs.empty()) exchange(game, inputs);
       differences_.add(followed_.packet(), followed_.signal(), game.frame().time_s);
     } while (game.end_step());
-    return game.record();
+    return {game.record()};
   }
 
   ~Impl() override {
@@ -111,14 +111,12 @@ class ControlledGame::Impl final : public game::Observer {
   }
 
  private:
-  // Waits until the condition holds, but at most for the given time.
+  // Waits until the condition holds or the game is interrupted, but at most for the given time.
   template <typename Condition>
   void await(const Condition& condition, std::chrono::milliseconds longest) {
     const auto deadline = std::chrono::steady_clock::now() + longest;
-    while (!condition() && std::chrono::steady_clock::now() < deadline) {
-      check_();
+    while (!condition() && !is_interrupted_() && std::chrono::steady_clock::now() < deadline)
       std::this_thread::sleep_for(kPoll);
-    }
   }
 
   // The controller's clock stands still until it has answered. The time that it gives an event is
@@ -195,7 +193,7 @@ class ControlledGame::Impl final : public game::Observer {
   }
 
   game::GameConfiguration game_;
-  std::function<void()> check_;
+  std::function<bool()> is_interrupted_;
   NetworkThread thread_;
   CiConnection connection_;
   ControllerClient autoref_;
@@ -215,11 +213,11 @@ class ControlledGame::Impl final : public game::Observer {
 };
 
 ControlledGame::ControlledGame(const game::GameConfiguration& game, const ControllerPlace& place,
-                               std::function<void()> check)
-    : impl_(std::make_unique<Impl>(game, place, std::move(check))) {}
+                               std::function<bool()> is_interrupted)
+    : impl_(std::make_unique<Impl>(game, place, std::move(is_interrupted))) {}
 ControlledGame::~ControlledGame() = default;
 
-game::GameRecord ControlledGame::play(game::Observers observers, game::GamePrograms& programs,
+game::PlayedGame ControlledGame::play(game::Observers observers, game::GamePrograms& programs,
                                       std::optional<double> frames_per_s) {
   return impl_->play(std::move(observers), programs, frames_per_s);
 }

@@ -37,15 +37,17 @@ struct ControlledGameReport {
 // events to the controller's port for automatic referees.
 class ControlledGame {
  public:
-  // Connects to the controller. `check` is called once per frame and may throw. Throws InputError
-  // if the controller cannot be reached or if the game has extra time.
+  // Connects to the controller. `is_interrupted` is called once per frame; the game ends when it
+  // returns true. Throws InputError if the controller cannot be reached or if the game has extra
+  // time.
   ControlledGame(const game::GameConfiguration& game, const ControllerPlace& place,
-                 std::function<void()> check);
+                 std::function<bool()> is_interrupted);
   ~ControlledGame();
 
   // Plays the game, at this pace in wall-clock time; nullopt: as fast as possible. Throws
-  // InputError if the connection to the controller is lost.
-  game::GameRecord play(game::Observers observers, game::GamePrograms& programs,
+  // InputError if the connection to the controller is lost, and Interrupted if the game is
+  // interrupted before it begins.
+  game::PlayedGame play(game::Observers observers, game::GamePrograms& programs,
                         std::optional<double> frames_per_s);
 
   ControlledGameReport report() const;

@@ -42,10 +42,10 @@ int frames_of(double seconds, const game::GameConfiguration& game) {
 class LiveGame::Impl {
  public:
   Impl(const game::GameConfiguration& game, const LiveOptions& options, FrameClock& clock,
-       std::function<void()> check)
+       std::function<bool()> is_interrupted)
       : game_(game),
         options_(options),
-        check_(std::move(check)),
+        is_interrupted_(std::move(is_interrupted)),
         is_network_(network_sides(game)),
         slots_(frames_of(options.lapse_s, game)),
         robot_updates_(game),
@@ -71,7 +71,7 @@ class LiveGame::Impl {
     return std::make_unique<NetworkTeam>(inputs_[context.side]);
   }
 
-  game::GameRecord play(game::Observers observers, game::GamePrograms& programs) {
+  game::PlayedGame play(game::Observers observers, game::GamePrograms& programs) {
     observers.add(&publisher_);
     if (controller_) observers.add(&*controller_);
     game::Game game(game_, observers, programs.maker());
@@ -83,11 +83,11 @@ class LiveGame::Impl {
     if (change_robots(programs)) game = game::Game(game_, observers, programs.maker());
     if (controller_) controller_->follow(game);
     be_prompt();  // call this after starting programs, since they would inherit the scheduling
-    for (;;) {
+    // An interrupted game ends between two steps, so that the recorded commands lead to its state.
+    while (!is_interrupted_()) {
       // Count the packets before the frame is sent: a fast team may answer immediately.
       const PerSide<std::int64_t> before = slots_.packets();
       if (!game.begin_step()) break;
-      check_();
       print_notices();
       publisher_.publish(game.tracks());
       if (controller_) controller_->report(game, publisher_.start_unix_s());
@@ -99,8 +99,9 @@ class LiveGame::Impl {
       if (!game.end_step()) break;
       control(game, programs);
     }
+    if (!game.is_over()) return {game.record(), true};
     publish_end(game);
-    return game.record();
+    return {game.record()};
   }
 
   LiveReport report() const {
@@ -129,7 +130,7 @@ class LiveGame::Impl {
   void await_start(const game::Game& game) {
     const RefereeSignal waiting = waiting_signal(game);
     while (!may_start()) {
-      check_();
+      if (is_interrupted_()) throw io::Interrupted();
       print_notices();
       publisher_.add_waiting_frame(game.world().state(), waiting);
     }
@@ -182,7 +183,6 @@ class LiveGame::Impl {
           });
     } else if (options_.speed.pace == Pace::kClock) {
       pacer_.wait([this] {
-        check_();
         if (const std::optional<double> speed = requests_.speed()) set_speed(*speed);
       });
     } else if (has_network_teams() && frame >= sim::split_latency(game_.sim).frames) {
@@ -194,7 +194,7 @@ class LiveGame::Impl {
     }
   }
 
-  // Calls `wait` until it returns true, with a check in between. When the time limit for answers
+  // Calls `wait` until it returns true or the game is interrupted. When the time limit for answers
   // has passed, `give_up` decides whether to stop waiting.
   template <typename Wait, typename GiveUp>
   void wait_in_slices(const Wait& wait, const GiveUp& give_up) {
@@ -202,7 +202,7 @@ class LiveGame::Impl {
         CommandSlots::Clock::now() + std::chrono::duration_cast<CommandSlots::Clock::duration>(
                                          std::chrono::duration<double>(options_.answer_s));
     while (!wait(CommandSlots::Clock::now() + kSlice)) {
-      check_();
+      if (is_interrupted_()) return;
       if (options_.speed.pace == Pace::kLockStep) publisher_.repeat_standing_field();
       print_notices();
       if (CommandSlots::Clock::now() >= deadline && give_up()) return;
@@ -241,8 +241,7 @@ class LiveGame::Impl {
     for (bool is_first = true;; is_first = false) {
       for (const league::SimulatorRequest& request : requests_.take_all())
         control(request, game, programs);
-      if (!is_paused_ || game.is_over()) return;
-      check_();
+      if (!is_paused_ || game.is_over() || is_interrupted_()) return;
       print_notices();
       if (controller_) controller_->follow(game);
       if (is_first) waiting_pacer_.set_rate(game_.sim.frame_rate_hz);
@@ -297,7 +296,7 @@ class LiveGame::Impl {
 
   game::GameConfiguration game_;
   LiveOptions options_;
-  std::function<void()> check_;
+  std::function<bool()> is_interrupted_;
   PerSide<bool> is_network_;
   CommandSlots slots_;
   ControlRequests requests_;
@@ -319,8 +318,8 @@ class LiveGame::Impl {
 };
 
 LiveGame::LiveGame(const game::GameConfiguration& game, const LiveOptions& options,
-                   FrameClock& clock, std::function<void()> check)
-    : impl_(std::make_unique<Impl>(game, options, clock, std::move(check))) {}
+                   FrameClock& clock, std::function<bool()> is_interrupted)
+    : impl_(std::make_unique<Impl>(game, options, clock, std::move(is_interrupted))) {}
 LiveGame::~LiveGame() = default;
 
 std::unique_ptr<strategies::Strategy> LiveGame::make_network_team(
@@ -328,7 +327,7 @@ std::unique_ptr<strategies::Strategy> LiveGame::make_network_team(
   return impl_->make_network_team(context);
 }
 
-game::GameRecord LiveGame::play(game::Observers observers, game::GamePrograms& programs) {
+game::PlayedGame LiveGame::play(game::Observers observers, game::GamePrograms& programs) {
   return impl_->play(std::move(observers), programs);
 }
 

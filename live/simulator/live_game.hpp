@@ -44,17 +44,18 @@ struct LiveReport {
 class LiveGame {
  public:
   // Opens the ports of the network teams. A game under a game controller must be paced by the
-  // clock. `check` is called about once per frame and can throw, for example because the user
-  // interrupts. Throws InputError if the network cannot be used.
+  // clock. `is_interrupted` is called about once per frame; the game ends when it returns true.
+  // Throws InputError if the network cannot be used.
   LiveGame(const game::GameConfiguration& game, const LiveOptions& options, FrameClock& clock,
-           std::function<void()> check);
+           std::function<bool()> is_interrupted);
   ~LiveGame();
 
   // Makes a team that plays over the network, for a TeamMaker.
   std::unique_ptr<strategies::Strategy> make_network_team(const strategies::TeamContext& context);
 
-  // Plays the game and sends its last frame for another second.
-  game::GameRecord play(game::Observers observers, game::GamePrograms& programs);
+  // Plays the game and, unless it is interrupted, sends its last frame for another second. Throws
+  // Interrupted if the game is interrupted before it begins.
+  game::PlayedGame play(game::Observers observers, game::GamePrograms& programs);
 
   LiveReport report() const;
 

@@ -1,11 +1,14 @@
 #include "app/output_file.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <thread>
 
+#include "io/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace autoref::app {
@@ -54,9 +57,43 @@ TEST(LineOutput, APipeThatNobodyReadsDoesNotDelayTheGame) {
   EXPECT_EQ(read.size(), 1'000'000U);
 }
 
+TEST(LineOutput, LinesAppearAtOnceIfAskedTo) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder / "events.jsonl";
+  write_content(path, "of another game");
+  LineOutput output("--events", path.string(), Appears::kAtOnce);
+  output.add("head");
+  EXPECT_EQ(content_of(path), "of another game");
+  output.begin();
+  EXPECT_EQ(content_of(path), "head\n");
+  output.add("one");
+  output.begin();
+  EXPECT_EQ(content_of(path), "head\none\n");
+  output.commit();
+  EXPECT_EQ(content_of(path), "head\none\n");
+}
+
+TEST(LineOutput, LinesWaitWhileAPipeIsFull) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder / "pipe";
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  const int reader = open(path.c_str(), O_RDONLY | O_NONBLOCK);
+  LineOutput output("--events", path.string(), Appears::kAtOnce);
+  output.begin();
+  output.add("one");
+  EXPECT_EQ(output.waiting_bytes(), 0U);
+  for (int i = 0; i < 1000; ++i) output.add(std::string(999, 'x'));  // more than a pipe holds
+  EXPECT_GT(output.waiting_bytes(), 0U);
+  EXPECT_LT(output.waiting_bytes(), 1'000'000U);
+  close(reader);
+  EXPECT_THROW(output.add("gone"), io::InputOutputError);  // and no signal
+}
+
 TEST(LineOutput, WithoutAPathNothingIsOpened) {
   LineOutput output("--events", "");
   EXPECT_FALSE(output.is_open());
+  output.add("nowhere");
+  EXPECT_EQ(output.waiting_bytes(), 0U);
   output.commit();
 }
 

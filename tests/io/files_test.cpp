@@ -102,6 +102,33 @@ TEST(OwnFile, IsReadThroughALinkToAFile) {
   EXPECT_EQ(read_file(folder / "link"), "text");
 }
 
+TEST(PendingFile, ThatGrowsAppearsAsItIsWritten) {
+  const TemporaryFolder folder;
+  write_content(folder / "x", "of another game");
+  {
+    PendingFile file(folder / "x", FileKind::kGrowing);
+    EXPECT_EQ(content_of(folder / "x"), "of another game");
+    file.begin();
+    EXPECT_EQ(content_of(folder / "x"), "");
+    file.write("one ");
+    file.write("two");
+    EXPECT_EQ(content_of(folder / "x"), "one two");
+    EXPECT_THROW(PendingFile(folder / "x", FileKind::kGrowing, 0.02), InputOutputError);
+  }
+  EXPECT_EQ(content_of(folder / "x"), "one two");
+  EXPECT_FALSE(std::filesystem::exists(folder / "x.part"));
+}
+
+TEST(PendingFile, ThatGrowsButNeverBeginsChangesNothing) {
+  const TemporaryFolder folder;
+  write_content(folder / "x", "old");
+  std::filesystem::create_symlink("nothing", folder / "link");
+  for (const char* name : {"x", "y", "link"}) PendingFile(folder / name, FileKind::kGrowing);
+  EXPECT_EQ(content_of(folder / "x"), "old");
+  EXPECT_FALSE(std::filesystem::exists(std::filesystem::symlink_status(folder / "y")));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
+}
+
 TEST(PendingFile, IsNotWrittenToWhatHasTheNameOfItsTemporaryFile) {
   const TimeLimit limit;
   const TemporaryFolder folder;

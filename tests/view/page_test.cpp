@@ -69,6 +69,21 @@ TEST(Page, HasTheDecisionsOfTheRecording) {
             std::string::npos);
 }
 
+TEST(Page, TakesPartsAtItsEnd) {
+  RecordedDecision decision;
+  decision.event = "goal";
+  decision.reason = "</script>";
+  GameRecording recording;
+  recording.add(Frame{});
+  recording.add(decision);
+  const std::string part = page_part(recording);
+  EXPECT_TRUE(part.starts_with(R"(<script type="application/json" class="part">{)")) << part;
+  EXPECT_TRUE(part.ends_with("}</script>\n")) << part;
+  EXPECT_EQ(count_in("</script>", part), 1U) << part;
+  EXPECT_EQ(count_in(R"("frames": 1)", part), 1U) << part;
+  EXPECT_EQ(count_in(R"("reason": "\u003c/script>")", part), 1U) << part;
+}
+
 TEST(Page, HasTheChainsShotsAndWinProbabilitiesOfTheRecording) {
   GameRecording recording;
   recording.add(RecordedChain{12.5, 14.0004, Side::kEast, "duel", "goal", 2, 1, 0.12345});

@@ -640,6 +640,56 @@ class EndsPageTest(GamePage):
         self.assertLess(fastest, 4000)
 
 
+class KilledGamePageTest(GamePage):
+    """A game that was played in parts until the program was killed while it wrote the last one."""
+
+    settings = {"a__strategy": "cobalt1", "b__strategy": "chaser", "match__half_s": 20, "match__rules": "2026-b"}
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.whole = cls.page
+        cls.page = cls.whole.with_name("killed.html")
+        chosen = [
+            word for key, value in cls.settings.items() for word in ("--set", f"{key.replace('__', '.')}={value}")
+        ]
+        ports = ["--control-port", "0", "--grsim-port", "0"]
+        live = [cls.autoref, "live", cls.scenario, *chosen, "--speed", "max", "--unicast", "127.0.0.77", *ports]
+        with subprocess.Popen(
+            [*live, "--view", str(cls.page)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        ) as game:
+            while game.poll() is None:
+                if cls.page.exists() and cls.page.read_bytes().count(b"</script>") > 60:
+                    game.kill()
+        with cls.page.open("a") as file:
+            file.write('<script type="application/json" class="part">{"frames": 60, "ro')
+
+    def recorded(self, expression):
+        return self.browser.execute_script(f"return {expression}")
+
+    def test_loads_without_complaints(self):
+        self.assertEqual(self.browser.get_log("browser"), [])
+
+    def test_shows_the_same_as_the_page_of_the_whole_game(self):
+        last_s = self.recorded("page.recording.last_s")
+        self.assertGreater(last_s, 50)
+        lists = "[page.game.signals, page.game.decisions, page.game.chains, page.game.shots]"
+        known = f"{lists}.map((list) => list.filter((one) => (one.time_s ?? 0) < {last_s}))"
+        at = [last_s * share for share in (0.013, 0.2, 0.5, 0.77, 0.99)]
+        scenes = f"{at}.map((time_s) => page.recording.sceneAt(time_s))"
+        parts, scenes_in_parts = self.recorded(known), self.recorded(scenes)
+        self.press(Keys.END)
+        self.leave_picture("killed")
+        self.browser.get(self.whole.as_uri())
+        whole, scenes_in_whole = self.recorded(known), self.recorded(scenes)
+        self.assertEqual(parts[:2], whole[:2])
+        for chains_or_shots, of_whole in zip(parts[2:], whole[2:]):
+            self.assertEqual(chains_or_shots, of_whole[: len(chains_or_shots)])
+        for scene in (*scenes_in_parts, *scenes_in_whole):
+            scene["robots"].sort(key=lambda robot: (robot["side"], robot["number"]))
+        self.assertEqual(scenes_in_parts, scenes_in_whole)
+
+
 class FoulPageTest(GamePage):
     """A game full of fouls and cards."""
 

@@ -5,17 +5,7 @@ const kDroppedAtOnce = 6000;    // number of the oldest frames dropped if there 
 
 class LiveRecording extends Recording {
   constructor(signals) {
-    super({frames: 0, robots: [], signals: []}, "");
-    this.signals = signals;
-    this.allTimes_s = new Float64Array(kMostLiveFrames);
-    this.yellowEnds = new Uint8Array(kMostLiveFrames);
-    this.ball = this.newTrack({}, ["x", "y", "height"]);
-    this.clear();
-  }
-
-  newTrack(track, names) {
-    for (const name of names) track[name] = new Int16Array(kMostLiveFrames).fill(kNothing);
-    return track;
+    super(signals, kMostLiveFrames);
   }
 
   clear() {
@@ -23,48 +13,18 @@ class LiveRecording extends Recording {
     this.setCount(0);
   }
 
-  setCount(count) {
-    this.count = count;
-    this.times_s = this.allTimes_s.subarray(0, count);
-    this.first_s = count > 0 ? this.times_s[0] : 0;
-    this.last_s = count > 0 ? this.times_s[count - 1] : 0;
-    this.length_s = this.last_s - this.first_s;
-  }
-
-  // Adds the frames of a message (GameRecording::bytes()), whose signals are already known.
-  append({frames, robots, bytes}) {
-    if (frames === 0) return;
-    const unpacker = new Unpacker(bytesOf(bytes));
-    const times_s = unpacker.times_s(frames);
-    if (this.count + frames > kMostLiveFrames) this.dropOldest();
+  append(part) {
+    if (part.frames === 0) return;
+    if (this.count + part.frames > kMostLiveFrames) this.dropOldest();
     const begin = this.count;
-    this.allTimes_s.set(times_s, begin);
-    this.hide(begin, begin + frames);
-    for (const [side, number] of robots) {
-      const robot = this.robotOf(side, number);
-      for (const name of ["x", "y", "heading"]) robot[name].set(unpacker.column(frames), begin);
-    }
-    for (const name of ["x", "y", "height"]) this.ball[name].set(unpacker.column(frames), begin);
-    times_s.forEach((time_s, i) => { this.yellowEnds[begin + i] = this.yellowEndAt(time_s); });
-    this.setCount(begin + frames);
+    this.hide(begin, begin + part.frames);
+    super.append(part);
     this.forgetFreed(begin);
   }
 
   // A robot that is missing in a message was not seen.
   hide(begin, end) {
     for (const robot of this.robots) robot.x.fill(kNothing, begin, end);
-  }
-
-  robotOf(side, number) {
-    const known = this.robots.find((robot) => robot.side === side && robot.number === number);
-    if (known) return known;
-    this.robots.push(this.newTrack({side, number}, ["x", "y", "heading"]));
-    return this.robots[this.robots.length - 1];
-  }
-
-  yellowEndAt(time_s) {
-    const signal = this.signals[lastNotAfter(this.signals, time_s + 1e-6, (one) => one.time_s)];
-    return signal ? endOfYellow(signal) : 0;
   }
 
   dropOldest() {

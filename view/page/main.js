@@ -3,11 +3,30 @@
 const kJump_s = 5;
 const kLayers = ["trails", "speeds", "distances", "heat", "list", "shots", "paths", "losses"];
 
+const kLists = ["signals", "clock", "decisions", "chains", "shots", "actions", "winProbabilities"];
+
+// The parts that were appended to the page while the game was played, until the program was killed.
+function readParts() {
+  const parts = [];
+  for (const element of document.querySelectorAll("script.part")) {
+    try {
+      parts.push(JSON.parse(element.textContent));
+    } catch {
+      break;  // the last part is incomplete
+    }
+    element.remove();  // it is large and no longer needed
+  }
+  return parts;
+}
+
 function readGame() {
   const game = JSON.parse(document.getElementById("game").textContent);
-  const element = document.getElementById("frames");
-  const recording = new Recording(game, element.textContent);
-  element.remove();  // it is large and no longer needed
+  const frames = document.getElementById("frames");
+  const parts = [{...game, bytes: frames.textContent}, ...readParts()];
+  frames.remove();
+  for (const list of kLists) game[list] = parts.flatMap((part) => part[list]);
+  const recording = new Recording(game.signals, parts.reduce((sum, part) => sum + part.frames, 0));
+  for (const part of parts) recording.append(part);
   return {game, recording};
 }
 

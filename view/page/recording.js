@@ -61,38 +61,55 @@ function mixAngles(from, to, share) {
 }
 
 class Recording {
-  constructor(game, base64) {
-    const unpacker = new Unpacker(bytesOf(base64));
-    this.count = game.frames;
-    this.times_s = unpacker.times_s(this.count);
-    this.robots = game.robots.map(([side, number]) => ({
-      side,
-      number,
-      x: unpacker.column(this.count),
-      y: unpacker.column(this.count),
-      heading: unpacker.column(this.count),
-    }));
-    this.ball = {
-      x: unpacker.column(this.count),
-      y: unpacker.column(this.count),
-      height: unpacker.column(this.count),
-    };
-    this.first_s = this.times_s[0];
-    this.last_s = this.times_s[this.count - 1];
-    this.length_s = this.last_s - this.first_s;
-    this.yellowEnds = this.yellowEndsOf(game.signals);
+  constructor(signals, mostFrames) {
+    this.signals = signals;
+    this.mostFrames = mostFrames;
+    this.allTimes_s = new Float64Array(mostFrames);
+    // The end that yellow defends in each frame: 0 is at -x, 1 at +x.
+    this.yellowEnds = new Uint8Array(mostFrames);
+    this.robots = [];
+    this.ball = this.newTrack({}, ["x", "y", "height"]);
+    this.setCount(0);
   }
 
-  // The end that yellow defends in each frame: 0 is at -x, 1 at +x.
-  yellowEndsOf(signals) {
-    const ends = new Uint8Array(this.count);
-    let last = 0;
-    for (const signal of signals) {
-      const end = endOfYellow(signal);
-      if (end !== last) ends.fill(end, this.indexAt(signal.time_s));
-      last = end;
+  newTrack(track, names) {
+    for (const name of names) track[name] = new Int16Array(this.mostFrames).fill(kNothing);
+    return track;
+  }
+
+  setCount(count) {
+    this.count = count;
+    this.times_s = this.allTimes_s.subarray(0, count);
+    this.first_s = count > 0 ? this.times_s[0] : 0;
+    this.last_s = count > 0 ? this.times_s[count - 1] : 0;
+    this.length_s = this.last_s - this.first_s;
+  }
+
+  // Adds the frames of a part of the game (GameRecording::bytes()), whose signals are already known.
+  append({frames, robots, bytes}) {
+    const unpacker = new Unpacker(bytesOf(bytes));
+    const times_s = unpacker.times_s(frames);
+    const begin = this.count;
+    this.allTimes_s.set(times_s, begin);
+    for (const [side, number] of robots) {
+      const robot = this.robotOf(side, number);
+      for (const name of ["x", "y", "heading"]) robot[name].set(unpacker.column(frames), begin);
     }
-    return ends;
+    for (const name of ["x", "y", "height"]) this.ball[name].set(unpacker.column(frames), begin);
+    times_s.forEach((time_s, i) => { this.yellowEnds[begin + i] = this.yellowEndAt(time_s); });
+    this.setCount(begin + frames);
+  }
+
+  robotOf(side, number) {
+    const known = this.robots.find((robot) => robot.side === side && robot.number === number);
+    if (known) return known;
+    this.robots.push(this.newTrack({side, number}, ["x", "y", "heading"]));
+    return this.robots[this.robots.length - 1];
+  }
+
+  yellowEndAt(time_s) {
+    const signal = this.signals[lastNotAfter(this.signals, time_s + 1 / kTicksPerSecond, (one) => one.time_s)];
+    return signal ? endOfYellow(signal) : 0;
   }
 
   // Whether the teams kept their ends from one frame to the next.

@@ -1,4 +1,7 @@
-// Starts the page of a recorded game.
+// Starts the page of a recorded game as soon as all its parts are there.
 
-const page = new Page(readGame());
-page.begin();
+let page = null;
+addEventListener("DOMContentLoaded", () => {
+  page = new Page(readGame());
+  page.begin();
+});

@@ -57,7 +57,12 @@ TEST(EndText, ClaimsNoReasonThatOnlyTheGameControllerKnows) {
 TEST(EndText, IsPrintedAfterAGame) {
   const game::GameConfiguration game = game_of_blue_a();
   const game::GameRecord record;
-  EXPECT_TRUE(has(text_of({game, record, 2.0, "x"}), "\nended: playing time ran out\ncalls: none"));
+  GameReport report{game, record, 2.0, "x"};
+  EXPECT_TRUE(has(text_of(report), "\nended: playing time ran out\ncalls: none"));
+  EXPECT_TRUE(has(json_of(report), R"("end_reason": "time")"));
+  report.is_interrupted = true;
+  EXPECT_TRUE(has(text_of(report), "\nended: the game was interrupted\ncalls: none"));
+  EXPECT_TRUE(has(json_of(report), R"("end_reason": "interrupted")"));
 }
 
 }  // namespace

@@ -1,5 +1,3 @@
-#include "game/team_programs/commands_file.hpp"
-
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -13,6 +11,8 @@
 #include <vector>
 
 #include "game/loop/game.hpp"
+#include "game/team_programs/commands_reader.hpp"
+#include "game/team_programs/commands_writer.hpp"
 #include "game/team_programs/program_games.hpp"
 #include "io/errors.hpp"
 #include "soccer/random.hpp"
@@ -102,19 +102,21 @@ TEST_F(CommandsFile, ContainsChangesOfTheWorld) {
     writer.close(kState);
   }
   CommandsReader reader(file_);
-  const auto read_ball = std::get<sim::BallState>(reader.next_change().value());
+  const auto first = reader.read_step().value();
+  ASSERT_EQ(first.size(), 1U);
+  const auto read_ball = std::get<sim::BallState>(first[0]);
   EXPECT_EQ(read_ball.position_m, ball.position_m);
   EXPECT_EQ(read_ball.velocity_mps, ball.velocity_mps);
   EXPECT_EQ(read_ball.height_m, 0.25);
   EXPECT_FALSE(read_ball.is_rolling);
-  EXPECT_FALSE(reader.next_change().has_value());
   reader.next('a');
-  const auto read_robot = std::get<PlacedRobot>(reader.next_change().value());
+  const auto last = reader.read_step().value();
+  ASSERT_EQ(last.size(), 2U);
+  const auto read_robot = std::get<PlacedRobot>(last[0]);
   EXPECT_EQ(read_robot.robot, (RobotId{Side::kEast, 3}));
   EXPECT_EQ(read_robot.state.heading, Vec2(0, -1));
   EXPECT_EQ(read_robot.state.angular_velocity_radps, 2);
-  EXPECT_EQ(std::get<RemovedRobot>(reader.next_change().value()).robot, (RobotId{Side::kWest, 5}));
-  EXPECT_FALSE(reader.next_change().has_value());
+  EXPECT_EQ(std::get<RemovedRobot>(last[1]).robot, (RobotId{Side::kWest, 5}));
   EXPECT_EQ(reader.final_state(), kState);
 }
 
@@ -134,7 +136,7 @@ TEST_F(CommandsFile, ContainsChangesOfRobotsBeforeTheGame) {
   EXPECT_EQ(team_on(game, Side::kEast).robots[3].body.mass_kg, 2);
   EXPECT_EQ(team_on(game, Side::kEast).robots[3].kicker.chip_limit_mps, 5);
   EXPECT_EQ(team_on(game, Side::kEast).robots[3].body.speed_mps, 3);
-  EXPECT_FALSE(reader.next_change().has_value());
+  EXPECT_TRUE(reader.read_step().value().empty());
   reader.next('a');
   EXPECT_EQ(reader.final_state(), kState);
 }
@@ -213,6 +215,116 @@ TEST_F(CommandsFile, ThatIsDamagedIsRefused) {
     reader.final_state();
   };
   EXPECT_THROW(read_all(), io::InputError);
+}
+
+constexpr int kSteps = 300;
+
+// Writes steps with an entry of each team, and returns these entries.
+std::vector<TeamEntry> write_steps(CommandsWriter& writer) {
+  RandomStream random(7);
+  std::vector<TeamEntry> entries;
+  for (int i = 0; i < 2 * kSteps; ++i) {
+    if (i % 20 == 0) writer.add(RemovedRobot{{Side::kWest, 5}});
+    writer.add(i % 2 == 0 ? 'a' : 'b', entries.emplace_back(random_entry(random)));
+  }
+  return entries;
+}
+
+// Reads steps until one is missing; returns their number.
+int read_steps(CommandsReader& reader, const std::vector<TeamEntry>& entries) {
+  int steps = 0;
+  while (const auto changes = reader.read_step()) {
+    EXPECT_EQ(changes->size(), steps % 10 == 0 ? 1U : 0U);
+    const auto first = static_cast<std::size_t>(2 * steps++);
+    expect_equal(reader.next('a'), entries.at(first));
+    expect_equal(reader.next('b'), entries.at(first + 1));
+  }
+  return steps;
+}
+
+TEST_F(CommandsFile, OfAnInterruptedGameEndsWithItsState) {
+  CommandsWriter writer(file_);
+  const std::vector<TeamEntry> entries = write_steps(writer);
+  writer.close(kState, true);
+  CommandsReader reader(file_);
+  EXPECT_EQ(read_steps(reader, entries), kSteps);
+  EXPECT_FALSE(reader.is_cut());
+  EXPECT_EQ(reader.final_state(), kState);
+}
+
+TEST_F(CommandsFile, ThatIsCutHasTheStepsBefore) {
+  std::vector<TeamEntry> entries;
+  {
+    CommandsWriter writer(file_);
+    entries = write_steps(writer);
+    writer.close(kState);
+  }
+  const auto size = static_cast<int>(fs::file_size(file_));
+  int steps = kSteps + 1;
+  for (const int percent : {99, 90, 77, 50, 23}) {
+    fs::resize_file(file_, static_cast<std::uintmax_t>(size * percent / 100));
+    CommandsReader reader(file_, io::FileKind::kFileOrPipe);
+    const int read = read_steps(reader, entries);
+    EXPECT_TRUE(reader.is_cut());
+    EXPECT_LT(read, steps);
+    EXPECT_GT(read, 0);
+    steps = read;
+    CommandsReader own(file_);
+    EXPECT_THROW(read_steps(own, entries), io::InputError);
+  }
+}
+
+TEST_F(CommandsFile, ThatGrowsHasWhatWasAddedBeforeTheLastSecond) {
+  CommandsWriter writer(file_, io::FileKind::kGrowing);
+  writer.add('a', {});
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+  for (int i = 0; i < 2; ++i) writer.add('a', {});
+  CommandsReader reader(file_, io::FileKind::kFileOrPipe);
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(reader.next('a').fault, "");
+  EXPECT_THROW(reader.next('a'), io::InputError);
+}
+
+// Plays the recorded commands as far as they go.
+GameRecord replayed_part(const GameConfiguration& game, GamePrograms& programs) {
+  Game again(game, nullptr, programs.maker());
+  while (programs.before_step(again) && again.step()) {
+  }
+  return again.record();
+}
+
+TEST_F(CommandsFile, RepeatsAnInterruptedGame) {
+  const GameConfiguration game = shell_game(idle_script());
+  GameRecord part;
+  {
+    GamePrograms programs = GamePrograms::live(game, {file_});
+    Game interrupted(game, nullptr, programs.maker());
+    for (int i = 0; i < 20; ++i) interrupted.step();
+    part = interrupted.record();
+    programs.finish(part, true);
+  }
+  GamePrograms programs = GamePrograms::recorded(game, file_);
+  const GameRecord again = replayed_part(game, programs);
+  EXPECT_EQ(again.frames, 20);
+  EXPECT_EQ(again.state_hash, part.state_hash);
+  EXPECT_TRUE(programs.finish(again));
+}
+
+TEST_F(CommandsFile, RepeatsAGameThatWasKilled) {
+  const GameConfiguration game = shell_game(idle_script());
+  {
+    ProgramFiles files;
+    files.commands = file_;
+    files.commands_kind = io::FileKind::kGrowing;
+    GamePrograms programs = GamePrograms::live(game, files);
+    Game killed(game, nullptr, programs.maker());
+    for (int i = 0; i < 20; ++i) killed.step();
+  }
+  GamePrograms programs = GamePrograms::recorded(game, file_, io::FileKind::kFileOrPipe);
+  const GameRecord again = replayed_part(game, programs);
+  EXPECT_EQ(again.frames, 19);  // the last step may be incomplete
+  EXPECT_EQ(again.status, Status::kOk) << again.void_reason;
+  EXPECT_TRUE(programs.is_cut());
+  EXPECT_TRUE(programs.finish(again));
 }
 
 GameRecord played(const GameConfiguration& game, GamePrograms programs, bool& is_same) {

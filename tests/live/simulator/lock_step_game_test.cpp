@@ -69,7 +69,7 @@ LiveOptions lock_step_options() {
 class LockStepGame {
  public:
   explicit LockStepGame(LiveOptions options = lock_step_options()) : options_(std::move(options)) {
-    live_.emplace(short_network_game(), options_, clock_, [] {});
+    live_.emplace(short_network_game(), options_, clock_, [] { return false; });
   }
 
   game::GameRecord play(const Stepper& yellow, const Stepper& blue) {
@@ -80,7 +80,7 @@ class LockStepGame {
         [&](const game::TeamConfiguration&, const strategies::TeamContext& context) {
           return live_->make_network_team(context);
         });
-    game::GameRecord record = live_->play(nullptr, programs);
+    game::GameRecord record = live_->play(nullptr, programs).record;
     report_ = live_->report();
     is_over_ = true;
     live_.reset();  // closes the connections

@@ -88,7 +88,7 @@ std::string slow_robots() {
 void record_game_with_slow_robots(const std::filesystem::path& file) {
   const LiveOptions options = loopback_options(Pace::kPackets);
   SteadyFrameClock clock;
-  LiveGame live(short_network_game(), options, clock, [] {});
+  LiveGame live(short_network_game(), options, clock, [] { return false; });
   Caller control(options.ports.control);
   control.say(slow_robots());
   EXPECT_EQ(control.hear(), "");  // no error
@@ -98,7 +98,7 @@ void record_game_with_slow_robots(const std::filesystem::path& file) {
       [&](const game::TeamConfiguration&, const strategies::TeamContext& team) {
         return live.make_network_team(team);
       });
-  EXPECT_TRUE(programs.finish(live.play(nullptr, programs)));
+  EXPECT_TRUE(programs.finish(live.play(nullptr, programs).record));
 }
 
 // Whether the recorded commands are those that the game needs and lead to the recorded state.
