@@ -17,6 +17,16 @@
 namespace autoref::experiments {
 namespace {
 
+// Halves as long as the rule book of the file has them do not count as given: another rule book on
+// the command line brings its own.
+void forget_usual_halves(game::GameSettings& game) {
+  game::GameSettings usual;
+  game::choose_rules(game.match.rules.name, usual);
+  for (const char* path : {"match.half_s", "match.extra_half_s"}) {
+    if (game::value_at(game, path) == game::value_at(usual, path)) game.given.erase(path);
+  }
+}
+
 // Reads one document, top level first.
 class ScenarioReader {
  public:
@@ -77,6 +87,7 @@ class ScenarioReader {
     top_.allow(settings.names());
     read_settings(top_.entries(), settings);
     top_.check([&game] { game::check_game(game); });
+    forget_usual_halves(game);
     top_.assign_all(game);
     // The game has the presets' values; only the factors of experiments need their names.
     game.measured_balls.clear();

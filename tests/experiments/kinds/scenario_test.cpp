@@ -4,6 +4,8 @@
 
 #include "experiments/kinds/scenario_reader.hpp"
 #include "experiments/kinds/sweep/sweep.hpp"
+#include "experiments/schedule/schedule.hpp"
+#include "game/settings/assignments.hpp"
 #include "game/settings/fields.hpp"
 #include "io/errors.hpp"
 
@@ -54,6 +56,41 @@ TEST(ReadScenario, ReadsAGame) {
   EXPECT_EQ(game.match.a_plays, Side::kEast);
   EXPECT_EQ(game.sim.substeps, 2);
   EXPECT_EQ(game.seed, 7U);
+}
+
+// How long a half is if a game's `match` is changed by --set.
+double half_s_with(const std::string& match, const std::vector<std::string>& sets) {
+  const std::string text = kGame + "match: { " + match + " }\n";
+  const Scenario scenario = read_scenario_text(text, "x.yaml", game::assignments_in(sets));
+  return std::get<game::GameSettings>(scenario.content).match.half_s;
+}
+
+TEST(ReadScenario, LetsAnotherRuleBookBringItsHalvesUnlessTheFileChoseThem) {
+  EXPECT_EQ(half_s_with("rules: paper, half_s: 600", {"match.rules=2026-b"}), 300);
+  EXPECT_EQ(half_s_with("half_s: 600", {"match.rules=2026-b"}), 300);
+  EXPECT_EQ(half_s_with("rules: 2026-b, half_s: 300", {"match.rules=2014"}), 600);
+  EXPECT_EQ(half_s_with("rules: paper, half_s: 60", {"match.rules=2026-b"}), 60);
+  EXPECT_EQ(half_s_with("rules: 2026-b, half_s: 600", {"match.rules=2026-a"}), 600);
+  EXPECT_EQ(half_s_with("rules: 2026-b, half_s: 600", {}), 600);
+  EXPECT_EQ(half_s_with("rules: paper", {"match.half_s=600", "match.rules=2026-b"}), 600);
+}
+
+TEST(ReadScenario, TreatsHalvesOfExtraTimeLikewise) {
+  const auto extra_half_s = [](const std::string& seconds) {
+    const std::string text = kGame + "match: { rules: 2014, extra_half_s: " + seconds + " }\n";
+    const Scenario scenario =
+        read_scenario_text(text, "x.yaml", game::assignments_in({"match.rules=2026-b"}));
+    return std::get<game::GameSettings>(scenario.content).match.rules.extra_half_s;
+  };
+  EXPECT_EQ(extra_half_s("300"), 150);
+  EXPECT_EQ(extra_half_s("100"), 100);
+}
+
+TEST(ReadScenario, KeepsTheHalvesOfAnExperimentsBaseUnderAllItsRuleBooks) {
+  const Sweep sweep = sweep_of(kSweep +
+                               "base: { match: { rules: paper, half_s: 600 } }\n"
+                               "factors: { match.rules: [paper, 2026-b] }\n");
+  for (const ScheduledGame& game : sweep.games()) EXPECT_EQ(resolved(game).match.half_s, 600);
 }
 
 TEST(ReadScenario, ReadsASweep) {
