@@ -83,23 +83,31 @@ LineOutput::LineOutput(const char* flag, const std::string& path, Appears appear
 
 void LineOutput::begin() {
   if (!file_ || appears_ != Appears::kAtOnce || std::exchange(has_begun_, true)) return;
-  write_waiting();
+  write_at_once();
 }
 
 void LineOutput::add(std::string_view line) {
-  if (!file_) return;
+  if (!file_ || !failure_.empty()) return;
   waiting_.append(line).append(1, '\n');
-  const bool is_due =
-      appears_ == Appears::kAtOnce ? has_begun_ : waiting_.size() > kMostWaiting_bytes;
-  if (is_due) write_waiting();
+  if (appears_ == Appears::kAtOnce) {
+    if (has_begun_) write_at_once();
+  } else if (file_->is_file() && waiting_.size() > kMostWaiting_bytes) {
+    write_waiting();
+  }
 }
 
 void LineOutput::write_waiting() {
-  if (file_->is_file()) {
-    file_->write(waiting_);
+  file_->write(waiting_);
+  waiting_.clear();
+}
+
+void LineOutput::write_at_once() {
+  try {
+    file_->is_file() ? write_waiting() : write_what_fits();
+  } catch (const io::InputOutputError& error) {
+    failure_ = error.what();
     waiting_.clear();
-  } else if (appears_ == Appears::kAtOnce) {
-    write_what_fits();
+    io::write_message(stderr, fmt::format("autoref: {}\n", failure_));
   }
 }
 
@@ -119,6 +127,7 @@ void LineOutput::write_what_fits() {
 }
 
 void LineOutput::commit() {
+  if (!failure_.empty()) throw io::InputOutputError(failure_);
   if (file_) file_->commit(waiting_);
 }
 

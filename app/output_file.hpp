@@ -38,7 +38,8 @@ enum class Appears {
 // An output file that grows line by line. If the lines appear at the end, they are written to disk
 // in batches, so a long game needs no more memory than a short one. A reader must not delay the
 // game: if the file is, for example, a pipe, lines that appear at the end are all written at
-// commit(), and lines that appear at once wait while the pipe is full.
+// commit(), and lines that appear at once wait while the pipe is full. If lines that appear at once
+// cannot be written, the game goes on without them: this is said once on stderr.
 class LineOutput {
  public:
   static constexpr std::size_t kMostWaiting_bytes = 64 * 1024;  // kept for a regular file
@@ -48,15 +49,16 @@ class LineOutput {
 
   bool is_open() const { return file_.has_value(); }
 
-  // Removes the former content of a file whose lines appear at once, and writes the lines added
-  // before. Does nothing for other files. Throws InputOutputError.
+  // Truncates a file whose lines appear at once, and writes the lines added before. Does nothing
+  // for other files.
   void begin();
 
   // Adds a line, given without its line break. Does nothing if no file is open. Throws
-  // InputOutputError.
+  // InputOutputError if lines that appear at the end cannot be written.
   void add(std::string_view line);
 
-  // Does nothing if no file is open. Throws InputOutputError.
+  // Does nothing if no file is open. Throws InputOutputError, also if lines could not be written
+  // before.
   void commit();
 
   // Size of the lines not written yet.
@@ -64,6 +66,7 @@ class LineOutput {
 
  private:
   void write_waiting();
+  void write_at_once();
   void write_what_fits();
 
   std::string path_;
@@ -71,6 +74,7 @@ class LineOutput {
   std::optional<io::PendingFile> file_;
   bool has_begun_ = false;
   std::string waiting_;
+  std::string failure_;  // empty: none
 };
 
 }  // namespace autoref::app

@@ -197,12 +197,15 @@ ssize_t write_without_signal(int descriptor, std::string_view bytes) {
 }
 
 PendingFile::PendingFile(fs::path path, FileKind kind, double patience_s)
-    : path_(std::move(path)), part_(path_) {
+    : kind_(kind), path_(std::move(path)) {
   std::error_code error;
   const fs::file_status status = fs::status(path_, error);
-  was_missing_ = fs::symlink_status(path_, error).type() == fs::file_type::not_found;
-  is_file_ = kind == FileKind::kFile || !fs::exists(status) || fs::is_regular_file(status);
-  if (is_file_ && kind != FileKind::kGrowing) part_ += ".part";
+  was_missing_ = !fs::exists(status);
+  is_file_ = kind == FileKind::kFile || was_missing_ || fs::is_regular_file(status);
+  const bool is_growing = kind == FileKind::kGrowing;
+  if (is_file_ && is_growing) path_ = resolved(path_);
+  part_ = path_;
+  if (is_file_ && !is_growing) part_ += ".part";
   if (is_file_) {
     wait_for_part(patience_s);
   } else {
@@ -215,13 +218,23 @@ PendingFile::PendingFile(fs::path path, FileKind kind, double patience_s)
 // lock (flock) distinguishes them from a file that another process is still writing.
 void PendingFile::wait_for_part(double patience_s) {
   const auto until = Clock::now() + std::chrono::duration<double>(patience_s);
-  while (!take_part()) {
+  while (grows_elsewhere() || !take_part()) {
     if (Clock::now() > until) {
       throw InputOutputError(fmt::format("{} is in use: another process writes {}", part_.string(),
                                          is_direct() ? "it" : path_.string()));
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
+}
+
+// Whether another process writes to the file itself. AutoRef's own files do not grow.
+bool PendingFile::grows_elsewhere() const {
+  if (kind_ != FileKind::kFileOrPipe) return false;
+  const int descriptor = open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (descriptor < 0) return false;
+  const bool is_locked = flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  close(descriptor);
+  return is_locked;
 }
 
 bool PendingFile::take_part() {

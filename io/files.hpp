@@ -97,8 +97,9 @@ enum class FileKind {
 // which the next process overwrites.
 class PendingFile {
  public:
-  // Throws InputOutputError if the file cannot be created, or if another process is still writing
-  // to it after `patience_s`.
+  // A growing file replaces the content of the file to which links lead; other files replace a
+  // link. Throws InputOutputError if the file cannot be created, or if another process is still
+  // writing to it after `patience_s`.
   explicit PendingFile(std::filesystem::path path, FileKind kind = FileKind::kFile,
                        double patience_s = 2);
   ~PendingFile();
@@ -108,11 +109,14 @@ class PendingFile {
   // False for a pipe or a device.
   bool is_file() const { return is_file_; }
 
+  // The file's path; of a growing file, without links.
+  const std::filesystem::path& path() const { return path_; }
+
   // The descriptor to write to, for content that is written in parts. Valid until commit().
   int descriptor() const { return descriptor_; }
 
-  // Removes the former content of a growing file; call this before writing to its descriptor. A
-  // file that never begins stays as it was. Further calls do nothing, as for other files.
+  // Truncates a growing file; call this before writing to its descriptor. A file for which begin()
+  // is never called stays as it was. Further calls do nothing, as for other files.
   void begin();
 
   // Begins and writes a part of the content.
@@ -122,9 +126,11 @@ class PendingFile {
 
  private:
   bool is_direct() const { return part_ == path_; }
+  bool grows_elsewhere() const;
   void wait_for_part(double patience_s);
   bool take_part();  // returns false if another process holds the file
 
+  FileKind kind_;
   std::filesystem::path path_;
   std::filesystem::path part_;  // temporary file, renamed at commit(); `path` if there is none
   bool was_missing_ = false;    // whether there was nothing at `path`

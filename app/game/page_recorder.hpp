@@ -52,6 +52,12 @@ class PageRecorder final : public game::Observer {
   // The page of the game that has been recorded.
   std::string page(const game::GameRecord& record) const;
 
+  // Whether the game was too long for that page.
+  bool is_full() const { return recording_.is_full(); }
+
+  // Writes what has happened since the last second to the growing file.
+  void grow();
+
  private:
   template <typename... Entry>
   void add(const Entry&... entry) {
@@ -59,7 +65,6 @@ class PageRecorder final : public game::Observer {
     if (growing_ != nullptr) newest_.add(entry...);
   }
   view::PageContent content(const view::GameRecording& recording) const;
-  void grow();
 
   const game::GameConfiguration* game_;
   io::PendingFile* growing_;

@@ -1,9 +1,14 @@
 #include "app/game/play_one.hpp"
 
 #include <fmt/format.h>
+#include <atomic>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "app/game/page_recorder.hpp"
@@ -28,18 +33,24 @@
 namespace autoref::app {
 namespace {
 
+bool is_file_or_missing(const std::string& path) {
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+  return !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
+}
+
 // The output files of a game.
 struct GameFiles {
   GameFiles(const GameOutput& output, Appears appears)
       : events("--events", output.events, appears),
         game_events("--game-events", output.game_events, appears),
         chains("--chains", output.chains, appears),
-        actions("--actions", output.actions, appears),
-        view_path(output.view) {
-    const bool is_growing = appears == Appears::kAtOnce;
-    open_output(view, "--view", view_path,
-                is_growing ? io::FileKind::kGrowing : io::FileKind::kFileOrPipe);
-    is_view_growing = is_growing && view && view->is_file();
+        actions("--actions", output.actions, appears) {
+    // At the end, a page that has grown is replaced by a smaller one.
+    const bool grows = appears == Appears::kAtOnce && is_file_or_missing(output.view);
+    if (grows) open_output(growing_view, "--view", output.view, io::FileKind::kGrowing);
+    open_output(view, "--view", growing_view ? growing_view->path().string() : output.view,
+                growing_view ? io::FileKind::kFile : io::FileKind::kFileOrPipe);
   }
 
   void begin() {
@@ -50,26 +61,30 @@ struct GameFiles {
     for (LineOutput* file : {&events, &game_events, &chains, &actions}) file->commit();
   }
 
-  void commit_page(const std::string& page) {
-    // The page that grew is replaced by a smaller one with the same game.
-    if (is_view_growing) view.emplace(view_path, io::FileKind::kFileOrPipe);
-    view->commit(page);
-  }
-
   LineOutput events;
   LineOutput game_events;
   LineOutput chains;
   LineOutput actions;
-  std::string view_path;
   std::optional<io::PendingFile> view;
-  bool is_view_growing = false;
+  std::optional<io::PendingFile> growing_view;
 };
 
-volatile std::sig_atomic_t interrupted = 0;
+// When the user interrupted, in milliseconds of the steady clock; 0: never.
+std::atomic<std::int64_t> interrupted_ms{0};
+static_assert(std::atomic<std::int64_t>::is_always_lock_free);  // the handler uses it
+
+// Programs such as timeout pass on a signal twice: to AutoRef and to its process group.
+constexpr std::int64_t kSameInterrupt_ms = 500;
 
 void end_soon(int signal) {
-  interrupted = 1;
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  const std::int64_t now_ms = 1000 * std::int64_t{now.tv_sec} + now.tv_nsec / 1'000'000;
+  std::int64_t first_ms = 0;
+  if (interrupted_ms.compare_exchange_strong(first_ms, now_ms)) return;
+  if (now_ms - first_ms < kSameInterrupt_ms) return;
   std::signal(signal, SIG_DFL);
+  std::raise(signal);
 }
 
 // Writes the game's files while it is played.
@@ -86,10 +101,11 @@ class GameOutputs final : public game::Observer {
     files.chains.add(io::csv_line(io::heads_of(chain_columns_)));
     files.actions.add(io::csv_line(io::heads_of(action_columns_)));
   }
-  void on_frame(const Frame& /*frame*/, const RefereeSignal& /*signal*/,
+  void on_frame(const Frame& frame, const RefereeSignal& /*signal*/,
                 const sim::World& /*world*/) override {
     if (checks_interrupt_) check_interrupt();
-    files_->begin();
+    // The first frame may wait for teams without a limit; until then, no game has been played.
+    if (frame.number > 0) files_->begin();
   }
   void on_decision(const referee::Decision& decision) override {
     if (files_->events.is_open()) files_->events.add(game::decision_json(decision, events_));
@@ -143,8 +159,24 @@ void check_files(const game::GameConfiguration& game, const GameOutput& output,
                 inputs);
 }
 
+void print_report(const experiments::GameReport& report, bool as_json) {
+  fmt::print("{}\n", as_json ? experiments::json_of(report)
+                             : io::wrapped(experiments::text_of(report), io::text_width(stdout)));
+  std::fflush(stdout);
+}
+
+// Writes the page of the whole game.
+void write_page(const game::GameRecord& record, PageRecorder& recorder, GameFiles& files) {
+  if (!files.view) return;
+  if (files.growing_view && recorder.is_full()) return recorder.grow();
+  files.view->commit(recorder.page(record));
+}
+
 game::GamePrograms programs_of(const game::GameConfiguration& game, const GameOutput& output,
                                const RecordedCommands& commands, const GamePlayer& player) {
+  if (!commands.file.empty() && game.match.control == referee::Control::kGameController)
+    throw io::InputError({"--commands"}, "",
+                         "recorded commands cannot repeat a game that a game controller commands");
   if (!commands.file.empty())
     return game::GamePrograms::recorded(game, commands.file, commands.kind);
   game::ProgramFiles files;
@@ -173,7 +205,7 @@ void note_interrupts() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, end_soon);
 }
 
-bool is_interrupted() { return interrupted != 0; }
+bool is_interrupted() { return interrupted_ms != 0; }
 
 void check_interrupt() {
   if (is_interrupted()) throw io::Interrupted();
@@ -228,20 +260,21 @@ game::GameRecord play_one(const game::GameConfiguration& game, const GameOutput&
                           const std::vector<std::string>& inputs, const RecordedCommands& commands,
                           const GamePlayer& player) {
   check_files(game, output, inputs);
+  const std::optional<double> frames_per_s = pace_of(game, output);
   const bool is_repeatable = !player.play;
   GameFiles files(output, is_repeatable ? Appears::kAtEnd : Appears::kAtOnce);
-  std::optional<game::LogRecorder> log;
-  if (!output.log.empty()) log.emplace(output.log, game);
-  PageRecorder page(game, files.is_view_growing ? &*files.view : nullptr);
-  const std::optional<double> frames_per_s = pace_of(game, output);
+  PageRecorder page(game, files.growing_view ? &*files.growing_view : nullptr);
   GameOutputs outputs(files, game, is_repeatable);
   GameOnWeb game_on_web(game, output.web);
+  game::GamePrograms programs = programs_of(game, output, commands, player);
+  // The log is opened last, since this truncates it.
+  std::optional<game::LogRecorder> log;
+  if (!output.log.empty()) log.emplace(output.log, game);
   game::Observers observers(game_on_web.observer());
   if (files.view) observers.add(&page);
   if (log) observers.add(&*log);
   observers.add(&outputs);
   const auto start = std::chrono::steady_clock::now();
-  game::GamePrograms programs = programs_of(game, output, commands, player);
   const game::PlayedGame played = player.play ? player.play(observers, programs)
                                               : play_game(game, observers, programs, frames_per_s);
   if (!programs.finish(played.record, played.is_interrupted)) {
@@ -251,18 +284,15 @@ game::GameRecord play_one(const game::GameConfiguration& game, const GameOutput&
   }
   const double wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  // Print before the files are completed, which may fail.
+  print_report({game, played.record, wall_s, io::build_id(), played.is_interrupted}, output.json);
   game_on_web.end();
   if (log) log->close();
+  write_page(played.record, page, files);
   files.commit();
-  if (files.view) files.commit_page(page.page(played.record));
-  const experiments::GameReport report{game, played.record, wall_s, io::build_id(),
-                                       played.is_interrupted};
-  fmt::print("{}\n", output.json
-                         ? experiments::json_of(report)
-                         : io::wrapped(experiments::text_of(report), io::text_width(stdout)));
-  if (programs.is_cut()) {
-    io::write_message(stderr, fmt::format("autoref: {} has no end, since the recording program was "
-                                          "killed; the final state was not compared\n",
+  if (programs.is_truncated()) {
+    io::write_message(stderr, fmt::format("autoref: {} is truncated, so the final state was not "
+                                          "compared\n",
                                           commands.file.string()));
   }
   if (played.is_interrupted && commands.file.empty()) throw io::Interrupted();

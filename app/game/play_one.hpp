@@ -52,14 +52,14 @@ struct RecordedCommands {
   io::FileKind kind = io::FileKind::kFileOrPipe;
 };
 
-// From now on, Ctrl-C only sets a flag. A second Ctrl-C ends the program immediately, in case the
-// game hangs.
+// From now on, Ctrl-C, SIGTERM and SIGHUP only set a flag. A second signal, half a second after the
+// first or later, ends the program immediately, in case the game hangs.
 void note_interrupts();
 
-// Whether the user has pressed Ctrl-C since note_interrupts(), which play_one() calls.
+// Whether the user has interrupted since note_interrupts(), which play_one() calls.
 bool is_interrupted();
 
-// Throws Interrupted if the user has pressed Ctrl-C.
+// Throws Interrupted if the user has interrupted.
 void check_interrupt();
 
 // Adds the flags of GameOutput except --speed.

@@ -67,9 +67,15 @@ game::GameRecord play_controlled(const game::GameConfiguration& game,
   player.play = [&](const game::Observers& observers, game::GamePrograms& programs) {
     return controlled.play(observers, programs, frames_per_s);
   };
-  game::GameRecord record = play_one(game, arguments.output, inputs, {arguments.commands}, player);
-  print_outcome(controlled.report());
-  return record;
+  try {
+    game::GameRecord record =
+        play_one(game, arguments.output, inputs, {arguments.commands}, player);
+    print_outcome(controlled.report());
+    return record;
+  } catch (const io::Interrupted&) {
+    print_outcome(controlled.report());
+    throw;
+  }
 }
 
 int code_of(const game::GameRecord& record) {

@@ -23,9 +23,9 @@ constexpr double kLargestChange = 1e4;
 gzFile gz_file(void* file) { return static_cast<gzFile>(file); }
 
 // The file ends in the middle of a step.
-class CutShort : public io::InputError {
+class Truncated : public io::InputError {
  public:
-  explicit CutShort(const std::string& path)
+  explicit Truncated(const std::string& path)
       : io::InputError({path}, "", "is damaged, or ends in the middle of an entry") {}
 };
 
@@ -64,7 +64,7 @@ void CommandsReader::read(void* bytes, std::size_t size) {
   if (got == static_cast<int>(size)) return;
   int code = Z_OK;
   gzerror(gz_file(file_), &code);
-  if (code == Z_OK || code == Z_BUF_ERROR) throw CutShort(path_.string());
+  if (code == Z_OK || code == Z_BUF_ERROR) throw Truncated(path_.string());
   refuse("is damaged");
 }
 
@@ -161,9 +161,9 @@ std::optional<std::vector<WorldChange>> CommandsReader::read_step() {
   std::vector<WorldChange> changes;
   try {
     read_step(changes);
-  } catch (const CutShort&) {
+  } catch (const Truncated&) {
     if (kind_ == io::FileKind::kFile) throw;
-    is_cut_ = true;
+    is_truncated_ = true;
     return std::nullopt;
   }
   const bool has_entries = is_kept_[0] || is_kept_[1];
@@ -200,10 +200,16 @@ WorldChange CommandsReader::read_change() {
   return placed;
 }
 
-std::uint64_t CommandsReader::final_state() {
+std::optional<std::uint64_t> CommandsReader::final_state() {
   if (is_kept_[0] || is_kept_[1] || (number<std::uint8_t>() & Format::kTeamBits) != Format::kEnd)
     refuse("has more commands than the game needs; it belongs to another game");
-  return number<std::uint64_t>();
+  try {
+    return number<std::uint64_t>();
+  } catch (const Truncated&) {
+    if (kind_ == io::FileKind::kFile) throw;
+    is_truncated_ = true;
+    return std::nullopt;
+  }
 }
 
 }  // namespace autoref::game

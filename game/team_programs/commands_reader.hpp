@@ -33,16 +33,17 @@ class CommandsReader {
   const TeamEntry& next(char team);
 
   // Reads the next step: returns the changes of the world before it, and keeps its entries for
-  // next(). Returns nullopt if the recorded game was interrupted here, or if the file is cut.
-  // Throws InputError if the file is damaged; a file of FileKind::kFile must not be cut either.
+  // next(). Returns nullopt if the recorded game was interrupted here, or if the file is truncated.
+  // Throws InputError if the file is damaged; a file of FileKind::kFile must not be either.
   std::optional<std::vector<WorldChange>> read_step();
 
-  // Whether the file was found to be cut: it ends before or in this step, because the recording
-  // process was killed.
-  bool is_cut() const { return is_cut_; }
+  // Whether the file was found to be truncated: it ends before or in this step, because the
+  // recording process was killed.
+  bool is_truncated() const { return is_truncated_; }
 
-  // The final state of the game. Throws InputError if the file has further entries.
-  std::uint64_t final_state();
+  // The final state of the game; nullopt if the file is truncated. Throws InputError if it has
+  // further entries, and like read_step().
+  std::optional<std::uint64_t> final_state();
 
  private:
   [[noreturn]] void refuse(const std::string& what) const;
@@ -62,7 +63,7 @@ class CommandsReader {
   void* file_ = nullptr;  // a gzFile
   std::array<TeamEntry, 2> last_;
   std::array<bool, 2> is_kept_{};  // whether the entry of last_ has been read but not returned
-  bool is_cut_ = false;
+  bool is_truncated_ = false;
 };
 
 }  // namespace autoref::game

@@ -200,7 +200,8 @@ void GamePrograms::change(const WorldChange& change, Game& game) {
 
 bool GamePrograms::finish(const GameRecord& record, bool is_interrupted) {
   if (writer_) std::exchange(writer_, nullptr)->close(record.state_hash, is_interrupted);
-  return !reader_ || is_cut() || reader_->final_state() == record.state_hash;
+  if (!reader_ || is_truncated()) return true;
+  return reader_->final_state().value_or(record.state_hash) == record.state_hash;
 }
 
 std::optional<bool> repeats(const GameConfiguration& game, const std::filesystem::path& commands,

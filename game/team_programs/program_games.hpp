@@ -69,11 +69,13 @@ class GamePrograms {
 
   // Completes the file of commands; call this with the final record, or with that of an interrupted
   // game. If the game was played from recorded commands, returns whether it ended in the recorded
-  // state, or true if that is unknown (is_cut()). Throws like CommandsWriter and CommandsReader.
+  // state, or true if that is unknown (is_truncated()). Throws like CommandsWriter and
+  // CommandsReader.
   bool finish(const GameRecord& record, bool is_interrupted = false);
 
-  // Whether the game is played from recorded commands and their file has turned out to be cut.
-  bool is_cut() const { return reader_ && reader_->is_cut(); }
+  // Whether the game is played from recorded commands and their file has turned out to be
+  // truncated.
+  bool is_truncated() const { return reader_ && reader_->is_truncated(); }
 
  private:
   std::unique_ptr<strategies::Strategy> make(const TeamConfiguration& team,

@@ -94,6 +94,8 @@ class LiveGame::Impl {
       const PerSide<RobotReports> reports = reports_of(game_, game.world());
       ports_.report(reports);
       wait(game.frame().number, before, reports);
+      const bool is_first = game.frame().number == 0;
+      if (is_first && is_interrupted_()) throw io::Interrupted();  // the teams may never have come
       if (controller_) controller_->follow(game);
       collect_commands(game, before);
       if (!game.end_step()) break;
@@ -276,7 +278,8 @@ class LiveGame::Impl {
     Frame frame = game.frame();
     Tracks tracks = game.tracks();
     publisher_.publish(tracks);
-    for (int i = frames_of(kAfterEnd_s, game_); wait_after_end(frame.number) && i > 0; --i) {
+    int left = frames_of(kAfterEnd_s, game_);
+    while (!is_interrupted_() && wait_after_end(frame.number) && left-- > 0) {
       tracks.frame = ++frame.number;
       tracks.time_s = frame.time_s = static_cast<double>(frame.number) / game_.sim.frame_rate_hz;
       publisher_.on_frame(frame, game.signal(), game.world());

@@ -202,7 +202,9 @@ TEST(CommandLine, KillsAHangingGameAtTheSecondInterrupt) {
     const char* const play[] = {"autoref", "play", kPaperGame.c_str(), "--set", "match.half_s=0.1"};
     run_command_line(5, play);
     std::raise(SIGINT);
+    std::raise(SIGINT);  // as programs such as timeout do
     std::fputs("still here", stderr);
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));
     std::raise(SIGINT);
   };
   EXPECT_EXIT(interrupt_twice(), testing::KilledBySignal(SIGINT), "still here");

@@ -86,7 +86,22 @@ TEST(LineOutput, LinesWaitWhileAPipeIsFull) {
   EXPECT_GT(output.waiting_bytes(), 0U);
   EXPECT_LT(output.waiting_bytes(), 1'000'000U);
   close(reader);
-  EXPECT_THROW(output.add("gone"), io::InputOutputError);  // and no signal
+}
+
+TEST(LineOutput, GoesOnWithoutAReaderThatIsGone) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder / "pipe";
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  const int reader = open(path.c_str(), O_RDONLY | O_NONBLOCK);
+  LineOutput output("--events", path.string(), Appears::kAtOnce);
+  output.begin();
+  close(reader);
+  testing::internal::CaptureStderr();
+  for (int i = 0; i < 3; ++i) output.add("nowhere");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "autoref: " + path.string() + " cannot be written: Broken pipe\n");
+  EXPECT_EQ(output.waiting_bytes(), 0U);
+  EXPECT_THROW(output.commit(), io::InputOutputError);
 }
 
 TEST(LineOutput, WithoutAPathNothingIsOpened) {

@@ -113,7 +113,8 @@ TEST(PendingFile, ThatGrowsAppearsAsItIsWritten) {
     file.write("one ");
     file.write("two");
     EXPECT_EQ(content_of(folder / "x"), "one two");
-    EXPECT_THROW(PendingFile(folder / "x", FileKind::kGrowing, 0.02), InputOutputError);
+    for (const FileKind kind : {FileKind::kGrowing, FileKind::kFileOrPipe})
+      EXPECT_THROW(PendingFile(folder / "x", kind, 0.02), InputOutputError);
   }
   EXPECT_EQ(content_of(folder / "x"), "one two");
   EXPECT_FALSE(std::filesystem::exists(folder / "x.part"));
@@ -124,6 +125,7 @@ TEST(PendingFile, ThatGrowsButNeverBeginsChangesNothing) {
   write_content(folder / "x", "old");
   std::filesystem::create_symlink("nothing", folder / "link");
   for (const char* name : {"x", "y", "link"}) PendingFile(folder / name, FileKind::kGrowing);
+  EXPECT_FALSE(std::filesystem::exists(folder / "nothing"));
   EXPECT_EQ(content_of(folder / "x"), "old");
   EXPECT_FALSE(std::filesystem::exists(std::filesystem::symlink_status(folder / "y")));
   EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));

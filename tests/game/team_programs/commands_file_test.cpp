@@ -248,11 +248,11 @@ TEST_F(CommandsFile, OfAnInterruptedGameEndsWithItsState) {
   writer.close(kState, true);
   CommandsReader reader(file_);
   EXPECT_EQ(read_steps(reader, entries), kSteps);
-  EXPECT_FALSE(reader.is_cut());
+  EXPECT_FALSE(reader.is_truncated());
   EXPECT_EQ(reader.final_state(), kState);
 }
 
-TEST_F(CommandsFile, ThatIsCutHasTheStepsBefore) {
+TEST_F(CommandsFile, ThatIsTruncatedHasTheStepsBefore) {
   std::vector<TeamEntry> entries;
   {
     CommandsWriter writer(file_);
@@ -265,7 +265,7 @@ TEST_F(CommandsFile, ThatIsCutHasTheStepsBefore) {
     fs::resize_file(file_, static_cast<std::uintmax_t>(size * percent / 100));
     CommandsReader reader(file_, io::FileKind::kFileOrPipe);
     const int read = read_steps(reader, entries);
-    EXPECT_TRUE(reader.is_cut());
+    EXPECT_TRUE(reader.is_truncated());
     EXPECT_LT(read, steps);
     EXPECT_GT(read, 0);
     steps = read;
@@ -323,7 +323,7 @@ TEST_F(CommandsFile, RepeatsAGameThatWasKilled) {
   const GameRecord again = replayed_part(game, programs);
   EXPECT_EQ(again.frames, 19);  // the last step may be incomplete
   EXPECT_EQ(again.status, Status::kOk) << again.void_reason;
-  EXPECT_TRUE(programs.is_cut());
+  EXPECT_TRUE(programs.is_truncated());
   EXPECT_TRUE(programs.finish(again));
 }
 
