@@ -6,7 +6,10 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <thread>
+#include <utility>
 
 #include "io/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -73,35 +76,43 @@ TEST(LineOutput, LinesAppearAtOnceIfAskedTo) {
   EXPECT_EQ(content_of(path), "head\none\n");
 }
 
-TEST(LineOutput, LinesWaitWhileAPipeIsFull) {
-  const TemporaryFolder folder;
-  const std::filesystem::path path = folder / "pipe";
-  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
-  const int reader = open(path.c_str(), O_RDONLY | O_NONBLOCK);
-  LineOutput output("--events", path.string(), Appears::kAtOnce);
-  output.begin();
-  output.add("one");
-  EXPECT_EQ(output.waiting_bytes(), 0U);
-  for (int i = 0; i < 1000; ++i) output.add(std::string(999, 'x'));  // more than a pipe holds
-  EXPECT_GT(output.waiting_bytes(), 0U);
-  EXPECT_LT(output.waiting_bytes(), 1'000'000U);
-  close(reader);
+// Lines that appear at once in a pipe.
+class LinesInAPipe : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(mkfifo(path_.c_str(), 0600), 0);
+    reader_ = open(path_.c_str(), O_RDONLY | O_NONBLOCK);
+    output_.emplace("--events", path_.string(), Appears::kAtOnce);
+    output_->begin();
+  }
+  void TearDown() override { close_reader(); }
+
+  void close_reader() {
+    if (reader_ >= 0) close(std::exchange(reader_, -1));
+  }
+
+  TemporaryFolder folder_;
+  std::filesystem::path path_ = folder_ / "pipe";
+  int reader_ = -1;
+  std::optional<LineOutput> output_;
+};
+
+TEST_F(LinesInAPipe, WaitWhileItIsFull) {
+  output_->add("one");
+  EXPECT_EQ(output_->waiting_bytes(), 0U);
+  for (int i = 0; i < 1000; ++i) output_->add(std::string(999, 'x'));  // more than a pipe holds
+  EXPECT_GT(output_->waiting_bytes(), 0U);
+  EXPECT_LT(output_->waiting_bytes(), 1'000'000U);
 }
 
-TEST(LineOutput, GoesOnWithoutAReaderThatIsGone) {
-  const TemporaryFolder folder;
-  const std::filesystem::path path = folder / "pipe";
-  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
-  const int reader = open(path.c_str(), O_RDONLY | O_NONBLOCK);
-  LineOutput output("--events", path.string(), Appears::kAtOnce);
-  output.begin();
-  close(reader);
+TEST_F(LinesInAPipe, AreGivenUpIfItsReaderIsGone) {
+  close_reader();
   testing::internal::CaptureStderr();
-  for (int i = 0; i < 3; ++i) output.add("nowhere");
+  for (int i = 0; i < 3; ++i) output_->add("nowhere");
   EXPECT_EQ(testing::internal::GetCapturedStderr(),
-            "autoref: " + path.string() + " cannot be written: Broken pipe\n");
-  EXPECT_EQ(output.waiting_bytes(), 0U);
-  EXPECT_THROW(output.commit(), io::InputOutputError);
+            "autoref: " + path_.string() + " cannot be written: Broken pipe\n");
+  EXPECT_EQ(output_->waiting_bytes(), 0U);
+  EXPECT_THROW(output_->commit(), io::InputOutputError);
 }
 
 TEST(LineOutput, WithoutAPathNothingIsOpened) {
